@@ -1,0 +1,78 @@
+"""How package.xml is changed: one element put in or taken out, in the file's own indentation."""
+
+from __future__ import annotations
+
+from xml.sax.saxutils import escape
+
+from ..finding import Edit
+from ..model.manifest import Manifest
+from ..model.xml import Element
+from ..ros.manifest import DEPENDENCY_TAGS, place_of
+from ..source import Span
+
+
+def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
+    """Put a dependency where a person would: among its like, in order where they are in order."""
+    return add_element(manifest, tag, f"<{tag}>{escape(name)}</{tag}>", name)
+
+
+def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit:
+    """Put a child element of <package> at its place in the schema's order."""
+    anchor = anchor_for(manifest, tag, name)
+    indent = indentation(manifest, anchor)
+    if anchor is None:
+        return Edit(manifest.path, Span(manifest.root.open.end, manifest.root.open.end), f"\n{indent}{text}")
+    at = end_of_line(manifest, anchor)
+    return Edit(manifest.path, Span(at, at), f"\n{indent}{text}")
+
+
+def anchor_for(manifest: Manifest, tag: str, name: str) -> Element | None:
+    """Return the child after which a new one belongs; None where it comes first."""
+    like = manifest.all(tag)
+    smaller = [child for child in like if child.text <= name]
+    if like and not smaller:
+        before = manifest.root.children.index(like[0])
+        if before == 0 or is_sorted(like):
+            return manifest.root.children[before - 1] if before else None
+    if like:
+        return smaller[-1] if is_sorted(like) and smaller else like[-1]
+    earlier = [child for child in manifest.root.children if rank(child.tag) < rank(tag)]
+    return max(earlier, key=lambda child: (rank(child.tag), child.span)) if earlier else None
+
+
+def is_sorted(elements: list[Element]) -> bool:
+    names = [element.text for element in elements]
+    return names == sorted(names)
+
+
+def rank(tag: str) -> tuple[int, int]:
+    return place_of(tag), DEPENDENCY_TAGS.index(tag) if tag in DEPENDENCY_TAGS else 0
+
+
+def indentation(manifest: Manifest, sibling: Element | None) -> str:
+    """Return the blanks before a sibling, or before the first child, or two."""
+    element = sibling or next(iter(manifest.root.children), None)
+    if element is None:
+        return "  "
+    line = manifest.source.line_span(manifest.source.position(element.span.start)[0])
+    before = manifest.source.text[line.start : element.span.start]
+    return before if not before.strip() else "  "
+
+
+def end_of_line(manifest: Manifest, element: Element) -> int:
+    """Return the end of an element, past a comment that stands behind it in the same line."""
+    rest = manifest.source.line_span(manifest.source.position(element.span.end)[0])
+    behind = manifest.source.text[element.span.end : rest.end]
+    commented = behind.strip().startswith("<!--") and behind.strip().endswith("-->")
+    return element.span.end + len(behind.rstrip()) if commented else element.span.end
+
+
+def remove_element(manifest: Manifest, element: Element) -> Edit:
+    """Take an element out, with its line where nothing else stands in it."""
+    source = manifest.source
+    start = source.line_span(source.position(element.span.start)[0]).start
+    end = source.line_span(source.position(element.span.end)[0]).end
+    alone = not (source.text[start : element.span.start] + source.text[element.span.end : end]).strip()
+    if alone:
+        return Edit(manifest.path, Span(start, min(end + 1, len(source.text))), "")
+    return Edit(manifest.path, element.span, "")

@@ -1,0 +1,51 @@
+"""Which rules run: profiles, --select, --ignore; codes, names and prefixes alike."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..rule import Profile, Rule, all_rules
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What the user asked for, as typed; an empty `select` means every rule of the profiles."""
+
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    extend: tuple[str, ...] = ()
+    profiles: frozenset[Profile] = field(default_factory=lambda: frozenset({Profile.DEFAULT}))
+
+    def codes(self) -> frozenset[str]:
+        """Return the codes of the rules that run."""
+        return frozenset(rule.code for rule in all_rules() if self.runs(rule))
+
+    def runs(self, rule: Rule[Any]) -> bool:
+        """Return whether a rule runs: one named in full does, whatever its profile and whatever prefix is ignored."""
+        own = {rule.code, rule.name}
+        if own.intersection(self.ignore):
+            return False
+        if own.intersection(self.select + self.extend):
+            return True
+        if named_by(rule, self.ignore) or rule.profile not in self.profiles:
+            return False
+        return not self.select or named_by(rule, self.select + self.extend)
+
+
+EVERYTHING = Selection(profiles=frozenset(Profile))
+
+
+def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:
+    """Return whether a code, a name or a prefix of the code is among the names."""
+    return any(rule.name == name or (name and rule.code.startswith(name.upper())) for name in names)
+
+
+def codes_named(name: str) -> frozenset[str]:
+    """Return the codes that a name, a code or a prefix stands for; none if it names no rule."""
+    return frozenset(r.code for r in all_rules() if named_by(r, (name,)))
+
+
+def rule_names() -> list[str]:
+    return [name for rule in all_rules() for name in (rule.code, rule.name)]

@@ -1,0 +1,144 @@
+"""One run over a tree: read, link, check, silence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..finding import Finding
+from ..model.facts import PackageFacts
+from ..model.files import PackageFiles
+from ..model.happenings import HAPPENINGS, NothingChecked, RuleCrash
+from ..model.workspace import Workspace
+from ..ros.distros import Targets
+from ..rule import Rule
+from ..tree import Tree
+from .check import check
+from .shard import Checked, Shard
+from .slices import Slices
+from .stamp import Stamper, rule_by_code
+from .suppress import Silence
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What a run looks at. Folders are relative to the root of the tree."""
+
+    folders: tuple[str, ...]
+    """Every package of the workspace."""
+    given: frozenset[str]
+    """Those to report on."""
+    name: str = "package"
+    """The name of the root folder."""
+    complete: bool = True
+    prefix_names: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Results:
+    """What a run found; findings are sorted, and `suppressed` ones are kept apart."""
+
+    findings: tuple[Finding, ...] = ()
+    suppressed: tuple[Finding, ...] = ()
+    crashes: tuple[RuleCrash, ...] = ()
+    packages: int = 0
+    files: int = 0
+
+
+class Pool:
+    """Runs everything in this process; `engine.pool` has the one that spreads it over several."""
+
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets) -> None:
+        self.shard = Shard(tree, scope.folders, targets, scope.name)
+
+    def gather(self) -> list[PackageFacts]:
+        return self.shard.gather()
+
+    def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
+        return self.shard.check(workspace, codes)
+
+    def close(self) -> None:
+        """Release what the pool holds."""
+
+
+@dataclass
+class Session:
+    tree: Tree
+    scope: Scope
+    codes: frozenset[str]
+    targets: Targets = field(default_factory=Targets)
+    make_pool: Callable[[Tree, Scope, Targets], Pool] = Pool
+
+    def run(self) -> Results:
+        """Lint everything that is given; never raises for what a package holds."""
+        pool = self.make_pool(self.tree, self.scope, self.targets)
+        try:
+            facts = sorted(pool.gather(), key=lambda f: f.folder)
+            workspace = Workspace(tuple(facts), self.scope.given, self.scope.complete, self.scope.prefix_names)
+            checked = pool.check(workspace, sorted(self.codes))
+        finally:
+            pool.close()
+        return self.collect(workspace, checked)
+
+    def collect(self, workspace: Workspace, checked: Sequence[Checked]) -> Results:
+        over_all = list(self.over_all(workspace))
+        findings = [f for each in checked for f in each.findings] + [r for r in over_all if isinstance(r, Finding)]
+        crashes = [c for each in checked for c in each.crashes] + [r for r in over_all if isinstance(r, RuleCrash)]
+        silence = Silence([s for each in checked for s in each.suppressions], self.codes)
+        judged = silence.apply(findings)
+        happened: list[Any] = [*silence.unused(), *silence.unknown(), *crashes]
+        judged += silence.apply(self.report(workspace, happened))
+        judged.sort(key=lambda f: f.sort_key)
+        return Results(
+            tuple(f for f in judged if f.suppressed is None),
+            tuple(f for f in judged if f.suppressed is not None),
+            tuple(crashes),
+            len(workspace.given),
+            sum(each.files for each in checked),
+        )
+
+    def over_all(self, workspace: Workspace) -> Iterable[Finding | RuleCrash]:
+        rules = [r for r in map(rule_by_code, sorted(self.codes)) if r.over is Workspace]
+        return check(Given(workspace), rules, self.stamper(workspace))
+
+    def report(self, workspace: Workspace, happened: Sequence[object]) -> list[Finding]:
+        """Turn what happened in the run itself into findings, by the RPK rules."""
+        rules = [rule_by_code(code) for code in sorted(self.codes | {"RPK005", "RPK006"})]
+        stamper = self.stamper(workspace)
+        return [
+            stamper.stamp(rule, hit)
+            for rule in rules
+            if rule.over in HAPPENINGS
+            for each in happened
+            if isinstance(each, rule.over)
+            for hit in rule.check(each)
+        ]
+
+    def stamper(self, workspace: Workspace) -> Stamper:
+        files = PackageFiles(self.tree)
+        return RootStamper(files, files, "", workspace)
+
+    def nothing(self, paths: Sequence[str], hidden: str = "") -> Results:
+        """Return the results of a run that found no package."""
+        return Results(tuple(self.report(Workspace(), [NothingChecked(tuple(paths), hidden)])))
+
+
+class Given(Slices):
+    """The one slice of rules over the whole workspace."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.provided = {Workspace: workspace}
+
+
+@dataclass
+class RootStamper(Stamper):
+    """Stamps hits whose paths are relative to the root of the run; the package is the one that the path is in."""
+
+    workspace: Workspace
+
+    def stamp(self, rule: Rule[Any], hit: Any) -> Finding:
+        path = hit.path.lstrip("/")
+        around = [f for f in self.workspace.packages if not f.folder or path.startswith(f.folder + "/")]
+        self.package = max(around, key=lambda f: len(f.folder)).name if around else ""
+        return super().stamp(rule, hit)

@@ -1,0 +1,69 @@
+"""The packages that one process reads and checks; what goes in and comes out is plain values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from ..finding import Finding
+from ..model.facts import PackageFacts
+from ..model.files import PackageFiles
+from ..model.gather import gather
+from ..model.happenings import HAPPENINGS, RuleCrash
+from ..model.package import Package
+from ..model.workspace import Workspace
+from ..ros.distros import Targets
+from ..tree import Tree
+from .check import check
+from .comments import Suppression, suppressions_in
+from .slices import Slices
+from .stamp import Stamper, rule_by_code
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What came out of one package."""
+
+    folder: str
+    findings: tuple[Finding, ...] = ()
+    crashes: tuple[RuleCrash, ...] = ()
+    suppressions: tuple[Suppression, ...] = ()
+    files: int = 0
+
+
+@dataclass
+class Shard:
+    tree: Tree
+    folders: Sequence[str]
+    targets: Targets
+    name: str = "package"
+    """What a package in the root is called when its manifest does not say."""
+    packages: dict[str, Package] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.packages = {f: Package(PackageFiles(self.tree.sub(f), f)) for f in self.folders}
+
+    def gather(self) -> list[PackageFacts]:
+        return [gather(p, self.targets, folder, self.name) for folder, p in self.packages.items()]
+
+    def check(self, workspace: Workspace, codes: Iterable[str]) -> list[Checked]:
+        """Run the rules (without those over the whole workspace) over the given packages of this shard."""
+        rules = [r for r in map(rule_by_code, codes) if r.over not in HAPPENINGS | {Workspace}]
+        whole = PackageFiles(self.tree)
+        found = []
+        for folder in self.folders:
+            if folder not in workspace.given:
+                continue
+            package = self.packages[folder]
+            stamper = Stamper(package.files, whole, workspace.at(folder).name)
+            results = list(check(Slices(package, workspace, self.targets), rules, stamper))
+            found.append(
+                Checked(
+                    folder,
+                    tuple(r for r in results if isinstance(r, Finding)),
+                    tuple(r for r in results if isinstance(r, RuleCrash)),
+                    tuple(suppressions_in(package.files)),
+                    len(package.files.paths),
+                )
+            )
+        return found

@@ -1,0 +1,138 @@
+"""A rule's documented case: printed by `rospkg explain` and run by the tests."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from .finding import Safety
+from .source import Span
+
+Files = Mapping[str, str | None]
+
+MARK = re.compile("[«»]")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Example:
+    """A tree that the rule complains about, and one that it does not.
+
+    In `bad`, each complaint stands between « and »: the exact span of one hit.  `good` gives only the files that
+    differ from `bad` (None: the file is not there).  `on` names the backdrop: the other files of a faultless
+    package called `my_pkg` ("ament_python", "ament_cmake", or "" for none).  `fix` says that the rule's own fix
+    makes `good` of `bad`.
+    """
+
+    bad: Files
+    good: Files
+    on: str = "ament_python"
+    fix: Safety | None = None
+    targets: tuple[str, ...] = ()
+
+    def bad_files(self) -> dict[str, str]:
+        return present(
+            {**BACKDROPS[self.on], **{p: None if t is None else MARK.sub("", t) for p, t in self.bad.items()}}
+        )
+
+    def good_files(self) -> dict[str, str]:
+        return present({**BACKDROPS[self.on], **unmarked(self.bad), **self.good})
+
+    def marks(self) -> list[tuple[str, Span]]:
+        """The spans between « and » of all files, in order, counted without the marks."""
+        found = []
+        for path, text in self.bad.items():
+            opened = 0
+            for removed, mark in enumerate(MARK.finditer(text or "")):
+                if mark.group() == "«":
+                    opened = mark.start() - removed
+                else:
+                    found.append((path, Span(opened, mark.start() - removed)))
+        return sorted(found)
+
+
+def unmarked(files: Files) -> dict[str, str | None]:
+    return {path: None if text is None else MARK.sub("", text) for path, text in files.items()}
+
+
+def present(files: Files) -> dict[str, str]:
+    return {path: text for path, text in files.items() if text is not None}
+
+
+MANIFEST = """\
+<?xml version="1.0"?>
+<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
+<package format="3">
+  <name>my_pkg</name>
+  <version>1.0.0</version>
+  <description>Drives my robot</description>
+  <maintainer email="ada@example.org">Ada</maintainer>
+  <license>Apache-2.0</license>
+{buildtool}
+  <export>
+    <build_type>{build_type}</build_type>
+  </export>
+</package>
+"""
+
+SETUP_PY = """\
+from setuptools import find_packages, setup
+
+package_name = 'my_pkg'
+
+setup(
+    name=package_name,
+    version='1.0.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='Ada',
+    maintainer_email='ada@example.org',
+    description='Drives my robot',
+    license='Apache-2.0',
+    extras_require={'test': ['pytest']},
+)
+"""
+
+SETUP_CFG = """\
+[develop]
+script_dir=$base/lib/my_pkg
+[install]
+install_scripts=$base/lib/my_pkg
+"""
+
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+ament_package()
+"""
+
+
+def manifest(body: str = "", build_type: str = "ament_python", name: str = "my_pkg") -> str:
+    """A faultless package.xml with `body` (lines of dependencies, two blanks deep) before its export."""
+    buildtool = "  <buildtool_depend>ament_cmake</buildtool_depend>\n" if build_type == "ament_cmake" else ""
+    text = MANIFEST.format(buildtool=(buildtool + body).rstrip("\n"), build_type=build_type)
+    return text.replace("my_pkg", name).replace("\n\n", "\n")
+
+
+BACKDROPS: dict[str, dict[str, str | None]] = {
+    "": {},
+    "ament_python": {
+        "package.xml": manifest(),
+        "setup.py": SETUP_PY,
+        "setup.cfg": SETUP_CFG,
+        "resource/my_pkg": "",
+        "my_pkg/__init__.py": "",
+        "LICENSE": "Apache License\n",
+    },
+    "ament_cmake": {
+        "package.xml": manifest(build_type="ament_cmake"),
+        "CMakeLists.txt": CMAKE,
+        "LICENSE": "Apache License\n",
+    },
+}

@@ -1,0 +1,143 @@
+"""What a rule says (Hit) and what users get (Finding): plain values that pickle, never a syntax node."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from enum import Enum
+from itertools import pairwise
+
+from .source import Span
+
+
+class Severity(Enum):
+    INFO = "info"
+    WARNING = "warning"
+    ERROR = "error"
+
+    @property
+    def rank(self) -> int:
+        """0 for info, 1 for warning, 2 for error."""
+        return list(Severity).index(self)
+
+
+class Safety(Enum):
+    SAFE = "safe"
+    UNSAFE = "unsafe"
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """Replace a span of a file; an empty span inserts."""
+
+    path: str
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Create:
+    """Write a file that is not there."""
+
+    path: str
+    text: str
+    executable: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Delete:
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    path: str
+    to: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chmod:
+    path: str
+    executable: bool
+
+
+Operation = Edit | Create | Delete | Move | Chmod
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A repair in one line, and its operations on files; raises ValueError when its own edits overlap."""
+
+    title: str
+    operations: tuple[Operation, ...]
+    safety: Safety = Safety.SAFE
+
+    def __post_init__(self) -> None:
+        spans: dict[str, list[Span]] = defaultdict(list)
+        for operation in self.operations:
+            if isinstance(operation, Edit):
+                spans[operation.path].append(operation.span)
+        for path, found in spans.items():
+            found.sort()
+            if any(a.end > b.start for a, b in pairwise(found)):
+                raise ValueError(f"the edits of one fix overlap in {path}: {self.title}")
+
+
+@dataclass(frozen=True, slots=True)
+class Related:
+    """Another place that has to do with a hit, and why."""
+
+    path: str
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """One place where a rule's complaint holds; the engine adds code, name and level.
+
+    Paths are relative to the package; one that begins with `/` is relative to the root of the run.
+    """
+
+    path: str
+    span: Span
+    message: str
+    level: Severity | None = None
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A span of a file with its lines and columns (from 1, in code points; the end is exclusive)."""
+
+    path: str
+    span: Span
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """A stamped hit. Paths are relative to the root of the run."""
+
+    code: str
+    name: str
+    severity: Severity
+    message: str
+    place: Place
+    package: str
+    excerpt: str = ""
+    """The line of source at `place.line`."""
+    related: tuple[tuple[Place, str], ...] = ()
+    fix: Fix | None = None
+    edit_places: tuple[Place, ...] = ()
+    """One for each Edit of `fix`, in order."""
+    suppressed: str | None = None
+    """Why this finding is not reported; None where it is."""
+
+    @property
+    def sort_key(self) -> tuple[str, int, str, str]:
+        return (self.place.path, self.place.span.start, self.code, self.message)

@@ -1,0 +1,49 @@
+"""Find packages: every folder with a package.xml, as colcon finds them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from ..tree import SKIPPED, Tree, is_built
+
+IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+
+
+def packages_below(root: Path, *, given: bool = True) -> Iterator[Path]:
+    """Yield the package folders below a folder, sorted; nothing inside a package, nothing below an ignore marker.
+
+    A folder that is `given` is looked into even when it is marked.
+    """
+    try:
+        entries = sorted(os.scandir(root), key=lambda e: e.name)
+    except OSError:
+        return
+    names = {entry.name for entry in entries}
+    if not given and names.intersection(IGNORE_MARKERS):
+        return
+    if "package.xml" in names:
+        yield root
+        return
+    for entry in entries:
+        if entry.is_dir(follow_symlinks=False) and entry.name not in SKIPPED and not is_built(entry):
+            yield from packages_below(Path(entry.path), given=False)
+
+
+def enclosing_package(path: Path) -> Path | None:
+    """Return the nearest folder at or above a path that holds a package.xml."""
+    for folder in (path, *path.parents):
+        if (folder / "package.xml").is_file():
+            return folder
+    return None
+
+
+def packages_in(tree: Tree) -> list[str]:
+    """Return the folders of the packages of a tree in memory ("" for its root)."""
+    found = sorted(p.rpartition("/")[0] for p in tree.files() if p.rpartition("/")[2] == "package.xml")
+    return [
+        f
+        for f in found
+        if not any(f != outer and (f + "/").startswith(outer + "/" if outer else "") for outer in found)
+    ]

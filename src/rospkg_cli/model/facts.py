@@ -1,0 +1,57 @@
+"""PackageFacts: all that one package may know of another. Small, frozen, and it pickles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ..source import Span
+
+Unknown = Literal[
+    "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments"
+]
+
+
+NOWHERE = Span(0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """One dependency of a manifest that holds for a target: its tag and its name."""
+
+    tag: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class PackageFacts:
+    name: str
+    folder: str
+    """Relative to the root of the run."""
+    build_type: str = ""
+    name_span: Span = NOWHERE
+    """Of the name in package.xml."""
+    version: str = ""
+    dependencies: tuple[Need, ...] = ()
+    groups: frozenset[str] = frozenset()
+    """The groups it is a member of."""
+    executables: frozenset[str] = frozenset()
+    """What stands in lib/<name> after the build."""
+    interfaces: frozenset[str] = frozenset()
+    """`msg/Name`, `srv/Name`, `action/Name`."""
+    share_files: frozenset[str] = frozenset()
+    """What stands in share/<name> after the build, relative to it."""
+    components: frozenset[str] = frozenset()
+    modules: frozenset[str] = frozenset()
+    """Dotted names of the Python modules that are installed."""
+    launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
+    """For each launch file in share/<name>: the arguments that it declares."""
+    unknown: frozenset[Unknown] = frozenset()
+    """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
+
+    def knows(self, field: Unknown) -> bool:
+        return field not in self.unknown
+
+    def at(self, path: str) -> str:
+        """Return the path of a file of this package as another package's rule must write it."""
+        return f"/{self.folder}/{path}" if self.folder else f"/{path}"

@@ -1,0 +1,114 @@
+"""The files of one package, and what readers get to read them with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import cached_property
+from typing import Generic, Protocol, TypeVar
+
+from ..source import Source, Span
+from ..tree import Tree
+from .unreadable import Unreadable, UnreadableError
+
+T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
+
+
+@dataclass
+class PackageFiles:
+    """The files of the package in `folder` (relative to the root of the run, "" for the root itself)."""
+
+    tree: Tree
+    folder: str = ""
+
+    def __post_init__(self) -> None:
+        self._sources: dict[str, Source] = {}
+
+    @cached_property
+    def paths(self) -> tuple[str, ...]:
+        """Every file of the package, sorted; packages below it are not its own."""
+        every = sorted(self.tree.files())
+        inner = [p[: -len("package.xml")] for p in every if p.endswith("/package.xml")]
+        return tuple(p for p in every if not p.startswith(tuple(inner)))
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """Every folder that holds a file, at any depth."""
+        found = set()
+        for path in self.paths:
+            while "/" in path:
+                path = path.rpartition("/")[0]
+                if path in found:
+                    break
+                found.add(path)
+        return frozenset(found)
+
+    @cached_property
+    def _set(self) -> frozenset[str]:
+        return frozenset(self.paths)
+
+    def exists(self, path: str) -> bool:
+        return path in self._set
+
+    def executable(self, path: str) -> bool:
+        return self.tree.entry(path).executable
+
+    def below(self, folder: str) -> tuple[str, ...]:
+        """Return the files at any depth below a folder ("" for all)."""
+        prefix = folder.rstrip("/") + "/" if folder else ""
+        return tuple(p for p in self.paths if p.startswith(prefix))
+
+    def matching(self, pattern: str) -> tuple[str, ...]:
+        """Return the files whose whole path fits a shell pattern, in which `*` crosses `/`."""
+        return tuple(p for p in self.paths if fnmatchcase(p, pattern))
+
+    def source(self, path: str) -> Source:
+        """Return a file's text; raises UnreadableError where it has none."""
+        if path not in self._sources:
+            try:
+                text = self.tree.entry(path).text.text
+            except UnicodeError as error:
+                raise UnreadableError(path, Span(0, 0), unreadable_bytes(path, error)) from None
+            except OSError as error:
+                raise UnreadableError(path, Span(0, 0), f"`{path}` can't be read: {error.strerror or error}") from None
+            self._sources[path] = Source(path, text)
+        return self._sources[path]
+
+
+def unreadable_bytes(path: str, error: UnicodeError) -> str:
+    if isinstance(error, UnicodeDecodeError):
+        return f"`{path}` is not valid {error.encoding} (byte {error.start}); save it as UTF-8"
+    return f"`{path}`: {error}"
+
+
+@dataclass(frozen=True)
+class Parts(Generic[T_co]):
+    """What a reader made of a package: the models that could be read, and the files that could not."""
+
+    good: tuple[T_co, ...] = ()
+    broken: tuple[Unreadable, ...] = ()
+
+    @property
+    def only(self) -> T_co | None:
+        """The model of a file that a package has once, or None."""
+        return self.good[0] if self.good else None
+
+
+class Reading(Protocol):
+    """What a reader may ask for: the files, and other models of the same package."""
+
+    @property
+    def files(self) -> PackageFiles: ...
+
+    def parts(self, kind: type[T]) -> Parts[T]: ...
+
+
+def each(files: PackageFiles, paths: Iterable[str], read: Callable[[Source], T]) -> Iterator[T | Unreadable]:
+    """Read every path on its own, so that one broken file does not hide the others."""
+    for path in paths:
+        try:
+            yield read(files.source(path))
+        except UnreadableError as error:
+            yield error.unreadable

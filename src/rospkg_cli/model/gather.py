@@ -1,0 +1,27 @@
+"""Phase one: what other packages may know of this one."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+
+from ..ros.distros import Targets
+from .facts import Need, PackageFacts
+from .files import Reading
+from .manifest import Manifest
+
+
+def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
+    """Return a package's facts; `fallback` is its name where package.xml can't be read."""
+    manifest = reading.parts(Manifest).only
+    if manifest is None:
+        name = PurePosixPath(folder).name or fallback
+        return PackageFacts(name, folder, unknown=frozenset({"name", "dependencies"}))
+    return PackageFacts(
+        name=manifest.name or PurePosixPath(folder).name or fallback,
+        folder=folder,
+        build_type=manifest.build_type(targets),
+        name_span=manifest.name_span,
+        version=manifest.version,
+        dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
+        groups=frozenset(e.text for e in manifest.all("member_of_group")),
+    )

@@ -1,0 +1,51 @@
+"""What a run itself can report: the slices of the RPK rules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class UnusedSuppression:
+    """An ignore comment, or one code of it, that silenced nothing; `rest` is the comment without it."""
+
+    path: str
+    span: Span
+    code: str
+    delete: Span
+    """What to delete so that the ignore is gone."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownRuleName:
+    """A suppression that names no rule."""
+
+    path: str
+    span: Span
+    name: str
+    nearest: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class RuleCrash:
+    """A rule raised, or found more than it may."""
+
+    code: str
+    package: str
+    path: str
+    error: str
+
+
+@dataclass(frozen=True, slots=True)
+class NothingChecked:
+    """No package under the given paths."""
+
+    paths: tuple[str, ...]
+    hidden: str = ""
+    """Why packages that are there were left out, where that is known."""
+
+
+HAPPENINGS: frozenset[type] = frozenset({UnusedSuppression, UnknownRuleName, RuleCrash, NothingChecked})
+"""Slices that the run makes of itself, after the packages have been checked."""

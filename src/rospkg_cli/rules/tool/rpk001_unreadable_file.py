@@ -1,0 +1,43 @@
+"""RPK001 unreadable-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Hit, Severity
+from ...model.unreadable import Unreadable
+from ...rule import rule
+
+BAD = """\
+<package format="3">
+  <name>my_pkg</name>
+</«p»ackages>
+"""
+GOOD = """\
+<package format="3">
+  <name>my_pkg</name>
+</package>
+"""
+
+
+@rule(
+    "RPK001",
+    "unreadable-file",
+    over=Unreadable,
+    severity=Severity.ERROR,
+    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),),
+)
+def unreadable_file(file: Unreadable) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reports a file that the build or an installed file reads and that can't be read: XML that is not well-formed,
+    Python or YAML with a syntax error, bytes that are no text. One finding a file, at the exact place; rules that
+    need the file keep quiet until it is mended.
+
+    ## Why is this bad?
+    colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a
+    warning, and `ros2 run` doesn't find it.
+    """
+    if not file.grammar:
+        yield Hit(file.path, file.span, file.message)

@@ -1,0 +1,33 @@
+"""RPK003 unknown-rule."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.happenings import UnknownRuleName
+from ...rule import rule
+
+BAD = manifest("  <!-- rospkg: ignore[«placeholder-metdata»] the text will come -->\n")
+GOOD = manifest()
+
+
+@rule(
+    "RPK003",
+    "unknown-rule",
+    over=UnknownRuleName,
+    severity=Severity.WARNING,
+    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),),
+)
+def unknown_rule(unknown: UnknownRuleName) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds ignore comments that name no rule: neither a code (`SET101`), nor a name (`entry-point-module-missing`), nor
+    the beginning of a code (`SET1`).
+
+    ## Why is this bad?
+    The ignore silences nothing, and nobody notices.
+    """
+    hint = f"; did you mean `{unknown.nearest}`?" if unknown.nearest else "; `rospkg rules` lists them"
+    yield Hit(unknown.path, unknown.span, f"there is no rule `{unknown.name}`{hint}")

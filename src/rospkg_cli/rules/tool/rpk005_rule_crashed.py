@@ -1,0 +1,24 @@
+"""RPK005 rule-crashed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...finding import Hit, Severity
+from ...model.happenings import RuleCrash
+from ...rule import rule
+from ...source import Span
+
+
+@rule("RPK005", "rule-crashed", over=RuleCrash, severity=Severity.ERROR, examples=())
+def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reports that a rule of ours raised, or found more than it may, on a package. The other rules go on; the exit
+    status is 3 after everything has been printed.
+
+    ## Why is this bad?
+    That rule said nothing about the package. It is our fault, not yours: please report it with the output of `-v`.
+    """
+    last = crash.error.strip().splitlines()[-1]
+    yield Hit(crash.path, Span(0, 0), f"rule {crash.code} failed on `{crash.package}`: {last}; please report this")

@@ -1,0 +1,36 @@
+"""RPK006 nothing-checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.happenings import NothingChecked
+from ...rule import rule
+from ...source import Span
+
+
+@rule(
+    "RPK006",
+    "nothing-checked",
+    over=NothingChecked,
+    severity=Severity.ERROR,
+    examples=(Example(on="", bad={"README.md": "A workspace\n"}, good={"package.xml": manifest()}),),
+)
+def nothing_checked(nothing: NothingChecked) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reports that there was no package under the given paths: no folder with a package.xml that isn't hidden by
+    COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE.
+
+    ## Why is this bad?
+    A run that checked nothing is not a green run. Where that is meant, as in a hook, use `--allow-empty`.
+    """
+    names = ", ".join(f"`{path}`" for path in nothing.paths) or "`.`"
+    why = f" ({nothing.hidden})" if nothing.hidden else ""
+    yield Hit(
+        nothing.paths[0] if nothing.paths else ".",
+        Span(0, 0),
+        f"there is no package under {names}{why}: no package.xml was found; give the path of a package or a workspace",
+    )

@@ -1,0 +1,69 @@
+"""Bytes to text and back, so that a file that was edited keeps its encoding, its mark and its line ends."""
+
+from __future__ import annotations
+
+import codecs
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+Newline = Literal["\n", "\r\n", ""]
+
+BOMS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+
+DECLARED = re.compile(rb"""\A\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
+CODING = re.compile(rb"\A(?:[^\n]*\n)?[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
+
+KNOWN = re.compile(r"utf-?(8|16(-?[bl]e)?)|us-ascii|ascii|iso-?8859-?\d+|latin-?1|windows-125\d|cp125\d", re.IGNORECASE)
+"""The encodings that are read; anything else is one clear finding."""
+
+
+@dataclass(frozen=True)
+class Text:
+    """A decoded text whose line ends are `\\n`; where ends are mixed (`newline` is ""), as they stand."""
+
+    text: str
+    encoding: str = "utf-8"
+    bom: bytes = b""
+    newline: Newline = "\n"
+
+    def encode(self, text: str) -> bytes:
+        """Return the bytes of an edited text; raises UnicodeEncodeError where the encoding can't hold it."""
+        if self.newline == "\r\n":
+            text = text.replace("\n", "\r\n")
+        return self.bom + text.encode(self.encoding)
+
+
+def decode(data: bytes) -> Text:
+    """Decode bytes by their mark, else by what an XML or Python header declares, else as UTF-8.
+
+    Raises UnicodeError (LookupError is turned into it) where that fails.
+    """
+    bom, encoding = b"", ""
+    for mark, name in BOMS:
+        if data.startswith(mark):
+            bom, encoding = mark, name
+            break
+    body = data[len(bom) :]
+    if not encoding:
+        encoding = declared(body)
+    text = body.decode(encoding)
+    if "\r" not in text:
+        return Text(text, encoding, bom, "\n")
+    if text.count("\r") == text.count("\n") == text.count("\r\n"):
+        return Text(text.replace("\r\n", "\n"), encoding, bom, "\r\n")
+    return Text(text, encoding, bom, "")
+
+
+def declared(body: bytes) -> str:
+    found = DECLARED.match(body) or CODING.match(body)
+    if found is None:
+        return "utf-8"
+    name = found.group(1).decode("ascii", "replace")
+    if not KNOWN.fullmatch(name):
+        raise UnicodeError(f"the encoding {name!r} is not known here; save the file as UTF-8")
+    return "utf-16" if name.lower().replace("-", "") == "utf16" else name

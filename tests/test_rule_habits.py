@@ -1,0 +1,48 @@
+"""What every rule's file has in common, so that the next one is easy to write and easy to read."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import sys
+
+import pytest
+
+from rospkg_cli.rule import Rule, all_rules
+
+RULES = [pytest.param(rule, id=rule.code) for rule in all_rules()]
+FAMILIES = {
+    "RPK": "tool", "XML": "manifest", "SET": "setup", "DEP": "depends", "CMK": "cmake", "IDL": "interfaces",
+    "LCH": "launch", "PRM": "params", "URD": "urdf", "PLG": "plugins", "WSP": "workspace",
+}  # fmt: skip
+HEADINGS = ["## What it does", "## Why is this bad?", "## Fix safety", "## References"]
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_the_file_is_called_like_the_rule(rule: Rule) -> None:
+    module = rule.check.__module__.rpartition("rules.")[2]
+    assert module == f"{FAMILIES[rule.family]}.{rule.code.lower()}_{rule.name.replace('-', '_')}"
+    assert rule.check.__name__ == rule.name.replace("-", "_")
+    assert re.fullmatch(r"[A-Z]{3}[0-9]{3}", rule.code)
+    assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", rule.name)
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_the_docs_have_their_headings_in_order(rule: Rule) -> None:
+    found = re.findall(r"^ *(## .*)$", rule.docs, re.MULTILINE)
+    assert found[:2] == HEADINGS[:2]
+    assert found == [heading for heading in HEADINGS if heading in found]
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_the_body_is_short(rule: Rule) -> None:
+    source, _ = inspect.getsourcelines(rule.check)
+    body = len(source) - rule.docs.count("\n")
+    decorator = next(i for i, line in enumerate(source) if line.startswith("def "))
+    assert body - decorator <= 32
+    assert len(inspect.getsource(sys.modules[rule.check.__module__]).splitlines()) <= 140
+
+
+def test_names_and_codes_are_unique() -> None:
+    rules = all_rules()
+    assert len({r.name for r in rules}) == len({r.code for r in rules}) == len(rules)
