@@ -10,6 +10,7 @@ from ..finding import Finding
 from ..model.facts import PackageFacts
 from ..model.files import PackageFiles
 from ..model.happenings import HAPPENINGS, NothingChecked, RuleCrash
+from ..model.settings import Settings
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
 from ..rule import Rule
@@ -49,8 +50,8 @@ class Results:
 class Pool:
     """Runs everything in this process; `engine.pool` has the one that spreads it over several."""
 
-    def __init__(self, tree: Tree, scope: Scope, targets: Targets) -> None:
-        self.shard = Shard(tree, scope.folders, targets, scope.name)
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings) -> None:
+        self.shard = Shard(tree, scope.folders, targets, settings, scope.name)
 
     def gather(self) -> list[PackageFacts]:
         return self.shard.gather()
@@ -68,11 +69,12 @@ class Session:
     scope: Scope
     codes: frozenset[str]
     targets: Targets = field(default_factory=Targets)
-    make_pool: Callable[[Tree, Scope, Targets], Pool] = Pool
+    settings: Settings = field(default_factory=Settings)
+    make_pool: Callable[[Tree, Scope, Targets, Settings], Pool] = Pool
 
     def run(self) -> Results:
         """Lint everything that is given; never raises for what a package holds."""
-        pool = self.make_pool(self.tree, self.scope, self.targets)
+        pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
         try:
             facts = sorted(pool.gather(), key=lambda f: f.folder)
             workspace = Workspace(tuple(facts), self.scope.given, self.scope.complete, self.scope.prefix_names)
@@ -102,10 +104,10 @@ class Session:
         rules = [r for r in map(rule_by_code, sorted(self.codes)) if r.over is Workspace]
         return check(Given(workspace), rules, self.stamper(workspace))
 
-    def report(self, workspace: Workspace, happened: Sequence[object]) -> list[Finding]:
+    def report(self, workspace: Workspace | None, happened: Sequence[object]) -> list[Finding]:
         """Turn what happened in the run itself into findings, by the RPK rules."""
         rules = [rule_by_code(code) for code in sorted(self.codes | {"RPK005", "RPK006"})]
-        stamper = self.stamper(workspace)
+        stamper = self.stamper(workspace or Workspace())
         return [
             stamper.stamp(rule, hit)
             for rule in rules

@@ -11,6 +11,7 @@ from ..model.files import PackageFiles
 from ..model.gather import gather
 from ..model.happenings import HAPPENINGS, RuleCrash
 from ..model.package import Package
+from ..model.settings import Settings
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
 from ..tree import Tree
@@ -18,6 +19,8 @@ from .check import check
 from .comments import Suppression, suppressions_in
 from .slices import Slices
 from .stamp import Stamper, rule_by_code
+
+NO_SETTINGS = Settings()
 
 
 @dataclass(frozen=True)
@@ -36,6 +39,7 @@ class Shard:
     tree: Tree
     folders: Sequence[str]
     targets: Targets
+    settings: Settings = NO_SETTINGS
     name: str = "package"
     """What a package in the root is called when its manifest does not say."""
     packages: dict[str, Package] = field(default_factory=dict)
@@ -56,7 +60,7 @@ class Shard:
                 continue
             package = self.packages[folder]
             stamper = Stamper(package.files, whole, workspace.at(folder).name)
-            results = list(check(Slices(package, workspace, self.targets), rules, stamper))
+            results = list(check(Slices(package, workspace, self.targets, self.settings), rules, stamper))
             found.append(
                 Checked(
                     folder,

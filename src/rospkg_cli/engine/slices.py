@@ -14,6 +14,7 @@ from ..model.facts import PackageFacts
 from ..model.files import PackageFiles
 from ..model.package import Package
 from ..model.readers import READERS
+from ..model.settings import Settings
 from ..model.unreadable import Unreadable
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
@@ -25,12 +26,13 @@ Field = tuple[type, bool, bool]
 class Slices:
     """All slices of one package, each kind built once."""
 
-    def __init__(self, package: Package, workspace: Workspace, targets: Targets) -> None:
+    def __init__(self, package: Package, workspace: Workspace, targets: Targets, settings: Settings) -> None:
         self.package = package
         self.provided: dict[type, Any] = {
             PackageFiles: package.files,
             Workspace: workspace,
             Targets: targets,
+            Settings: settings,
             PackageFacts: workspace.at(package.folder),
         }
         self.built: dict[type, list[Any]] = {Unreadable: []}

@@ -9,13 +9,13 @@ from ..source import Span
 
 @dataclass(frozen=True, slots=True)
 class UnusedSuppression:
-    """An ignore comment, or one code of it, that silenced nothing; `rest` is the comment without it."""
+    """An ignore, or one code of an ignore comment, that silenced nothing."""
 
     path: str
     span: Span
     code: str
-    delete: Span
-    """What to delete so that the ignore is gone."""
+    delete: Span | None
+    """What to delete so that the ignore is gone; None where it stands in a config file."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,15 +22,14 @@ IGNORE = "  <!-- rospkg: ignore[«XML104»] the text will come -->\n"
 def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     """
     ## What it does
-    Finds ignore comments that silence nothing. Only rules that ran are judged: with `--select SET`, an ignored XML104
+    Finds ignore comments, and ignores of the config, that silence nothing. Only rules that ran are judged: with `--select SET`, an ignored XML104
     says nothing.
 
     ## Why is this bad?
     The fault was mended and its excuse stayed: the next fault of that kind would be hidden by it.
     """
-    yield Hit(
-        unused.path,
-        unused.span,
-        f"`{unused.code}` is ignored here, but nothing here breaks it; remove the ignore",
-        fix=Fix(f"Remove the ignore of {unused.code}", (Edit(unused.path, unused.delete, ""),)),
-    )
+    fix = None
+    if unused.delete:
+        fix = Fix(f"Remove the ignore of {unused.code}", (Edit(unused.path, unused.delete, ""),))
+    message = f"`{unused.code}` is ignored here, but nothing here breaks it; remove the ignore"
+    yield Hit(unused.path, unused.span, message, fix=fix)

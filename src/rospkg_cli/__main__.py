@@ -1,0 +1,21 @@
+"""The command: a lone --version is answered at once, everything else is handed to the command line."""
+
+from __future__ import annotations
+
+import sys
+
+from . import __version__
+
+
+def main() -> int:
+    """Run the command line; return the exit status."""
+    if sys.argv[1:] in (["--version"], ["-V"]):
+        print(f"rospkg {__version__}")
+        return 0
+    from .cli.app import run
+
+    return run()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

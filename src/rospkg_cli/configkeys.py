@@ -1,0 +1,125 @@
+"""The keys of the config, and what is said of wrong ones: one sentence, with line and column."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from .ros.distros import DISTROS
+from .suggest import did_you_mean
+
+SEVERITIES = ("error", "warning", "info", "off")
+
+
+class ConfigError(Exception):
+    """A config that can't be used; the message begins with the file and the place."""
+
+
+def strings(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
+        raise ValueError("wants a list of strings")
+    return tuple(value)
+
+
+def reasons(value: Any) -> dict[str, str]:
+    if not isinstance(value, dict) or not all(isinstance(v, str) and v.strip() for v in value.values()):
+        raise ValueError('wants a reason for each rule: ignore = { SET304 = "we stay on Humble" }')
+    return dict(value)
+
+
+def severities(value: Any) -> dict[str, str]:
+    if not isinstance(value, dict) or not all(v in SEVERITIES for v in value.values()):
+        raise ValueError(f"wants one of {', '.join(SEVERITIES)} for each rule")
+    return dict(value)
+
+
+def distros(value: Any) -> tuple[str, ...]:
+    names = [each.name for each in DISTROS]
+    for name in strings(value):
+        if name not in names:
+            raise ValueError(f"knows no distribution `{name}`{did_you_mean(name, names)}; there are {', '.join(names)}")
+    return strings(value)
+
+
+def flag(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise ValueError("wants true or false")
+    return value
+
+
+def level(value: Any) -> str:
+    if value not in SEVERITIES[:3]:
+        raise ValueError(f"wants one of {', '.join(SEVERITIES[:3])}")
+    return str(value)
+
+
+def text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise ValueError("wants a string")
+    return value
+
+
+def table(value: Any) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise ValueError("wants a table")
+    return value
+
+
+Form = Callable[[Any], Any] | Mapping[str, Any]
+
+SECTION: Mapping[str, Form] = {"ignore": reasons, "severity": severities}
+FORMS: Mapping[str, Form] = {
+    "select": strings,
+    "extend-select": strings,
+    "ignore": reasons,
+    "severity": severities,
+    "target": distros,
+    "exclude": strings,
+    "build-types": strings,
+    "pedantic": flag,
+    "release": flag,
+    "fail-on": level,
+    "required-version": text,
+    "per-package": {"*": SECTION},
+    "per-path": {"*": SECTION},
+    "new": table,
+}
+
+
+def read_section(
+    data: Mapping[str, Any], forms: Mapping[str, Form], path: Path, source: str, table: tuple[str, ...]
+) -> dict[str, Any]:
+    """Return the values of a table, checked; raises ConfigError."""
+    found: dict[str, Any] = {}
+    for key, value in data.items():
+        form = forms.get("*", forms.get(key))
+        if form is None:
+            message = f"there is no key `{key}`{did_you_mean(key, forms)}; there are {', '.join(sorted(forms))}"
+            raise ConfigError(f"{place(path, source, table, key)}: {message}")
+        if isinstance(form, Mapping):
+            found[key] = read_section(value, form, path, source, (*table, key))
+            continue
+        try:
+            found[key] = form(value)
+        except ValueError as error:
+            raise ConfigError(f"{place(path, source, table, key)}: `{key}` {error}") from None
+    return found
+
+
+def place(path: Path, source: str, table: tuple[str, ...], key: str) -> str:
+    """Return `file:line:column` of a key, as near as it can be found: in its table, else anywhere."""
+    own, current = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*[=.\]]"""), ""
+    wanted, anywhere = ".".join(table), ""
+    for number, line in enumerate(source.splitlines(), 1):
+        header = re.match(r"\s*\[+([^\]]*)\]", line)
+        if header:
+            current = re.sub(r"""["'\s]""", "", header.group(1))
+            if current == ".".join((*table, key)):
+                return f"{path}:{number}:{line.index('[') + 1}"
+        elif own.match(line) and (current == wanted or not anywhere):
+            anywhere = f"{path}:{number}:{len(line) - len(line.lstrip()) + 1}"
+            if current == wanted:
+                return anywhere
+    return anywhere or f"{path}:1:1"

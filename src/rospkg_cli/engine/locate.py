@@ -1,0 +1,101 @@
+"""From the paths that a user gave to the packages they mean, and the workspace around them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path
+
+from ..model.discover import enclosing_package, packages_below
+from .prefixes import prefix_names
+from .session import Scope
+
+NOT_A_WORKSPACE = frozenset(
+    map(Path, ("/", "/home", "/opt", "/root", "/srv", "/tmp", "/usr", "/usr/local", "/var", "/work"))
+)
+ONLY_WHEN_GIVEN = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
+"""Folders of others' packages, or of half ones: reported on only when a path leads into them."""
+
+
+class LocateError(Exception):
+    """A path that can't be linted; the message says why."""
+
+
+@dataclass(frozen=True)
+class Located:
+    root: Path
+    """Everything lies below it."""
+    scope: Scope
+    hidden: str = ""
+    """Why packages were left out, where all were."""
+
+
+def locate(paths: Sequence[Path], workspace: Path | None = None, exclude: Sequence[tuple[Path, str]] = ()) -> Located:
+    """Find the packages; raises LocateError for a path that is not there.
+
+    `exclude` are shell patterns, each with the folder that it is relative to.
+    """
+    given: list[Path] = []
+    for path in paths:
+        if not path.exists():
+            raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
+        given += packages_at(path.resolve())
+    kept = [p for p in dict.fromkeys(given) if not is_excluded(p, exclude)]
+    around = workspace.resolve() if workspace else workspace_of(kept)
+    others = [p for p in packages_below(around) if not is_excluded(p, exclude)] if around else []
+    every = sorted({*kept, *others})
+    root = Path(os.path.commonpath([*every, *([around] if around else [])])) if every else Path.cwd()
+    scope = Scope(
+        folders=tuple(relative(p, root) for p in every),
+        given=frozenset(relative(p, root) for p in kept),
+        name=root.name,
+        complete=not (around and any(around.glob("*.repos"))),
+        prefix_names=prefix_names(os.environ),
+    )
+    return Located(root, scope, "the config excludes them" if given and not kept else "")
+
+
+def packages_at(path: Path) -> list[Path]:
+    """Return the packages that a path means: the one it lies in, else those below it."""
+    around = enclosing_package(path if path.is_dir() else path.parent)
+    if around:
+        return [around]
+    return [p for p in packages_below(path) if not ONLY_WHEN_GIVEN.intersection(p.relative_to(path).parts)]
+
+
+def is_excluded(path: Path, exclude: Iterable[tuple[Path, str]]) -> bool:
+    for base, pattern in exclude:
+        if path.is_relative_to(base):
+            parts = path.relative_to(base).parts
+            if any(fnmatch("/".join(parts[:n]), pattern.rstrip("/")) for n in range(1, len(parts) + 1)):
+                return True
+    return False
+
+
+def relative(path: Path, root: Path) -> str:
+    found = path.relative_to(root).as_posix()
+    return "" if found == "." else found
+
+
+def workspace_of(packages: Sequence[Path]) -> Path | None:
+    """Return the outermost folder around the packages that looks like a workspace, or None."""
+    if not packages:
+        return None
+    common = Path(os.path.commonpath(packages))
+    found = [
+        p
+        for p in (common, *common.parents)
+        if p not in NOT_A_WORKSPACE and p != Path.home() and looks_like_one(p, common)
+    ]
+    return found[-1] if found else None
+
+
+def looks_like_one(folder: Path, holds: Path) -> bool:
+    """Return whether a folder is a colcon workspace, the parent of the `src` that holds the paths, or a git root."""
+    if all((folder / name).is_dir() for name in ("build", "install", "log")):
+        return True
+    if (folder / "colcon.meta").exists() or (folder / ".colcon").exists() or (folder / ".git").exists():
+        return True
+    return holds.is_relative_to(folder / "src")

@@ -1,0 +1,11 @@
+"""What a user's config tells the rules; everything else in it is the engine's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Settings:
+    build_types: frozenset[str] = frozenset()
+    """Build types that are known here beside those of `ros.manifest`."""

@@ -1,0 +1,91 @@
+"""For people: the line of source with the spot underlined, what is wrong, and how to mend it."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import IO
+
+from ..finding import Finding, Safety, Severity
+from .style import OF_SEVERITY, paint
+
+from . import Report  # isort: skip
+
+MAX_EXCERPT = 110
+
+
+def render(report: Report, stream: IO[str]) -> None:
+    for finding in report.results.findings:
+        stream.write("\n".join(block(report, finding)) + "\n\n")
+    stream.write(summary(report) + "\n")
+
+
+def block(report: Report, finding: Finding) -> list[str]:
+    """Return the lines that show one finding."""
+    color, level = report.color, OF_SEVERITY[finding.severity]
+    head = f"{paint(report.where(finding), 'bold', color)}: {paint(finding.severity.value, level, color)} "
+    lines = [head + f"{finding.code} {paint(finding.name, 'dim', color)}", *excerpt(report, finding)]
+    lines += wrapped(finding.message, report.width)
+    for place, why in finding.related:
+        lines += wrapped(f"see {report.path(place.path)}:{place.line}:{place.column}: {why}", report.width)
+    if finding.fix:
+        how = "--fix" if finding.fix.safety is Safety.SAFE else "--fix --unsafe-fixes"
+        title = finding.fix.title[0].lower() + finding.fix.title[1:]
+        lines += [paint(line, "green", color) for line in wrapped(f"{how}: {title}", report.width)]
+    return lines
+
+
+def wrapped(text: str, width: int) -> list[str]:
+    return textwrap.wrap(
+        text, width, initial_indent="  ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+    )
+
+
+def excerpt(report: Report, finding: Finding) -> list[str]:
+    """Return the source line with a number, and a line of carets below it; nothing for a file without text."""
+    if not finding.excerpt.strip():
+        return []
+    place, tabs = finding.place, finding.excerpt.expandtabs(4)
+    start = len(finding.excerpt[: place.column - 1].expandtabs(4))
+    end = place.end_column - 1 if place.end_line == place.line else len(finding.excerpt.rstrip())
+    length = max(1, len(finding.excerpt[:end].expandtabs(4)) - start)
+    skipped = max(0, min(start - 20, len(tabs) - MAX_EXCERPT)) if len(tabs) > MAX_EXCERPT else 0
+    shown = tabs[skipped : skipped + MAX_EXCERPT].rstrip()
+    start -= skipped
+    marks = "^" * max(1, min(length, len(shown) - start))
+    gutter = f"{place.line:>5} | "
+    return [
+        paint(gutter, "dim", report.color) + shown,
+        paint(" " * 5 + " | ", "dim", report.color)
+        + " " * start
+        + paint(marks, OF_SEVERITY[finding.severity], report.color),
+    ]
+
+
+def summary(report: Report) -> str:
+    """Return the last line: counts, what can be repaired, what was kept quiet."""
+    results, color = report.results, report.color
+    where = f"{counted(results.packages, 'package')}, {counted(results.files, 'file')}"
+    said = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
+    parts = (
+        [f"Found {', '.join(said)} in {where}."]
+        if said
+        else [f"{paint('Nothing to complain about', 'green', color)} in {where}."]
+    )
+    safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
+    unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
+    if report.fixed:
+        parts.append(f"{report.fixed} repaired.")
+    if safe:
+        parts.append(f"--fix repairs {safe}.")
+    if unsafe:
+        parts.append(
+            f"--unsafe-fixes {'repairs ' + str(unsafe) + ' more' if safe else '(with --fix) repairs ' + str(unsafe)}."
+        )
+    if results.suppressed:
+        parts.append(f"{len(results.suppressed)} ignored.")
+    return " ".join(parts)
+
+
+def counted(number: int, what: str) -> str:
+    plural = {"info": "infos"}.get(what, f"{what}s")
+    return f"{number} {what if number == 1 else plural}"
