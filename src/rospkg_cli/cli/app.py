@@ -64,7 +64,7 @@ def lint(
     ] = None,
     fix: Annotated[bool, typer.Option("--fix", help="Repair what can be repaired safely.")] = False,
     unsafe_fixes: Annotated[
-        bool, typer.Option("--unsafe-fixes", help="With --fix: also what may change a meaning.")
+        bool, typer.Option("--unsafe-fixes", help="With --fix: also what changes a meaning.")
     ] = False,
     diff: Annotated[bool, typer.Option("--diff", help="Show what --fix would change; change nothing.")] = False,
     exit_non_zero_on_fix: Annotated[
@@ -152,12 +152,12 @@ def rules(format: Annotated[str, typer.Option("--format", metavar="FORMAT", help
 
 def run() -> int:
     """Parse the command line and run the verb; return the exit status."""
-    from ..config import ConfigError
+    from ..configkeys import ConfigError
     from ..engine.locate import LocateError
     from ..engine.write import WriteError
 
     try:
-        status: Any = app(standalone_mode=False)
+        status: Any = app(prog_name="rospkg", standalone_mode=False)
         return status if isinstance(status, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
@@ -176,13 +176,10 @@ def failed(error: Exception) -> int:
     shown = getattr(error, "format_message", None)
     if shown is not None:  # a click.ClickException: wrong use
         context = getattr(error, "ctx", None)
-        hint = f"; `{context.command_path} --help` shows how" if context else ""
-        print(f"rospkg: {shown().rstrip('.')}{hint}", file=sys.stderr)
+        print(f"rospkg: {shown()} `{context.command_path if context else 'rospkg'} --help` shows how.", file=sys.stderr)
         return 2
     if "-v" in sys.argv or "--verbose" in sys.argv:
         raise error
-    print(
-        f"rospkg: a fault of ours: {type(error).__name__}: {error}; please report it with the output of -v",
-        file=sys.stderr,
-    )
+    what = f"{type(error).__name__}: {error}"
+    print(f"rospkg: a fault of ours: {what}; please report it with the output of -v", file=sys.stderr)
     return 3

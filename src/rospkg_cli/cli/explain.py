@@ -16,6 +16,7 @@ from ..suggest import did_you_mean
 from . import UsageError
 
 FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes)", None: "none"}
+LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
 PROFILES = {
     Profile.DEFAULT: "always",
     Profile.PEDANTIC: "only with --pedantic, or when selected by name",
@@ -65,10 +66,7 @@ def shown(example: Example) -> Iterator[str]:
 def fence(path: str, text: str, verdict: str) -> Iterator[str]:
     yield f"{verdict} `{path}`{':' if text else ', empty.'}"
     if text:
-        kind = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}.get(
-            path.rpartition(".")[2], ""
-        )
-        yield f"```{kind}\n{underlined(text)}\n```"
+        yield f"```{LANGUAGES.get(path.rpartition('.')[2], '')}\n{underlined(text)}\n```"
 
 
 def underlined(text: str) -> str:

@@ -96,10 +96,10 @@ def make_session(options: LintOptions, config: Config, located: Located) -> Sess
             hint = did_you_mean(name, rule_names())
             raise UsageError(f"there is no rule `{name}`{hint}; `rospkg rules` lists them")
     selection = Selection(
-        options.select or config.select,
-        options.ignore,
-        options.extend_select + config.extend_select,
-        frozenset(profiles),
+        select=options.select or config.select,
+        ignore=options.ignore,
+        extend=options.extend_select + config.extend_select,
+        profiles=frozenset(profiles),
     )
     return Session(
         DiskTree(located.root),

@@ -64,12 +64,8 @@ class Judge:
     def names(self) -> list[str]:
         """Return every rule name in the config."""
         sections = (*self.config.per_package, *self.config.per_path)
-        tables = [
-            self.config.ignore,
-            self.config.severity,
-            *(s.ignore for s in sections),
-            *(s.severity for s in sections),
-        ]
+        tables = [self.config.ignore, self.config.severity]
+        tables += [table for section in sections for table in (section.ignore, section.severity)]
         return [*self.config.select, *self.config.extend_select, *(name for table in tables for name in table)]
 
     def sections(self, finding: Finding) -> Iterable[Section]:

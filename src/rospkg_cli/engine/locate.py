@@ -12,9 +12,7 @@ from ..model.discover import enclosing_package, packages_below
 from .prefixes import prefix_names
 from .session import Scope
 
-NOT_A_WORKSPACE = frozenset(
-    map(Path, ("/", "/home", "/opt", "/root", "/srv", "/tmp", "/usr", "/usr/local", "/var", "/work"))
-)
+NOT_A_WORKSPACE = frozenset(map(Path, "/ /home /opt /root /srv /tmp /usr /usr/local /var".split()))
 ONLY_WHEN_GIVEN = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
 """Folders of others' packages, or of half ones: reported on only when a path leads into them."""
 
@@ -84,11 +82,8 @@ def workspace_of(packages: Sequence[Path]) -> Path | None:
     if not packages:
         return None
     common = Path(os.path.commonpath(packages))
-    found = [
-        p
-        for p in (common, *common.parents)
-        if p not in NOT_A_WORKSPACE and p != Path.home() and looks_like_one(p, common)
-    ]
+    never = NOT_A_WORKSPACE | {Path.home()}
+    found = [p for p in (common, *common.parents) if p not in never and looks_like_one(p, common)]
     return found[-1] if found else None
 
 

@@ -78,9 +78,7 @@ def summary(report: Report) -> str:
     if safe:
         parts.append(f"--fix repairs {safe}.")
     if unsafe:
-        parts.append(
-            f"--unsafe-fixes {'repairs ' + str(unsafe) + ' more' if safe else '(with --fix) repairs ' + str(unsafe)}."
-        )
+        parts.append(f"--fix --unsafe-fixes repairs {unsafe}{' more' if safe else ''}.")
     if results.suppressed:
         parts.append(f"{len(results.suppressed)} ignored.")
     return " ".join(parts)

@@ -22,8 +22,8 @@ IGNORE = "  <!-- rospkg: ignore[«XML104»] the text will come -->\n"
 def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     """
     ## What it does
-    Finds ignore comments, and ignores of the config, that silence nothing. Only rules that ran are judged: with `--select SET`, an ignored XML104
-    says nothing.
+    Finds ignore comments, and ignores of the config, that silence nothing. Only rules that ran are judged: with
+    `--select SET`, an ignored XML104 says nothing.
 
     ## Why is this bad?
     The fault was mended and its excuse stayed: the next fault of that kind would be hidden by it.
