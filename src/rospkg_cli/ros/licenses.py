@@ -1,0 +1,97 @@
+"""Licenses by their SPDX id: what they are called elsewhere, and which of them `new` can write.
+
+Ids and deprecated ids: https://spdx.org/licenses/.  The sentence of CONTRIBUTING.md and the headers of source files
+are those that ament_copyright (0.13 and later) recognises; the texts stand in `templates/_shared/licenses`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+
+@dataclass(frozen=True)
+class License:
+    """One that `new` can write: the text, the header of each source file, and the line for contributors."""
+
+    spdx: str
+    called: str
+    """How CONTRIBUTING.md must call it."""
+    url: str
+    header_known: bool = True
+    """Whether ament_copyright knows the header."""
+
+
+LICENSES: tuple[License, ...] = (
+    License("Apache-2.0", "Apache 2 License", "http://www.apache.org/licenses/LICENSE-2.0.html"),
+    License("BSD-2-Clause", "BSD 2-Clause Simplified License", "https://opensource.org/licenses/BSD-2-Clause"),
+    License("BSD-3-Clause", "3-Clause BSD License", "https://opensource.org/licenses/BSD-3-Clause"),
+    License("BSL-1.0", "Boost Software License - Version 1.0", "https://www.boost.org/LICENSE_1_0.txt"),
+    License("GPL-3.0-only", "GNU General Public License", "https://opensource.org/licenses/GPL-3.0", False),
+    License("GPL-3.0-or-later", "GNU General Public License", "https://opensource.org/licenses/GPL-3.0"),
+    License("LGPL-3.0-only", "GNU Lesser General Public License", "https://opensource.org/licenses/LGPL-3.0", False),
+    License("LGPL-3.0-or-later", "GNU Lesser General Public License", "https://opensource.org/licenses/LGPL-3.0"),
+    License("MIT", "MIT license", "https://opensource.org/licenses/MIT"),
+    License("MIT-0", "MIT-0 license", "https://opensource.org/licenses/MIT-0"),
+)
+"""ament_copyright's one header for the GPL offers "any later version": nothing that it knows says `-only`."""
+
+CALLED: dict[str, tuple[str, ...]] = {
+    "Apache-2.0": ("Apache 2", "Apache", "Apache Software License 2.0", "ASL 2.0", "AL2", "Apache License 2.0.0"),
+    "BSD-2-Clause": ("BSD 2", "2-Clause BSD", "Simplified BSD", "BSD 2-Clause Simplified", "FreeBSD"),
+    "BSD-3-Clause": (
+        "BSD 3", "3-Clause BSD", "New BSD", "Modified BSD", "Revised BSD", "BSD Clause 3", "BSD 3-Clause New",
+        "BSD 3-Clause New or Revised", "BSD three clause",
+    ),
+    "BSL-1.0": ("Boost", "Boost 1.0", "Boost Software 1.0", "Boost Software"),
+    "MIT": ("Expat", "X11 MIT"),
+    "MIT-0": ("MIT No Attribution", "MIT zero"),
+    "GPL-2.0-only": ("GPL-2.0", "GPL 2", "GNU General Public License 2.0", "GNU GPL 2"),
+    "GPL-2.0-or-later": ("GPL-2.0+", "GPL 2+"),
+    "GPL-3.0-only": ("GPL-3.0", "GPL 3", "GNU General Public License 3.0", "GNU GPL 3", "GNU General Public License 3"),
+    "GPL-3.0-or-later": ("GPL-3.0+", "GPL 3+"),
+    "LGPL-2.1-only": ("LGPL-2.1", "GNU Lesser General Public License 2.1", "GNU LGPL 2.1"),
+    "LGPL-2.1-or-later": ("LGPL-2.1+",),
+    "LGPL-3.0-only": ("LGPL-3.0", "LGPL 3", "GNU Lesser General Public License 3.0", "GNU LGPL 3"),
+    "LGPL-3.0-or-later": ("LGPL-3.0+", "LGPL 3+"),
+    "AGPL-3.0-only": ("AGPL-3.0", "AGPL 3", "GNU Affero General Public License 3.0"),
+    "AGPL-3.0-or-later": ("AGPL-3.0+", "AGPL 3+"),
+    "MPL-2.0": ("MPL 2", "Mozilla Public License 2.0"),
+    "EPL-2.0": ("EPL 2", "Eclipse Public License 2.0"),
+    "EPL-1.0": ("Eclipse Public License 1.0",),
+    "EUPL-1.2": ("European Union Public License 1.2",),
+    "ISC": (),
+    "Zlib": (),
+    "Unlicense": ("The Unlicense",),
+    "CC0-1.0": ("CC0", "Creative Commons Zero 1.0"),
+    "CC-BY-4.0": ("Creative Commons Attribution 4.0",),
+    "CC-BY-SA-4.0": (),
+}  # fmt: skip
+"""What else people write for an id; "BSD" and "GPL" alone are no one license."""
+
+NOISE = re.compile(r"\b(the|licen[cs]e|version)\b|\bv(ersion)?\.?(?=\s*\d)|(?<=[a-z])v(?=\d)|[^a-z0-9+]")
+
+
+def simplified(text: str) -> str:
+    """Return a license's name without case, blanks, punctuation, and the words that every license has."""
+    return NOISE.sub("", text.lower())
+
+
+@cache
+def ids_by_name() -> dict[str, str]:
+    return {simplified(name): spdx for spdx, names in CALLED.items() for name in (spdx, *names)}
+
+
+def spdx_id(text: str) -> str | None:
+    """Return the SPDX id that a text stands for, None where that can't be told.
+
+    >>> spdx_id("Apache License, Version 2.0"), spdx_id("BSD-3-Clause"), spdx_id("BSD")
+    ('Apache-2.0', 'BSD-3-Clause', None)
+    """
+    return ids_by_name().get(simplified(text))
+
+
+def offered(spdx: str) -> License | None:
+    """Return the license that `new` can write under an id."""
+    return next((each for each in LICENSES if each.spdx == spdx), None)
