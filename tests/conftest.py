@@ -1,0 +1,42 @@
+"""Fixtures that every test may use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.example import Example
+from rospkg_cli.tree import as_entry
+
+Write = Callable[[Path, Mapping[str, str]], Path]
+
+
+@pytest.fixture
+def write() -> Write:
+    """Return a function that writes a tree of texts below a folder; a text that begins with `#!` is executable."""
+
+    def write_tree(folder: Path, files: Mapping[str, str]) -> Path:
+        for path, text in files.items():
+            target = folder / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            entry = as_entry(text)
+            target.write_bytes(entry.data)
+            target.chmod(entry.mode)
+        return folder
+
+    return write_tree
+
+
+@pytest.fixture
+def clean() -> dict[str, str]:
+    """Return the files of a faultless ament_python package called my_pkg."""
+    return Example(bad={}, good={}).bad_files()
+
+
+@pytest.fixture(autouse=True)
+def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep the ROS of the machine, and its colours, out of the tests."""
+    for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "NO_COLOR", "FORCE_COLOR", "CI", "GITHUB_ACTIONS"):
+        monkeypatch.delenv(name, raising=False)

@@ -1,0 +1,80 @@
+"""The engine's core of fixing: operations on spans and files, equal ones once, rounds, taking back."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.engine.apply import Changes, apply_fixes
+from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move
+from rospkg_cli.source import Span
+from rospkg_cli.tree import Entry, MemoryTree
+
+
+def texts(changes: Changes) -> dict[str, str | None]:
+    return {path: entry.text.text if entry else None for path, entry in changes.items()}
+
+
+def edit(start: int, end: int, text: str, path: str = "a.txt") -> Edit:
+    return Edit(path, Span(start, end), text)
+
+
+def test_equal_operations_are_applied_once() -> None:
+    tree = MemoryTree.of({"a.txt": "one\n"})
+    same = edit(4, 4, "two\n")
+    changes, taken = apply_fixes(tree, [Fix("x", (same,)), Fix("y", (same,))])
+    assert texts(changes) == {"a.txt": "one\ntwo\n"}
+    assert len(taken) == 2
+
+
+def test_insertions_at_one_place_keep_the_order_of_the_findings() -> None:
+    tree = MemoryTree.of({"a.txt": "()"})
+    changes, _ = apply_fixes(tree, [Fix("b", (edit(1, 1, "b"),)), Fix("a", (edit(1, 1, "a"),))])
+    assert texts(changes) == {"a.txt": "(ba)"}
+
+
+@pytest.mark.parametrize("other", [edit(2, 5, "x"), edit(3, 3, "x"), edit(4, 6, "x"), Delete("a.txt")])
+def test_what_touches_waits(other: Edit | Delete) -> None:
+    tree = MemoryTree.of({"a.txt": "0123456789"})
+    changes, taken = apply_fixes(tree, [Fix("first", (edit(3, 4, "-"),)), Fix("second", (other,))])
+    assert [fix.title for fix in taken] == ["first"]
+    assert texts(changes) == {"a.txt": "012-456789"}
+
+
+def test_a_fix_is_applied_whole_or_not_at_all() -> None:
+    tree = MemoryTree.of({"a.txt": "0123", "b.txt": "0123"})
+    first = Fix("first", (edit(0, 1, "-"),))
+    both = Fix("both", (edit(0, 1, "x"), edit(0, 1, "x", "b.txt")))
+    changes, taken = apply_fixes(tree, [first, both])
+    assert [fix.title for fix in taken] == ["first"]
+    assert texts(changes) == {"a.txt": "-123"}
+
+
+def test_operations_on_whole_files() -> None:
+    tree = MemoryTree.of({"old": "x", "gone": "y", "script": "z"})
+    fix = Fix("all", (Create("new", "text\n"), Delete("gone"), Move("old", "moved"), Chmod("script", True)))
+    changes, _ = apply_fixes(tree, [fix])
+    assert texts(changes) == {"new": "text\n", "gone": None, "old": None, "moved": "x", "script": "z"}
+    assert changes["script"] == Entry("file", b"z", 0o755)
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        (b"one\r\ntwo\r\n", b"1\r\nnew\r\ntwo\r\n"),
+        (b"\xef\xbb\xbfone\ntwo\n", b"\xef\xbb\xbf1\nnew\ntwo\n"),
+        ("one\ntwö\n".encode("utf-16"), None),
+        (b"one\rtwo\nx\r\n", b"1\nnew\rtwo\nx\r\n"),
+    ],
+)
+def test_encoding_mark_and_line_ends_stay(before: bytes, after: bytes | None) -> None:
+    tree = MemoryTree.of({"a.txt": before})
+    changes, _ = apply_fixes(tree, [Fix("x", (edit(0, 3, "1\nnew"),))])
+    entry = changes["a.txt"]
+    assert entry is not None
+    assert entry.data == (after or "1\nnew\ntwö\n".encode("utf-16"))
+
+
+def test_the_mode_stays() -> None:
+    tree = MemoryTree.of({"a.txt": Entry("file", b"one\n", 0o775)})
+    changes, _ = apply_fixes(tree, [Fix("x", (edit(0, 3, "1"),))])
+    assert changes["a.txt"] == Entry("file", b"1\n", 0o775)

@@ -1,0 +1,169 @@
+"""The laws of the house, by reading its imports and running its middle."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import os
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from imports import imports, modules, outside
+
+from rospkg_cli.example import Example, manifest
+from rospkg_cli.finding import Edit, Fix
+from rospkg_cli.model.facts import PackageFacts
+from rospkg_cli.model.workspace import Workspace
+from rospkg_cli.source import Span
+from rospkg_cli.testing import lint_files
+
+RULES = [name for name in modules() if name.startswith("rules.") and name.count(".") == 2]
+FLOORS = (
+    {"", "source", "text", "suggest", "ros", "resources"},
+    {"tree", "finding"},
+    {"model"},
+    {"edits", "example"},
+    {"rule"},
+    {"rules"},
+    {"configkeys", "config"},
+    {"engine"},
+    {"testing", "report", "scaffold", "index", "format"},
+    {"cli"},
+    {"__main__"},
+)
+
+
+def floor(name: str) -> int:
+    first = name.partition(".")[0]
+    return next(number for number, names in enumerate(FLOORS) if first in names)
+
+
+@pytest.mark.parametrize("name", RULES)
+def test_a_rule_imports_only_what_it_may(name: str) -> None:
+    """Law 1."""
+    allowed = {"rule", "example", "finding", "source", "suggest"}
+    strangers = {i for i in imports(name) if i not in allowed and i.partition(".")[0] not in {"model", "edits", "ros"}}
+    assert not strangers
+
+
+def test_models_know_no_rule_and_no_finding() -> None:
+    """Law 2."""
+    lower = {"model", "source", "tree", "text", "ros", "suggest", "resources"}
+    for name in modules():
+        if name.startswith("model."):
+            assert not {i for i in imports(name) if i.partition(".")[0] not in lower}, name
+
+
+def test_findings_pickle() -> None:
+    """Law 3."""
+    findings = lint_files({"package.xml": manifest().replace("Drives my robot", "TODO")}).findings
+    assert findings
+    assert pickle.loads(pickle.dumps(findings)) == findings
+
+
+def test_a_fix_may_not_overlap_itself() -> None:
+    """Law 4."""
+    with pytest.raises(ValueError, match="overlap"):
+        Fix("twice", (Edit("a", Span(0, 4), ""), Edit("a", Span(3, 5), "")))
+
+
+def test_ros_knowledge_is_spelled_once() -> None:
+    """Law 5: no list of distributions, build types or dependency tags outside ros/."""
+    from rospkg_cli.ros.distros import DISTROS
+    from rospkg_cli.ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS
+
+    for known in ({d.name for d in DISTROS}, set(BUILD_TYPES), set(DEPENDENCY_TAGS)):
+        for name, tree in modules().items():
+            if name.startswith("ros."):
+                continue
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Tuple | ast.List | ast.Set):
+                    values = [e.value for e in node.elts if isinstance(e, ast.Constant)]
+                    assert len(known.intersection(v for v in values if isinstance(v, str))) < 4, (name, node.lineno)
+
+
+WRITERS = {"engine.write", "cli.lint"}
+WRITING = {"write_text", "write_bytes", "mkdir", "unlink", "rename", "replace_file", "rmtree", "makedirs", "chmod"}
+
+
+def test_few_modules_write_to_the_disk() -> None:
+    """Law 6: what changes files goes through one door (templates have theirs)."""
+    for name, tree in modules().items():
+        called = {n.func.attr for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Attribute)}
+        if name not in WRITERS and not name.startswith(("scaffold", "index")):
+            assert not called & WRITING, name
+
+
+RUNNERS = {"exec", "eval", "compile", "__import__", "execfile"}
+
+
+def test_nothing_of_a_linted_package_is_executed() -> None:
+    """Law 8."""
+    for name, tree in modules().items():
+        if name.partition(".")[0] not in {"model", "rules", "edits", "ros", "engine"}:
+            continue
+        assert not outside(name) & {"subprocess", "runpy", "importlib", "imp", "pty"}, name
+        called = {n.func.id for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
+        assert not called & RUNNERS, name
+
+
+def test_no_import_goes_up() -> None:
+    """Law 9: no import from a lower floor to a higher one. (`rule` finds its rules by walking their folder.)"""
+    for name in modules():
+        for other in imports(name) - {"rules"}:
+            assert floor(other) <= floor(name), f"{name} imports {other}"
+
+
+def test_no_circles() -> None:
+    """Law 9."""
+    done: set[str] = set()
+
+    def visit(name: str, path: tuple[str, ...]) -> None:
+        assert name not in path, " → ".join([*path, name])
+        if name not in done:
+            for other in imports(name) - {"rules", ""}:
+                if not (name.startswith(other + ".") or other.startswith(name + ".")):
+                    visit(other, (*path, name))
+            done.add(name)
+
+    for name in modules():
+        visit(name, ())
+
+
+def test_facts_are_frozen_and_pickle() -> None:
+    """Law 10."""
+    facts = PackageFacts("a", "a", unknown=frozenset({"executables"}))
+    assert pickle.loads(pickle.dumps(facts)) == facts
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        facts.name = "b"  # type: ignore[misc]
+    assert {f.name for f in dataclasses.fields(Workspace)} <= {"packages", "given", "complete", "prefix_names"}
+
+
+def imported(*arguments: str, cwd: Path) -> set[str]:
+    """Return the modules that a run of the command has imported at its end."""
+    code = (
+        "import sys, atexit; sys.argv = ['rospkg', *sys.argv[1:]]\n"
+        "atexit.register(lambda: print('\\n'.join(sys.modules), file=sys.stderr))\n"
+        "from rospkg_cli.__main__ import main; sys.exit(main())"
+    )
+    command = [sys.executable, "-c", code, *arguments]
+    done = subprocess.run(command, cwd=cwd, capture_output=True, text=True, env={**os.environ, "COLUMNS": "80"})
+    assert done.returncode == 0, done.stdout + done.stderr
+    return set(done.stderr.split())
+
+
+def test_version_imports_next_to_nothing(tmp_path: Path) -> None:
+    assert not imported("--version", cwd=tmp_path) & {"typer", "rich", "lxml", "yaml", "rospkg_cli.rule"}
+
+
+def test_a_clean_lint_to_json_imports_no_heavy_library(tmp_path: Path) -> None:
+    for path, text in Example(bad={}, good={}).bad_files().items():
+        target = tmp_path / "my_pkg" / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text)
+    names = imported("lint", "--format", "json", cwd=tmp_path / "my_pkg")
+    assert "rospkg_cli.report.json" in names
+    assert not names & {"rich", "jinja2", "xmlschema", "rospkg_cli.scaffold", "rospkg_cli.report.text"}
