@@ -62,7 +62,7 @@ def lint(options: LintOptions) -> int:
     outputs = [parse_output(text) for text in options.output]
     paths = options.paths or (Path(),)
     config = find_config(nearest_folder(paths))
-    located = locate(paths, options.workspace, [(config.folder, pattern) for pattern in config.exclude])
+    located = locate(paths, options.workspace, config)
     session = make_session(options, config, located)
     judge = Judge(config, located.root)
     outcome = run(options, session, judge, located)

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
+from ..config import Config
 from ..model.discover import enclosing_package, packages_below
 from .prefixes import prefix_names
 from .session import Scope
 
+NO_CONFIG = Config()
 NOT_A_WORKSPACE = frozenset(map(Path, "/ /home /opt /root /srv /tmp /usr /usr/local /var".split()))
 ONLY_WHEN_GIVEN = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
 """Folders of others' packages, or of half ones: reported on only when a path leads into them."""
@@ -30,11 +32,9 @@ class Located:
     """Why packages were left out, where all were."""
 
 
-def locate(paths: Sequence[Path], workspace: Path | None = None, exclude: Sequence[tuple[Path, str]] = ()) -> Located:
-    """Find the packages; raises LocateError for a path that is not there.
-
-    `exclude` are shell patterns, each with the folder that it is relative to.
-    """
+def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config = NO_CONFIG) -> Located:
+    """Find the packages; raises LocateError for a path that is not there. The config's `exclude` leaves some out."""
+    exclude = [(config.folder, pattern) for pattern in config.exclude]
     given: list[Path] = []
     for path in paths:
         if not path.exists():
@@ -44,7 +44,8 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, exclude: Sequen
     around = workspace.resolve() if workspace else workspace_of(kept)
     others = [p for p in packages_below(around) if not is_excluded(p, exclude)] if around else []
     every = sorted({*kept, *others})
-    root = Path(os.path.commonpath([*every, *([around] if around else [])])) if every else Path.cwd()
+    anchors = [*every, *([around] if around else []), *([config.folder] if config.path else [])]
+    root = Path(os.path.commonpath(anchors)) if every else Path.cwd()
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
         given=frozenset(relative(p, root) for p in kept),

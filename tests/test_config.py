@@ -1,0 +1,86 @@
+"""The config file: where it is found, what it does, and what is said of a wrong one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_lint_command import rospkg
+
+from rospkg_cli.config import find_config
+from rospkg_cli.configkeys import ConfigError
+
+
+@pytest.fixture
+def package(tmp_path, write, clean) -> Path:
+    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    return write(tmp_path / "ws" / "my_pkg", {**clean, "package.xml": text})
+
+
+def test_the_nearest_wins_and_rospkg_toml_before_pyproject(tmp_path: Path) -> None:
+    inner = tmp_path / "a" / "b"
+    inner.mkdir(parents=True)
+    (tmp_path / "rospkg.toml").write_text('select = ["XML"]')
+    (tmp_path / "a" / "pyproject.toml").write_text("[tool.black]\nline-length = 99\n")
+    assert find_config(inner).select == ("XML",)
+    (tmp_path / "a" / "pyproject.toml").write_text('[tool.rospkg]\nselect = ["SET"]\n')
+    assert find_config(inner).select == ("SET",)
+    (tmp_path / "a" / "rospkg.toml").write_text('select = ["DEP"]\n')
+    assert find_config(inner).select == ("DEP",)
+
+
+def test_ignore_with_a_reason(package: Path) -> None:
+    (package.parent / "rospkg.toml").write_text('[ignore]\nXML104 = "the text will come"\n')
+    done = rospkg("lint", cwd=package.parent)
+    assert done.returncode == 0
+    assert "1 ignored" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "section, status",
+    [
+        ('[per-package."my_*".ignore]\nXML104 = "x"', 0),
+        ('[per-package."other".ignore]\nXML104 = "x"', 1),
+        ('[per-path."my_pkg/*.xml".ignore]\nXML104 = "x"', 0),
+        ('[per-path."src".ignore]\nXML104 = "x"', 1),
+        ('[severity]\nXML104 = "info"', 0),
+        ('[severity]\nXML = "off"', 0),
+        ('fail-on = "error"', 0),
+        ('exclude = ["my_pkg"]', 2),
+        ('select = ["RPK"]', 0),
+    ],
+)
+def test_what_the_keys_do(package: Path, section: str, status: int) -> None:
+    (package.parent / "rospkg.toml").write_text(section + "\n")
+    assert rospkg("lint", cwd=package.parent).returncode == status
+
+
+@pytest.mark.parametrize(
+    "text, place, says",
+    [
+        ('\nselct = ["XML"]', "2:1", "there is no key `selct` (did you mean `select`?)"),
+        ("select = 'XML'", "1:1", "`select` wants a list of strings"),
+        ('ignore = ["XML104"]', "1:1", "wants a reason"),
+        ('[ignore]\nXML104 = ""', "1:1", "wants a reason"),
+        ('target = ["jazy"]', "1:1", "did you mean `jazzy`?"),
+        ('[per-path.x]\nignores = { XML104 = "x" }', "2:1", "there is no key `ignores`"),
+        ('fail-on = "errors"', "1:1", "wants one of error, warning, info"),
+        ("pedantic = 1", "1:1", "wants true or false"),
+        ("select = [", "", "not valid TOML"),
+    ],
+)
+def test_a_wrong_one_is_one_sentence_with_its_place(tmp_path: Path, text: str, place: str, says: str) -> None:
+    (tmp_path / "rospkg.toml").write_text(text)
+    with pytest.raises(ConfigError) as caught:
+        find_config(tmp_path)
+    assert says in str(caught.value)
+    assert f"rospkg.toml:{place}" in str(caught.value)
+
+
+def test_misspelt_and_needless_names_are_findings(package: Path) -> None:
+    (package.parent / "rospkg.toml").write_text('[ignore]\nXML1O4 = "typing error"\nRPK001 = "nothing is broken"\n')
+    done = rospkg("lint", "--format", "concise", cwd=package.parent)
+    found = [line.split(": ", 1) for line in done.stdout.splitlines()]
+    assert [place for place, _ in found if "rospkg.toml" in place] == ["rospkg.toml:2:1", "rospkg.toml:3:1"]
+    assert "RPK003" in done.stdout
+    assert "RPK002" in done.stdout

@@ -1,0 +1,78 @@
+"""Which packages a path means, and which workspace lies around it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.config import Config
+from rospkg_cli.engine.locate import LocateError, locate
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    for folder in ("ws/src/a", "ws/src/group/b", "ws/src/hidden/c", "ws/src/third_party/d", "ws/build/a"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "package.xml").write_text("<package/>")
+    (tmp_path / "ws/src/hidden/COLCON_IGNORE").touch()
+    (tmp_path / "ws/build/COLCON_IGNORE").touch()
+    (tmp_path / "ws/src/a/launch").mkdir()
+    (tmp_path / "ws/src/a/launch/x.launch.py").touch()
+    return tmp_path / "ws"
+
+
+def given(*paths: Path, **more) -> list[str]:
+    located = locate(paths, **more)
+    return sorted(Path(located.root, folder).name for folder in located.scope.given)
+
+
+def test_a_folder_means_the_packages_below_it(workspace: Path) -> None:
+    assert given(workspace) == ["a", "b"]
+
+
+def test_a_file_or_folder_inside_means_its_package(workspace: Path) -> None:
+    assert given(workspace / "src/a/launch/x.launch.py") == ["a"]
+    assert given(workspace / "src/a/launch") == ["a"]
+
+
+def test_what_is_hidden_is_linted_when_given(workspace: Path) -> None:
+    assert given(workspace / "src/hidden") == ["c"]
+    assert given(workspace / "src/hidden/c") == ["c"]
+    assert given(workspace / "src/third_party/d") == ["d"]
+
+
+def test_siblings_are_known_not_given(workspace: Path) -> None:
+    located = locate([workspace / "src/a"])
+    assert located.root == workspace.resolve()
+    assert located.scope.folders == ("src/a", "src/group/b", "src/third_party/d")
+    assert located.scope.given == {"src/a"}
+
+
+def test_a_repos_file_says_that_more_belongs_here(workspace: Path) -> None:
+    assert locate([workspace / "src/a"]).scope.complete
+    (workspace / "all.repos").touch()
+    assert not locate([workspace / "src/a"]).scope.complete
+
+
+def test_the_outermost_workspace(workspace: Path) -> None:
+    (workspace / "src/group/.git").mkdir()
+    assert locate([workspace / "src/group/b"]).root == workspace.resolve()
+
+
+def test_exclude(workspace: Path) -> None:
+    config = Config(workspace / "rospkg.toml", exclude=("src/group",))
+    assert given(workspace, config=config) == ["a"]
+    assert given(workspace, config=replace(config, exclude=("src/*",))) == []
+
+
+def test_a_lone_package_is_its_own_workspace(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").touch()
+    located = locate([tmp_path])
+    assert (located.root, located.scope.folders) == (tmp_path.resolve(), ("",))
+
+
+def test_a_missing_path_is_said(tmp_path: Path) -> None:
+    with pytest.raises(LocateError, match="does not exist"):
+        locate([tmp_path / "nowhere"])

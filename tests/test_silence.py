@@ -1,0 +1,66 @@
+"""Ignores: in comments and in the config, with reasons; needless and misspelt ones are findings."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.testing import lint_files
+
+BEFORE = "  <description>"
+IGNORE = "<!-- rospkg: ignore[XML104] no -->"
+WHOLE = "<!-- rospkg: ignore-file[XML104] draft -->"
+
+
+def with_comment(clean: dict[str, str], comment: str, *, same_line: bool = False) -> dict[str, str]:
+    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    new = f"{BEFORE}TODO</description> {comment}" if same_line else f"  {comment}\n{BEFORE}TODO</description>"
+    return {**clean, "package.xml": text.replace(f"{BEFORE}TODO</description>", new)}
+
+
+@pytest.mark.parametrize("name", ["XML104", "placeholder-metadata", "XML1", "SET101, XML104"])
+@pytest.mark.parametrize("same_line", [True, False])
+def test_a_comment_silences_its_line_and_the_next(clean, name, same_line) -> None:
+    comment = f"<!-- rospkg: ignore[{name}] it will come -->"
+    results = lint_files(with_comment(clean, comment, same_line=same_line), ["XML104"])
+    assert results.findings == ()
+    assert [f.suppressed for f in results.suppressed] == ["it will come"]
+
+
+def test_elsewhere_it_silences_nothing(clean) -> None:
+    files = with_comment(clean, "")
+    files["package.xml"] = files["package.xml"].replace(
+        "  <export>", "  <!-- rospkg: ignore[XML104] no -->\n  <export>"
+    )
+    codes = [f.code for f in lint_files(files, ["XML104", "RPK002"]).findings]
+    assert sorted(codes) == ["RPK002", "XML104"]
+
+
+def test_ignore_file_holds_for_the_file(clean) -> None:
+    files = with_comment(clean, "")
+    files["package.xml"] = files["package.xml"].replace(
+        "<package", "<!-- rospkg: ignore-file[XML104] draft -->\n<package", 1
+    )
+    results = lint_files(files, ["XML104", "RPK002"])
+    assert results.findings == ()
+    assert len(results.suppressed) == 1
+
+
+def test_rules_that_did_not_run_are_not_judged(clean) -> None:
+    files = {**clean, "setup.py": "# rospkg: ignore[XML104] elsewhere\n" + clean["setup.py"]}
+    assert lint_files(files, ["RPK002"]).findings == ()
+    assert [f.code for f in lint_files(files, ["RPK002", "XML104"]).findings] == ["RPK002"]
+
+
+def test_text_in_a_string_is_no_comment(clean) -> None:
+    files = {**clean, "setup.py": clean["setup.py"] + '\nHELP = """\n# rospkg: ignore[XML104] shown to users\n"""\n'}
+    assert lint_files(files, ["RPK002", "XML104"]).findings == ()
+
+
+def test_one_code_of_several_is_taken_out(clean) -> None:
+    comment = "<!-- rospkg: ignore[XML104, RPK003] it will come -->"
+    (finding,) = lint_files(with_comment(clean, comment), ["XML104", "RPK002", "RPK003"]).findings
+    assert finding.code == "RPK002"
+    assert "`RPK003`" in finding.message
+    (edit,) = finding.fix.operations
+    text = with_comment(clean, comment)["package.xml"]
+    assert "ignore[XML104]" in text[: edit.span.start] + text[edit.span.end :]
