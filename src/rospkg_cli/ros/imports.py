@@ -1,0 +1,63 @@
+"""Who installs a Python module: its ROS package, or its rosdep key."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from .names import BUILT_IN, Names
+from .table import rows
+
+STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
+    "_abcoll asynchat asyncore cgi cgitb chunk crypt distutils imghdr imp mailcap msilib nis nntplib ossaudiodev pipes "
+    "smtpd sndhdr spwd sunau telnetlib uu xdrlib tomllib annotationlib compression".split()
+)
+"""Modules of the standard library of any Python that a supported distribution comes with."""
+
+NO_PYTHON = "?"
+
+
+@dataclass(frozen=True, slots=True)
+class Serving:
+    """What serves an import: any of the names will do, the first is the one to recommend."""
+
+    names: tuple[str, ...] = ()
+
+    @property
+    def preferred(self) -> str:
+        return self.names[0]
+
+
+def serving(module: str, names: Names = BUILT_IN) -> Serving:
+    """Return what serves a dotted module; no name where it is standard or where nobody can tell."""
+    table = rows("imports.txt")
+    for prefix in prefixes(module):
+        if prefix in table:
+            found = tuple(name for name in table[prefix] if name != NO_PYTHON)
+            return Serving(found)
+    top = module.partition(".")[0]
+    if top in STANDARD:
+        return Serving()
+    if names.is_package(top):
+        return Serving((top,))
+    return Serving(tuple(key for key in keys_called_like(top) if names.is_key(key)))
+
+
+def prefixes(module: str) -> Iterator[str]:
+    """Yield a dotted name and the packages around it, the longest first."""
+    while module:
+        yield module
+        module = module.rpartition(".")[0]
+
+
+def keys_called_like(module: str) -> tuple[str, str]:
+    """Return the keys that Debian's Python policy and rosdep's naming rule give a module."""
+    key = "python3-" + module.lower().replace("_", "-")
+    return key, key + "-pip"
+
+
+def may_serve(dependency: str, module: str) -> bool:
+    """Return whether a declared name looks like another way to get a module, so that nothing is said about it."""
+    bare = dependency.lower().removeprefix("python3-").removeprefix("python-").removesuffix("-pip")
+    return bare.replace("-", "_").replace(".", "_") == module.partition(".")[0].lower()
