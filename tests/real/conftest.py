@@ -13,9 +13,9 @@ import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import NoReturn
 
 import pytest
+from absent import absent
 from shell import Shell
 from venvs import COLCON, SETUPTOOLS, NoIndexError, setuptools_for_this_python, venv
 
@@ -25,13 +25,6 @@ DEBIAN_PACKAGES = Path(__file__).parents[2] / ".ci" / "debian-packages.txt"
 
 PASSED_ON = ("LANG", "LC_ALL", "TMPDIR", "TZ", "TERM", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE")
 PASSED_ON_PREFIXES = ("PIP_", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY", "http_proxy", "https_proxy", "no_proxy")
-
-
-def absent(reason: str) -> NoReturn:
-    """Skip, where that is allowed."""
-    if os.environ.get("CI") == "true" or os.environ.get("ROSPKG_REAL") == "1":
-        pytest.fail(reason, pytrace=False)
-    pytest.skip(reason)
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
