@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from .cmake.read import CMakeFile, read_cmake_files
 from .files import Reading
 from .manifest import Manifest, read_manifest
 from .unreadable import Unreadable
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
+    CMakeFile: read_cmake_files,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import Example
+from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...model.unreadable import Unreadable
 from ...rule import rule
@@ -19,6 +19,12 @@ GOOD = """\
   <name>my_pkg</name>
 </package>
 """
+BAD_CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+«find_package(»ament_cmake REQUIRED
+ament_package()
+"""
 
 
 @rule(
@@ -26,14 +32,17 @@ GOOD = """\
     "unreadable-file",
     over=Unreadable,
     severity=Severity.ERROR,
-    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),),
+    examples=(
+        Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
+        Example(bad={"CMakeLists.txt": BAD_CMAKE}, good={"CMakeLists.txt": CMAKE}, on="ament_cmake"),
+    ),
 )
 def unreadable_file(file: Unreadable) -> Iterator[Hit]:
     """
     ## What it does
     Reports a file that the build or an installed file reads and that can't be read: XML that is not well-formed,
-    Python or YAML with a syntax error, bytes that are no text. One finding a file, at the exact place; rules that
-    need the file keep quiet until it is mended.
+    CMake, Python or YAML with a syntax error, bytes that are no text. One finding a file, at the exact place; rules
+    that need the file keep quiet until it is mended.
 
     ## Why is this bad?
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a

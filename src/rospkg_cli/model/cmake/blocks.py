@@ -1,0 +1,83 @@
+"""Commands in their blocks: what stands between `if` and `endif`, `foreach` and `endforeach`, and so on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from .syntax import Command, Fault
+
+CLOSED_BY = {
+    "if": "endif",
+    "foreach": "endforeach",
+    "while": "endwhile",
+    "function": "endfunction",
+    "macro": "endmacro",
+    "block": "endblock",
+}
+OPENED_BY = {end: begin for begin, end in CLOSED_BY.items()}
+BETWEEN = ("elseif", "else")
+
+
+@dataclass(slots=True)
+class Branch:
+    """A command that opens a block, or goes on with one (`elseif`, `else`), and what stands below it."""
+
+    command: Command
+    body: list[Command | Block] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Block:
+    """`if` has a branch for each alternative, all others have one."""
+
+    branches: list[Branch]
+    end: Command | None = None
+
+    @property
+    def command(self) -> Command:
+        return self.branches[0].command
+
+
+def nest(commands: Sequence[Command]) -> tuple[list[Command | Block], list[Fault]]:
+    """Return the commands of a file with their blocks, and what is badly nested."""
+    top: list[Command | Block] = []
+    stack: list[Block] = []
+    faults: list[Fault] = []
+    for command in commands:
+        body = stack[-1].branches[-1].body if stack else top
+        if command.name in CLOSED_BY:
+            block = Block([Branch(command)])
+            body.append(block)
+            stack.append(block)
+        elif command.name in BETWEEN:
+            if not stack or not goes_on(stack[-1]):
+                faults.append(stray(command, stack))
+            else:
+                stack[-1].branches.append(Branch(command))
+        elif command.name in OPENED_BY:
+            if not stack or CLOSED_BY[stack[-1].command.name] != command.name:
+                faults.append(stray(command, stack))
+            else:
+                stack.pop().end = command
+        else:
+            body.append(command)
+    faults += [left_open(block.command) for block in stack]
+    return top, faults
+
+
+def goes_on(block: Block) -> bool:
+    """Return whether an `elseif` or `else` may follow."""
+    return block.command.name == "if" and block.branches[-1].command.name != "else"
+
+
+def stray(command: Command, stack: Sequence[Block]) -> Fault:
+    if not stack:
+        wanted = OPENED_BY.get(command.name, "if")
+        return Fault(command.name_span, f"`{command.name}` stands outside of any `{wanted}`")
+    opened = stack[-1].command.name
+    return Fault(command.name_span, f"`{command.name}` stands where `{CLOSED_BY[opened]}` should close `{opened}`")
+
+
+def left_open(command: Command) -> Fault:
+    return Fault(command.name_span, f"`{command.name}` is never closed: `{CLOSED_BY[command.name]}()` is missing")

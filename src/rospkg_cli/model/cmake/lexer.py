@@ -1,0 +1,87 @@
+"""Cut a CMake text into tokens that tile it: nothing is lost, whatever the text holds.
+
+The patterns are those of CMake's own lexer (Source/LexerParser/cmListFileLexer.in.l); where two of them fit, the
+longer one wins, as there.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from ...source import Span
+
+Kind = Literal[
+    "space", "newline", "comment", "bracket comment", "(", ")", "identifier", "unquoted", "quoted", "bracket", "bad"
+]
+
+BARE = r"""(?:[^ \0\t\r\n()#"\\]|\\[^\0\n])"""
+MAKE = r"(?:\$\([A-Za-z0-9_]*\))"
+LEGACY = rf"""(?:{MAKE}|{BARE}|"(?:{MAKE}|{BARE}|[ \t])*")"""
+"""`-Da="b c"` and `$(MAKE)`: quotes and parentheses inside an unquoted argument."""
+
+TOKEN = re.compile(
+    r"""(?P<newline>\n)"""
+    r"""|(?P<space>[ \t\r]+)"""
+    r"""|(?P<open>\#?\[=*\[)"""
+    r"""|(?P<comment>\#[^\n]*)"""
+    r"""|(?P<paren>[()])"""
+    rf"""|(?P<unquoted>(?:{MAKE}|{BARE}){LEGACY}*)"""
+    r"""|(?P<quoted>"[^"\\]*(?:\\.[^"\\]*)*")""",
+    re.DOTALL,
+)
+IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    kind: Kind
+    text: str
+    start: int
+
+    @property
+    def end(self) -> int:
+        return self.start + len(self.text)
+
+    @property
+    def span(self) -> Span:
+        return Span(self.start, self.end)
+
+
+def tokens(text: str, at: int = 0) -> Iterator[Token]:
+    """Yield the tokens of a text from an offset on.
+
+    A string or a bracket that is never closed is one `bad` token up to the end; a stray character is one of its own.
+    """
+    while at < len(text):
+        token = next_token(text, at)
+        yield token
+        at = token.end
+
+
+def next_token(text: str, at: int) -> Token:
+    match = TOKEN.match(text, at)
+    if match is None:
+        return Token("bad", text[at:] if text[at] == '"' else text[at], at)
+    found = match.group()
+    match match.lastgroup:
+        case "newline" | "space" | "comment" | "quoted" as kind:
+            return Token(kind, found, at)
+        case "paren":
+            return Token("(" if found == "(" else ")", found, at)
+        case "open":
+            return bracket(text, at, found)
+        case _:
+            return Token("identifier" if IDENTIFIER.fullmatch(found) else "unquoted", found, at)
+
+
+def bracket(text: str, at: int, opening: str) -> Token:
+    """Return a bracket argument or comment; `#[[` without an end swallows the rest, as it does in CMake."""
+    closing = "]" + "=" * opening.count("=") + "]"
+    end = text.find(closing, at + len(opening))
+    if end < 0:
+        return Token("bad", text[at:], at)
+    whole = text[at : end + len(closing)]
+    return Token("bracket comment" if opening.startswith("#") else "bracket", whole, at)

@@ -1,0 +1,204 @@
+"""Commands and their arguments, each with its span; and what CMake itself would refuse, at the place where it begins.
+
+The rules are those of cmListFileParser: a command begins a line, `(` stands in the same line as its name, brackets are
+set apart by blanks.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ...source import Source, Span
+from .lexer import Token, tokens
+
+ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
+
+BLANK = ("space", "newline", "comment", "bracket comment")
+COMMAND_LINE = re.compile(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
+MAX_FAULTS = 20
+"""After so many the rest of a file is left alone: each may read to the end."""
+
+CONFLICT = re.compile(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    kind: ArgumentKind
+    text: str
+    """As written, without quotes or brackets."""
+    span: Span
+    """With quotes and brackets."""
+
+    @property
+    def inner(self) -> Span:
+        """The span of `text`."""
+        if self.kind == "quoted":
+            return Span(self.span.start + 1, self.span.end - 1)
+        return self.span
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    name: str
+    """In lower case: CMake does not mind the case."""
+    name_span: Span
+    span: Span
+    """From the name to the closing parenthesis."""
+    arguments: tuple[Argument, ...]
+    inner: Span
+    """Between the parentheses."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """The commands of a file, in order; behind a fault, those that can be told again."""
+
+    source: Source
+    commands: tuple[Command, ...]
+    comments: tuple[Span, ...]
+    faults: tuple[Fault, ...]
+
+
+def parse(source: Source) -> Syntax:
+    """Parse a text; never raises, and goes on behind a fault with the next line that looks like a command."""
+    parser = Parser(source)
+    parser.run()
+    parser.faults.sort(key=lambda fault: fault.span)
+    return Syntax(source, tuple(parser.commands), tuple(parser.comments), tuple(parser.faults))
+
+
+@dataclass
+class Parser:
+    source: Source
+    begin: int = 0
+    commands: list[Command] = field(default_factory=list)
+    comments: list[Span] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+    def run(self) -> None:
+        at, text = 0, self.source.text
+        while at < len(text) and len(self.faults) < MAX_FAULTS:
+            at = self.file(at)
+
+    def file(self, at: int) -> int:
+        """Read commands from an offset on; return where to go on after a fault, or the end."""
+        self.stream, self.begin = tokens(self.source.text, at), at
+        fresh = True
+        for token in self.stream:
+            match token.kind:
+                case "newline":
+                    fresh = True
+                case "space" | "comment":
+                    self.note(token)
+                case "bracket comment":
+                    self.note(token)
+                    fresh = False
+                case "identifier" if fresh:
+                    fresh = False
+                    if (resume := self.command(token)) is not None:
+                        return resume
+                case _:
+                    return self.fault(token, unexpected(token, fresh))
+        return len(self.source.text)
+
+    def note(self, token: Token) -> None:
+        if token.kind in ("comment", "bracket comment"):
+            self.comments.append(token.span)
+
+    def command(self, name: Token) -> int | None:
+        """Read the arguments behind a name; return where to go on where that fails."""
+        opened = next((token for token in self.stream if token.kind != "space"), None)
+        if opened is None or opened.kind != "(":
+            return self.fault(name, f"`{name.text}` is followed by no `(`: a command is `name(arguments)`")
+        arguments: list[Argument] = []
+        depth, before = 0, "space"
+        for token in self.stream:
+            if token.kind == ")" and not depth:
+                span, inner = Span(name.start, token.end), Span(opened.end, token.start)
+                self.commands.append(Command(name.text.lower(), name.span, span, tuple(arguments), inner))
+                return None
+            if token.kind == "bad":
+                return self.fault(token, unclosed(token))
+            if glued(before, token.kind):
+                return self.fault(token, "a blank is missing before this argument")
+            depth += {"(": 1, ")": -1}.get(token.kind, 0)
+            before = token.kind
+            self.note(token)
+            if token.kind not in BLANK:
+                arguments.append(argument(token))
+        return self.fault(
+            Token("bad", name.text + "(", name.start), f"`{name.text}(` is never closed: a `)` is missing"
+        )
+
+    def fault(self, token: Token, message: str) -> int:
+        """Record a fault; return the offset of the next line that looks like a command."""
+        start = token.start
+        if (opening := self.swallowing(start)) is not None:
+            start, message = opening, '`"` is never closed: the string goes on into the next command'
+        length = len(token.text.split("\n", 1)[0]) if start == token.start else 1
+        self.faults.append(Fault(Span(start, start + max(length, 1)), message))
+        again = COMMAND_LINE.search(self.source.text, self.source.text.find("\n", start) + 1 or len(self.source.text))
+        return again.start() if again else len(self.source.text)
+
+    def swallowing(self, before: int) -> int | None:
+        """Return the opening quote of the first string that holds a line which looks like a command.
+
+        A quote that was forgotten shows only where the next string begins, often far below.
+        """
+        last = self.commands[-1].span.end if self.commands else 0
+        for token in tokens(self.source.text[: before + 1], max(last, self.begin)):
+            if token.kind in ("quoted", "bad") and token.text[0] == '"' and COMMAND_LINE.search(token.text, 1):
+                return token.start
+        return None
+
+
+def glued(before: str, kind: str) -> bool:
+    """Return whether a blank is missing that CMake insists on: on both sides of a bracket."""
+    if kind in BLANK or kind in ("(", ")") or before in ("space", "newline", "comment", "("):
+        return False
+    return "bracket" in (before, kind) or before == "bracket comment"
+
+
+def argument(token: Token) -> Argument:
+    match token.kind:
+        case "quoted":
+            return Argument("quoted", token.text[1:-1], token.span)
+        case "bracket":
+            width = token.text.index("[", 1) + 1
+            body = token.text[width:-width]
+            return Argument("bracket", body.removeprefix("\n"), token.span)
+        case "(" | ")":
+            return Argument("paren", token.text, token.span)
+        case _:
+            return Argument("unquoted", token.text, token.span)
+
+
+def unexpected(token: Token, fresh: bool) -> str:
+    if CONFLICT.match(token.text):
+        return f"`{token.text[:7]}` is left from a merge conflict"
+    if token.kind == "bad" and len(token.text) > 1:
+        return unclosed(token)
+    if not fresh:
+        return f"`{token.text}` follows a command in the same line: CMake wants a new line for each command"
+    if token.kind == ")":
+        return "`)` closes nothing"
+    return f"`{token.text}` stands where a command should begin"
+
+
+def unclosed(token: Token) -> str:
+    match token.text[:1]:
+        case '"':
+            return '`"` is never closed'
+        case "[" | "#":
+            opening = token.text[: token.text.index("[", token.text.index("[") + 1) + 1]
+            return f"`{opening}` is never closed"
+        case _:
+            return f"`{token.text}` is no character that CMake knows here"
