@@ -1,0 +1,79 @@
+"""Everything that the evaluator knows of Python's builtins and standard library, by full name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .formatting import as_text, in_format
+from .iteration import ITERATION, pure
+from .machine import Intrinsic, Machine
+from .operators import truth
+from .paths import PATHS
+from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
+from .values import Mapping as MappingValue
+
+TYPES: Mapping[str, type | tuple[type, ...]] = {
+    "str": str, "int": int, "float": float, "bool": bool, "list": list, "tuple": tuple, "dict": dict, "set": set,
+}  # fmt: skip
+
+
+def as_str(machine: Machine, call: Call) -> Value | None:
+    return as_text(call.positional[0], call.span) if len(call.positional) == 1 else None
+
+
+def as_bool(machine: Machine, call: Call) -> Value | None:
+    verdict = truth(call.positional[0]) if call.positional else False
+    return None if verdict is None else Constant(call.span, verdict)
+
+
+def represented(machine: Machine, call: Call) -> Value | None:
+    return in_format(call.positional[0], "", "r", call.span) if len(call.positional) == 1 else None
+
+
+def is_instance(machine: Machine, call: Call) -> Value | None:
+    if len(call.positional) != 2:
+        return None
+    value, asked = call.positional
+    wanted = asked.items if isinstance(asked, Sequence) else [asked]
+    names = {symbol.name for symbol in wanted if isinstance(symbol, Symbol)}
+    match value:
+        case Text():
+            own = {"pathlib.Path", "pathlib.PurePath"} if value.path else {"str"}
+        case Sequence():
+            own = {value.kind}
+        case MappingValue():
+            own = {"dict"}
+        case Constant():
+            own = {kind.__name__ for kind in type(value.value).__mro__}
+        case _:
+            return None
+    return Constant(call.span, bool(own & names)) if len(names) == len(wanted) else None
+
+
+def nothing(machine: Machine, call: Call) -> Value | None:
+    return Constant(call.span, None)
+
+
+def is_callable(machine: Machine, call: Call) -> Value | None:
+    return Constant(call.span, isinstance(call.positional[0], Function)) if call.positional else None
+
+
+LIBRARY: Mapping[str, Intrinsic] = {
+    **ITERATION,
+    **PATHS,
+    "str": as_str,
+    "bool": as_bool,
+    "repr": represented,
+    "int": pure(int),
+    "float": pure(float),
+    "abs": pure(abs),
+    "round": pure(round),
+    "ord": pure(ord),
+    "chr": pure(chr),
+    "isinstance": is_instance,
+    "callable": is_callable,
+    "print": nothing,
+    "warnings.warn": nothing,
+    "warnings.filterwarnings": nothing,
+    "copy.copy": lambda machine, call: call.positional[0] if call.positional else None,
+}

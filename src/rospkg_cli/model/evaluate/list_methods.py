@@ -1,0 +1,128 @@
+"""Methods of lists and sets, which change them in place: for certain, or perhaps."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from .iteration import items_of
+from .machine import Machine
+from .operators import compared
+from .plain import NotPlainError, plain
+from .values import Call, Constant, Sequence, Value
+
+
+def unfollowed(machine: Machine, value: Value, call: Call) -> Value | None:
+    """Note that a list or dict was changed in a way that can't be followed."""
+    machine.spoil(value, call.span, f"{machine.shown(call.span)} can't be followed")
+    return None
+
+
+def append(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    for argument in call.arguments[:1]:
+        machine.put(value, argument.value, argument.span)
+    return Constant(call.span, None)
+
+
+def extend(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    source = call.positional[0] if call.positional else None
+    extend_by(machine, value, source, call)
+    return Constant(call.span, None)
+
+
+def extend_by(machine: Machine, value: Sequence, source: Value | None, call: Call) -> None:
+    items = items_of(machine, source) if source is not None else None
+    if items is None:
+        machine.spoil(value, call.span, getattr(source, "why", f"{machine.shown(call.span)} can't be evaluated"))
+        return
+    places = source.places if isinstance(source, Sequence) else [call.span] * len(items)
+    for item, place in zip(items, list(places), strict=False):
+        machine.put(value, item, place)
+
+
+def insert(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    at = call.positional[0] if len(call.positional) == 2 else None
+    if not isinstance(at, Constant) or not isinstance(at.value, int):
+        return unfollowed(machine, value, call)
+    machine.put(value, call.positional[1], call.arguments[1].span)
+    item, place = value.items.pop(), value.places.pop()
+    value.items.insert(at.value, item)
+    value.places.insert(at.value, place)
+    return Constant(call.span, None)
+
+
+def remove(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    """list.remove and set.discard: for certain only where the item is there."""
+    wanted = call.positional[0] if call.positional else None
+    for index, item in enumerate(value.items):
+        verdict = compared(ast.Eq, item, wanted) if wanted is not None else None
+        if verdict and len(machine.conditions) <= value.born:
+            del value.items[index], value.places[index]
+            return Constant(call.span, None)
+        if verdict is not False:
+            return unfollowed(machine, value, call)
+    return Constant(call.span, None)
+
+
+def pop(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    at = call.positional[0].value if call.positional and isinstance(call.positional[0], Constant) else -1
+    if not value.complete or not isinstance(at, int) or len(machine.conditions) > value.born:
+        return unfollowed(machine, value, call)
+    if not -len(value.items) <= at < len(value.items):
+        return None
+    value.places.pop(at)
+    return value.items.pop(at)
+
+
+def cleared(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    if len(machine.conditions) > value.born:
+        return unfollowed(machine, value, call)
+    value.items.clear()
+    value.places.clear()
+    return Constant(call.span, None)
+
+
+def copied(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    return replace(value, items=list(value.items), places=list(value.places), born=len(machine.conditions))
+
+
+def reordered(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    """sort and reverse: what uses a setup.py or a launch file hardly ever looks at the order."""
+    if call.callee == "reverse":
+        value.items.reverse()
+        value.places.reverse()
+    return Constant(call.span, None)
+
+
+def counted(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    try:
+        items = plain(value)
+        return Constant(call.span, items.count(plain(call.positional[0])))  # type: ignore[attr-defined]
+    except (NotPlainError, IndexError, AttributeError):
+        return None
+
+
+def add(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    """set.add."""
+    wanted = call.positional[0] if call.positional else None
+    if wanted is not None and not any(compared(ast.Eq, item, wanted) for item in value.items):
+        machine.put(value, wanted, call.arguments[0].span)
+    return Constant(call.span, None)
+
+
+LISTS: Mapping[str, Callable[[Machine, Sequence, Call], Value | None]] = {
+    "append": append,
+    "extend": extend,
+    "update": extend,
+    "insert": insert,
+    "remove": remove,
+    "discard": remove,
+    "pop": pop,
+    "clear": cleared,
+    "copy": copied,
+    "sort": reordered,
+    "reverse": reordered,
+    "count": counted,
+    "add": add,
+}

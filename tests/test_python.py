@@ -1,0 +1,133 @@
+"""Python files: spans in characters, imports, top-level names, and what is said of a file that can't be parsed."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rospkg_cli.model.python import PythonFile, parse_python
+from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.source import Source
+
+
+def read(text: str) -> PythonFile:
+    return parse_python(Source("a.py", text))
+
+
+@given(
+    st.lists(
+        st.text(st.characters(codec="utf-8", exclude_categories=["Cc", "Cs", "Zl", "Zp"]), max_size=12), max_size=5
+    ),
+    st.sampled_from(["\n", "\r\n", "\r"]),
+)
+def test_spans_are_characters(texts: list[str], newline: str) -> None:
+    names = [f"{'é' * i}name{i}" for i in range(len(texts))]
+    text = newline.join(
+        f"{name} = {value!r}; after{i} = {i}" for i, (name, value) in enumerate(zip(names, texts, strict=True))
+    )
+    file = read(text)
+    shown = [file.text(node.value) for node in file.tree.body if isinstance(node, ast.Assign)]  # type: ignore[arg-type]
+    assert shown == [s for i, value in enumerate(texts) for s in (repr(value), str(i))]
+
+
+IMPORTS = """\
+import os, numpy.linalg as la
+from . import sibling
+from ..pkg.mod import a as b, c
+try:
+    import cv2
+except (ImportError, OSError):
+    cv2 = None
+try:
+    import rclpy
+finally:
+    pass
+if TYPE_CHECKING:
+    from geometry_msgs.msg import Twist
+else:
+    import other
+def f():
+    import late
+"""
+
+
+def test_imports() -> None:
+    file = read(IMPORTS)
+    shown = [
+        (i.module, i.names, i.level, file.source.slice(i.span), i.optional, i.typing, i.local) for i in file.imports
+    ]
+    assert shown == [
+        ("os", (), 0, "os", False, False, False),
+        ("numpy.linalg", (), 0, "numpy.linalg", False, False, False),
+        ("", ("sibling",), 1, ".", False, False, False),
+        ("pkg.mod", ("a", "c"), 2, "..pkg.mod", False, False, False),
+        ("cv2", (), 0, "cv2", True, False, False),
+        ("rclpy", (), 0, "rclpy", False, False, False),
+        ("geometry_msgs.msg", ("Twist",), 0, "geometry_msgs.msg", False, True, False),
+        ("other", (), 0, "other", False, False, False),
+        ("late", (), 0, "late", False, False, True),
+    ]
+
+
+NAMES = """\
+import a.b
+from c import d as e
+from f import *
+x: int = 1
+(y, [z]) = w, q = 1, (2,)
+if x:
+    def g(): global made; made = 1; inner = 2
+else:
+    class h: inside = 1
+try:
+    i = 1
+except E as j:
+    k = 1
+with open('x') as l:
+    pass
+for m in [n for n in x]:
+    (o := 1)
+"""
+
+
+def test_top_level_names() -> None:
+    file = read(NAMES)
+    assert set(file.definitions) == set("aexyzwqghiklmo") | {"made"}
+    assert [each.module for each in file.stars] == ["f"]
+    assert not file.dynamic
+
+
+@pytest.mark.parametrize("text", ["def __getattr__(name): pass", "globals()['x'] = 1", "setattr(mod, 'x', 1)"])
+def test_a_module_may_have_more_names_than_it_shows(text: str) -> None:
+    assert read(text).dynamic
+
+
+@pytest.mark.parametrize(
+    "text, at, grammar",
+    [
+        ("x = 1\nprint 'hello'\n", "print", False),
+        ("def f(:\n    pass\n", ":", False),
+        ("x = (1,\n", "(", False),
+        ("x = 'é' 'é' y\n", "y", False),
+        ("\0", "", False),
+        ("async with = 1", "=", False),
+    ],
+)
+def test_what_is_no_python(text: str, at: str, grammar: bool) -> None:
+    with pytest.raises(UnreadableError) as caught:
+        read(text)
+    found = caught.value.unreadable
+    assert text[found.span.start :].startswith(at)
+    assert found.grammar is grammar
+
+
+def test_a_newer_grammar_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As an older interpreter sees it: what it can't parse looks like what a newer one can."""
+    monkeypatch.setattr("rospkg_cli.model.syntax.RUNNING", (3, 10))
+    for text in ("except* ValueError:", "type X = int ?", "def f[T](): ?", "x = t'{a}' ?"):
+        with pytest.raises(UnreadableError) as caught:
+            read(text)
+        assert caught.value.unreadable.grammar, text
