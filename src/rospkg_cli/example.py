@@ -20,8 +20,8 @@ class Example:
 
     In `bad`, each complaint stands between « and »: the exact span of one hit.  `good` gives only the files that
     differ from `bad` (None: the file is not there).  `on` names the backdrop: the other files of a faultless
-    package called `my_pkg` ("ament_python", "ament_cmake", or "" for none).  `fix` says that the rule's own fix
-    makes `good` of `bad`.
+    package called `my_pkg` ("ament_python", "ament_cmake", "interfaces", or "" for none).  `fix` says that the rule's
+    own fix makes `good` of `bad`.
     """
 
     bad: Files
@@ -113,6 +113,26 @@ ament_package()
 """
 
 
+INTERFACES_CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME}
+  "msg/Status.msg"
+  "srv/SetMode.srv"
+)
+ament_export_dependencies(rosidl_default_runtime)
+ament_package()
+"""
+
+INTERFACES_BODY = """\
+  <buildtool_depend>rosidl_default_generators</buildtool_depend>
+  <exec_depend>rosidl_default_runtime</exec_depend>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+"""
+
+
 def manifest(body: str = "", build_type: str = "ament_python", name: str = "my_pkg") -> str:
     """A faultless package.xml with `body` (lines of dependencies, two blanks deep) before its export."""
     buildtool = "  <buildtool_depend>ament_cmake</buildtool_depend>\n" if build_type == "ament_cmake" else ""
@@ -134,5 +154,12 @@ BACKDROPS: dict[str, dict[str, str | None]] = {
         "package.xml": manifest(build_type="ament_cmake"),
         "CMakeLists.txt": CMAKE,
         "LICENSE": "Apache License\n",
+    },
+    "interfaces": {
+        "package.xml": manifest(INTERFACES_BODY, "ament_cmake"),
+        "CMakeLists.txt": INTERFACES_CMAKE,
+        "LICENSE": "Apache License\n",
+        "msg/Status.msg": "float32 battery_level\n",
+        "srv/SetMode.srv": "string mode\n---\nbool success\n",
     },
 }

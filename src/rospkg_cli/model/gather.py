@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import PurePosixPath
+from typing import get_args
 
 from ..ros.distros import Targets
-from .facts import Need, PackageFacts
+from .facts import Need, PackageFacts, Unknown
 from .files import Reading
+from .interface.reader import interface_names
 from .manifest import Manifest
 
 
@@ -15,7 +17,10 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     manifest = reading.parts(Manifest).only
     if manifest is None:
         name = PurePosixPath(folder).name or fallback
-        return PackageFacts(name, folder, unknown=frozenset({"name", "dependencies"}))
+        return PackageFacts(name, folder, unknown=frozenset(get_args(Unknown)))
+    unknown: set[Unknown] = set()
+    interfaces, complete = interface_names(reading)
+    unknown |= set() if complete else {"interfaces"}
     return PackageFacts(
         name=manifest.name or PurePosixPath(folder).name or fallback,
         folder=folder,
@@ -24,4 +29,6 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         version=manifest.version,
         dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
+        interfaces=interfaces,
+        unknown=frozenset(unknown),
     )

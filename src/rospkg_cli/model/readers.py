@@ -7,11 +7,14 @@ from typing import Any
 
 from .cmake.read import CMakeFile, read_cmake_files
 from .files import Reading
+from .interface.declared import Interface
+from .interface.reader import read_interfaces
 from .manifest import Manifest, read_manifest
 from .unreadable import Unreadable
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
     CMakeFile: read_cmake_files,
+    Interface: read_interfaces,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

@@ -1,0 +1,101 @@
+"""A .msg, .srv or .action file as rules see it: what it declares, and what rosidl would refuse, each at its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...source import Source, Span
+
+
+@dataclass(frozen=True, slots=True)
+class FieldType:
+    """The type of a field or a constant."""
+
+    text: str
+    """As it stands, with bounds and brackets."""
+    span: Span
+    base: str
+    """Without package, bounds and brackets: `int32`, `Point`."""
+    base_span: Span
+    """Of package and name, without bounds and brackets."""
+    package: str = ""
+    """The one that is named; "" where none is."""
+    primitive: bool = False
+    string_bound: int | None = None
+    array: bool = False
+    size: int | None = None
+    """The exact size of an array, or the largest one where it is `bounded`."""
+    bounded: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A field or a constant; `value` is the constant's, or the field's default, and None where there is none."""
+
+    type: FieldType
+    name: str
+    name_span: Span
+    constant: bool = False
+    value: str | None = None
+    value_span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A message of its own: all of a .msg, the request or the response of a .srv, one of three parts of an .action."""
+
+    suffix: str
+    members: tuple[Member, ...]
+
+    @property
+    def fields(self) -> tuple[Member, ...]:
+        return tuple(member for member in self.members if not member.constant)
+
+    @property
+    def constants(self) -> tuple[Member, ...]:
+        return tuple(member for member in self.members if member.constant)
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """What rosidl refuses or silently takes otherwise than it is written; `repair` replaces `repair_span`."""
+
+    span: Span
+    message: str
+    repair: str | None = None
+    repair_span: Span | None = None
+    title: str = ""
+    certain: bool = True
+    """The repair can't be meant otherwise."""
+
+
+@dataclass(frozen=True)
+class Interface:
+    source: Source
+    kind: str
+    """`msg`, `srv` or `action`."""
+    sections: tuple[Section, ...]
+    problems: tuple[Problem, ...]
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    @property
+    def name(self) -> str:
+        """The file's name without its suffix."""
+        return self.path.rpartition("/")[2].rpartition(".")[0]
+
+    @property
+    def folder(self) -> str:
+        return self.path.rpartition("/")[0]
+
+    @property
+    def members(self) -> Iterator[Member]:
+        return (member for section in self.sections for member in section.members)
+
+    @property
+    def types(self) -> Iterator[FieldType]:
+        """Every type that is no primitive, in order."""
+        return (member.type for member in self.members if not member.type.primitive)

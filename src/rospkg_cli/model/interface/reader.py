@@ -1,0 +1,64 @@
+"""Which files of a package are interfaces, and what other packages may know of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...ros.distros import Targets
+from ...ros.interfaces import KINDS
+from ...source import Source, Span
+from ..files import PackageFiles, Reading, each
+from ..manifest import Manifest
+from ..unreadable import Unreadable
+from .declared import Interface, Problem
+from .text import parse_interface
+
+ELSEWHERE = frozenset({"test", "tests", "templates", "template", "third_party", "vendor", "external", "fixtures"})
+"""Folders whose files are somebody else's, or none of the package's own."""
+
+
+def read_interfaces(reading: Reading) -> Iterator[Interface | Unreadable]:
+    """Read the .msg, .srv and .action files of a package that ROS 2 builds."""
+    manifest = reading.parts(Manifest).only
+    if manifest is None or manifest.build_type(Targets()) == "catkin":
+        return
+    yield from each(reading.files, interface_paths(reading.files), lambda source: read(reading.files, source))
+
+
+def interface_paths(files: PackageFiles) -> list[str]:
+    return [
+        path
+        for path in files.paths
+        if path.endswith(tuple(f".{kind}" for kind in KINDS)) and not ELSEWHERE.intersection(path.split("/")[:-1])
+    ]
+
+
+def read(files: PackageFiles, source: Source) -> Interface:
+    found = parse_interface(source, source.path.rpartition(".")[2])
+    if not files.tree.entry(source.path).text.bom:
+        return found
+    mark = Problem(
+        Span(0, 0), "the file begins with a byte order mark, which rosidl takes for a part of the first type"
+    )
+    return Interface(source, found.kind, found.sections, (mark, *found.problems))
+
+
+GENERATED = (".in", ".em", ".j2", ".template")
+
+
+def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
+    """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
+
+    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own.
+    """
+    found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
+    for path in reading.files.paths:
+        folders = path.split("/")[:-1]
+        if path.endswith(".idl") and folders[-1:] and folders[-1] in KINDS and not ELSEWHERE.intersection(folders):
+            found.add(f"{folders[-1]}/{stem(path)}")
+    kinds = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in GENERATED)
+    return frozenset(found), not any(path.endswith(kinds) for path in reading.files.paths)
+
+
+def stem(path: str) -> str:
+    return path.rpartition("/")[2].rpartition(".")[0]

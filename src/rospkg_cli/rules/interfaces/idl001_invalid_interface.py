@@ -1,0 +1,88 @@
+"""IDL001 invalid-interface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.interface.scope import InterfaceInWorkspace
+from ...rule import rule
+
+
+@rule(
+    "IDL001",
+    "invalid-interface",
+    over=InterfaceInWorkspace,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "«int» count\n"},
+            good={"msg/Status.msg": "int32 count\n"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"srv/SetMode.srv": "string mode\n«----»\nbool success\n"},
+            good={"srv/SetMode.srv": "string mode\n---\nbool success\n"},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "«builtin_interfaces/msg/Time» stamp\n"},
+            good={"msg/Status.msg": "builtin_interfaces/Time stamp\n"},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "«Header» header\n"},
+            good={"msg/Status.msg": "std_msgs/Header header\n"},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": 'string label «"room #3"»\n'},
+            good={"msg/Status.msg": 'string label "room 3"\n'},
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "uint8 percent «300»\n"},
+            good={"msg/Status.msg": "uint8 percent 100\n"},
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "string path # such as C:«\\U»sers\n"},
+            good={"msg/Status.msg": "string path # such as C:\\\\Users\n"},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reads .msg, .srv and .action files by rosidl's own grammar: types and their bounds, arrays, default values,
+    constants, the separator lines `---` (one in a .srv, two in an .action), `package/Name` without `msg` in between.
+    It also finds what rosidl takes silently and otherwise than it is written: a `#` inside quotes cuts the value.
+
+    ## Why is this bad?
+    rosidl stops the build at the first of them, often with no more than a Python traceback of its own.
+
+    ## Fix safety
+    What can be meant in one way only is repaired safely. A type of C or Python is replaced under `--unsafe-fixes`,
+    because its width was never said.
+
+    ## References
+    rosidl_adapter/parser.py; https://docs.ros.org/en/rolling/Concepts/Basic/About-Interfaces.html
+    """
+    path = scope.interface.path
+    for problem in scope.interface.problems:
+        fix = None
+        if problem.repair is not None and problem.repair_span is not None:
+            safety = Safety.SAFE if problem.certain else Safety.UNSAFE
+            fix = Fix(problem.title, (Edit(path, problem.repair_span, problem.repair),), safety)
+        yield Hit(path, problem.span, problem.message, fix=fix)
+    for kind in scope.bare_headers():
+        message = "a bare `Header` was ROS 1; here it means one of this package, which has none"
+        fix = Fix("write `std_msgs/Header`", (Edit(path, kind.base_span, "std_msgs/Header"),))
+        yield Hit(path, kind.base_span, f"{message}: write `std_msgs/Header`", fix=fix)

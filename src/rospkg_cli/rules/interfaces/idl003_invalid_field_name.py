@@ -1,0 +1,95 @@
+"""IDL003 invalid-field-name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.interface.declared import Interface, Member
+from ...model.interface.names import is_valid, language_of, repeated, suggestion
+from ...rule import rule
+
+HARM = {
+    "Python": "importing the generated Python module ends with a SyntaxError",
+    "C++": "the generated header does not compile",
+    "OMG IDL": "other IDL tools, such as those of DDS vendors, refuse the generated .idl file",
+}
+
+
+@rule(
+    "IDL003",
+    "invalid-field-name",
+    over=Interface,
+    severity=Severity.ERROR,
+    levels={Severity.INFO: "the name is a keyword of OMG IDL only"},
+    examples=(
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "float32 «batteryLevel»\n"},
+            good={"msg/Status.msg": "float32 battery_level\n"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "uint8 «idle»=0\n"},
+            good={"msg/Status.msg": "uint8 IDLE=0\n"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "string label\nint32 «label»\n"},
+            good={"msg/Status.msg": "string label\nint32 count\n"},
+        ),
+        Example(
+            on="interfaces",
+            bad={"srv/SetMode.srv": "string «from»\n---\nbool success\n"},
+            good={"srv/SetMode.srv": "string source\n---\nbool success\n"},
+        ),
+        Example(
+            on="interfaces",
+            bad={"srv/SetMode.srv": "int32 count\n---\nint32[] «sequence»\n"},
+            good={"srv/SetMode.srv": "int32 count\n---\nint32[] numbers\n"},
+        ),
+    ),
+)
+def invalid_field_name(interface: Interface) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds fields that are not lower case with single `_` between words, constants that are not upper case, two of one
+    name, and fields that are keywords of Python, C++ or OMG IDL.
+
+    ## Why is this bad?
+    rosidl refuses the names and stops the build. Keywords it takes: then the generated Python module can't be
+    imported, or the generated header does not compile.
+
+    ## Fix safety
+    The new name is used elsewhere, in code that is not looked at.
+    """
+    path = interface.path
+    for member in interface.members:
+        language = language_of(member)
+        if not is_valid(member):
+            yield Hit(path, member.name_span, refusal(member), fix=rename(path, member))
+        elif language:
+            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}; choose another name"
+            yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else None)
+    for section in interface.sections:
+        for member, first in repeated(section):
+            what = "constant" if member.constant else "field"
+            message = f"the {what} `{member.name}` stands here twice: rosidl stops the build"
+            yield Hit(path, member.name_span, message, related=(Related(path, first.name_span, "the first one"),))
+
+
+def refusal(member: Member) -> str:
+    if not member.constant:
+        return f"rosidl refuses the field `{member.name}`: lower case letters, digits and single `_`, a letter first"
+    message = f"rosidl refuses the constant `{member.name}`: upper case letters, digits and single `_`"
+    return f"{message}; a default value is written without `=`: `{member.type.text} {member.name.lower()} …`"
+
+
+def rename(path: str, member: Member) -> Fix | None:
+    better = suggestion(member)
+    if better is None:
+        return None
+    return Fix(f"rename it to `{better}`", (Edit(path, member.name_span, better),), Safety.UNSAFE)

@@ -1,0 +1,65 @@
+"""IDL004 unknown-type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.interface.declared import FieldType
+from ...model.interface.scope import InterfaceInWorkspace
+from ...rule import rule
+
+
+@rule(
+    "IDL004",
+    "unknown-type",
+    over=InterfaceInWorkspace,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="interfaces",
+            bad={"srv/SetMode.srv": "«Statsu» mode\n---\nbool success\n"},
+            good={"srv/SetMode.srv": "Status mode\n---\nbool success\n"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "«Point» place\n"},
+            good={"msg/Status.msg": "geometry_msgs/Point place\n"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"msg/Status.msg": "«sensor_msgs/IMU» imu\n"},
+            good={"msg/Status.msg": "sensor_msgs/Imu imu\n"},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds types that neither this package nor the named package of the workspace has as a .msg file, and names of
+    the core packages that are written wrongly. A package that is not at hand is believed.
+
+    ## Why is this bad?
+    The build stops in the generated code, at an `#include` of a header that does not exist.
+    """
+    path = scope.interface.path
+    for kind in scope.unknown_types():
+        better = scope.meant(kind)
+        hint = f": write `{better}`" if better else ""
+        fix = None
+        if better:
+            fix = Fix(f"write `{better}`", (Edit(path, kind.base_span, better),), Safety.UNSAFE)
+        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=fix)
+
+
+def absence(scope: InterfaceInWorkspace, kind: FieldType) -> str:
+    other = scope.service_or_action(kind)
+    if other:
+        return f"`{kind.base}` is `{other}`: only a message can be the type of a field, and the build stops here"
+    if scope.is_own(kind):
+        return f"this package has no `msg/{kind.base}.msg`: the build stops in the generated code"
+    return f"`{kind.package}` has no message `{kind.base}`: the build stops in the generated code"

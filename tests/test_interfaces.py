@@ -1,0 +1,116 @@
+"""Interface files: the grammar of rosidl, and types across packages. (tests/real asks the real one.)"""
+
+from __future__ import annotations
+
+import pytest
+from interface_texts import REFUSED, TAKEN
+
+from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.model.interface.declared import Interface
+from rospkg_cli.model.interface.names import is_accepted
+from rospkg_cli.model.interface.text import parse_interface
+from rospkg_cli.source import Source
+from rospkg_cli.testing import lint_files
+
+IDL = ["IDL001", "IDL002", "IDL003", "IDL004"]
+
+
+def read(kind: str, text: str) -> Interface:
+    return parse_interface(Source(f"{kind}/Foo.{kind}", text), kind)
+
+
+@pytest.mark.parametrize("kind, text", TAKEN)
+def test_what_rosidl_takes(kind: str, text: str) -> None:
+    assert is_accepted(read(kind, text))
+
+
+@pytest.mark.parametrize("kind, text", REFUSED)
+def test_what_rosidl_refuses(kind: str, text: str) -> None:
+    assert not is_accepted(read(kind, text))
+
+
+def test_every_fault_is_found_not_only_the_first() -> None:
+    found = read("msg", "int a\nint32 b\nfloat c\nuint8 d 300\n").problems
+    assert [problem.span.start for problem in found] == [0, 14, 30]
+
+
+def test_places_are_those_of_the_file() -> None:
+    source = Source("msg/Foo.msg", "# a comment\n\nPoint[<=3]\t where  # [m]\nuint8 SIX = 6\n")
+    point, six = parse_interface(source, "msg").members
+    assert source.slice(point.type.span) == "Point[<=3]"
+    assert source.slice(point.type.base_span) == "Point"
+    assert source.slice(point.name_span) == "where"
+    assert (point.type.size, point.type.bounded, point.type.primitive) == (3, True, False)
+    assert source.slice(six.name_span) == "SIX"
+    assert six.value_span
+    assert source.slice(six.value_span) == "6"
+
+
+def test_a_service_has_two_sections_that_may_share_names() -> None:
+    found = read("srv", "int32 a\n---\nint32 a\n")
+    assert [section.suffix for section in found.sections] == ["_Request", "_Response"]
+    assert is_accepted(found)
+
+
+def test_a_name_that_never_ends_is_refused_at_once() -> None:
+    """rosidl's own pattern for constants takes exponential time here."""
+    assert not is_accepted(read("msg", f"int32 {'A' * 5000}_=1\n"))
+
+
+def workspace(**texts: str) -> dict[str, str]:
+    return {
+        "src/shapes/package.xml": manifest("", "ament_cmake", "shapes"),
+        "src/robot/package.xml": manifest("", "ament_cmake", "robot"),
+        "src/shapes/msg/Square.msg": "float32 side\n",
+        "src/shapes/srv/Cut.srv": "---\n",
+        **{f"src/robot/msg/{name}.msg": text for name, text in texts.items()},
+    }
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("shapes/Square s", ""),
+        ("Square s", "this package has no `msg/Square.msg`"),
+        ("shapes/Squaer s", "write `shapes/Square`"),
+        ("shapes/Circle c", "`shapes` has no message `Circle`"),
+        ("shapes/Cut c", "`shapes` has no message `Cut`"),
+        ("elsewhere/Anything a", ""),
+        ("geometry_msgs/SomethingNew a", ""),
+        ("geometry_msgs/Pose2d a", "write `geometry_msgs/Pose2D`"),
+        ("sensor_msgs/Pose a", "write `geometry_msgs/Pose`"),
+        ("String label", "write `string`"),
+        ("Other o", ""),
+    ],
+)
+def test_types_across_the_workspace(text: str, said: str) -> None:
+    found = lint_files(workspace(Robot=text + "\n", Other="int32 a\n"), ["IDL004"]).findings
+    assert bool(found) is bool(said)
+    assert all(said in finding.message for finding in found)
+
+
+def test_a_package_that_generates_messages_is_believed() -> None:
+    files = {**workspace(Robot="shapes/Circle c\n"), "src/shapes/msg/Circle.msg.in": "float32 @FIELD@\n"}
+    assert not lint_files(files, ["IDL004"]).findings
+
+
+def test_a_service_is_no_type() -> None:
+    files = {**BACKDROPS["interfaces"], "msg/Status.msg": "SetMode mode\n"}
+    (finding,) = lint_files(files, ["IDL004"]).findings
+    assert "`srv/SetMode`" in finding.message
+
+
+def test_ros_1_packages_keep_their_own_grammar() -> None:
+    files = {"package.xml": manifest("", "catkin"), "msg/old_name.msg": "Header header\ntime stampTime\n"}
+    assert not lint_files(files, IDL).findings
+
+
+def test_a_byte_order_mark_is_named() -> None:
+    files = {**BACKDROPS["interfaces"], "msg/Status.msg": b"\xef\xbb\xbfint32 a\n"}
+    (finding,) = lint_files(files, IDL).findings
+    assert "byte order mark" in finding.message
+
+
+def test_test_data_is_not_judged() -> None:
+    files = {**BACKDROPS["interfaces"], "test/msg/Bad.msg": "int a\n", "templates/msg/X.msg": "@(type) a\n"}
+    assert not lint_files(files, IDL).findings
