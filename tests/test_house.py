@@ -139,7 +139,7 @@ def test_facts_are_frozen_and_pickle() -> None:
     assert pickle.loads(pickle.dumps(facts)) == facts
     with pytest.raises(dataclasses.FrozenInstanceError):
         facts.name = "b"  # type: ignore[misc]
-    assert {f.name for f in dataclasses.fields(Workspace)} <= {"packages", "given", "complete", "prefix_names"}
+    assert {f.name for f in dataclasses.fields(Workspace)} <= {"packages", "given", "complete", "prefix_names", "index"}
 
 
 def imported(*arguments: str, cwd: Path) -> set[str]:

@@ -35,6 +35,8 @@ class PackageFacts:
     dependencies: tuple[Need, ...] = ()
     groups: frozenset[str] = frozenset()
     """The groups it is a member of."""
+    metapackage: bool = False
+    """Whether it has nothing of its own and only names others."""
     executables: frozenset[str] = frozenset()
     """What stands in lib/<name> after the build."""
     interfaces: frozenset[str] = frozenset()

@@ -10,6 +10,7 @@ from .facts import Need, PackageFacts, Unknown
 from .files import Reading
 from .interface.reader import interface_names
 from .manifest import Manifest
+from .metapackage import is_metapackage
 
 
 def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
@@ -31,4 +32,5 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
         interfaces=interfaces,
         unknown=frozenset(unknown),
+        metapackage=is_metapackage(reading.files, manifest),
     )

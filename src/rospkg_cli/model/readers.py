@@ -11,10 +11,12 @@ from .interface.declared import Interface
 from .interface.reader import read_interfaces
 from .manifest import Manifest, read_manifest
 from .unreadable import Unreadable
+from .uses.python import PythonUse, read_python_use
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
     CMakeFile: read_cmake_files,
     Interface: read_interfaces,
+    PythonUse: read_python_use,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

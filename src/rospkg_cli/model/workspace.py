@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from ..ros.distros import Targets
+from ..ros.imports import serving
+from ..ros.names import BUILT_IN, Known, Names
 from .facts import PackageFacts
 
 
@@ -18,6 +21,9 @@ class Workspace:
     """False where a `.repos` file says that more belongs here: then an unknown name can't be told."""
     prefix_names: frozenset[str] = frozenset()
     """Names found in AMENT_PREFIX_PATH and /opt/ros: they may silence a finding, never cause one."""
+
+    index: Names = BUILT_IN
+    """The names of the world outside."""
 
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
@@ -37,3 +43,30 @@ class Workspace:
     def at(self, folder: str) -> PackageFacts:
         """Return the facts of the package in a folder; raises KeyError."""
         return self._by_folder[folder]
+
+    def what(self, name: str, targets: Targets | None = None) -> Known:
+        """Return what a name in package.xml stands for; unknown only where nothing else can add it."""
+        if name in self._by_name or name in self.prefix_names:
+            return Known.PACKAGE
+        found = self.index.what(name, targets)
+        return Known.CANT_TELL if found is Known.UNKNOWN and not self.complete else found
+
+    @cached_property
+    def _by_module(self) -> dict[str, str]:
+        found: dict[str, str] = {}
+        for facts in self.packages:
+            for module in facts.modules:
+                found.setdefault(module.partition(".")[0], facts.name)
+        return found
+
+    def serving(self, module: str) -> tuple[str, ...]:
+        """Return what serves an import: a package around, a ROS package, a rosdep key; nothing where nobody can tell.
+
+        Any of the names will do, and the first is the one to recommend.
+        """
+        top = module.partition(".")[0]
+        if top in self._by_name:
+            return (top,)
+        if top in self._by_module:
+            return (self._by_module[top],)
+        return serving(module, self.index).names

@@ -1,0 +1,51 @@
+"""What package.xml declares, asked from the side of a use: is it there, and for what?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...ros.manifest import BUILD_TYPES
+from ..facts import PackageFacts
+from ..manifest import Manifest
+from ..workspace import Workspace
+
+MAX_DEPTH = 20
+
+
+@dataclass(frozen=True)
+class Declared:
+    """The dependencies of one package, with those that a metapackage of the workspace stands for."""
+
+    manifest: Manifest
+    facts: PackageFacts
+    workspace: Workspace
+
+    @property
+    def judged(self) -> bool:
+        """Whether this is a package of ROS 2 in a language that we can follow."""
+        return self.facts.build_type in BUILD_TYPES and self.facts.build_type != "catkin"
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Every name that is declared, under whatever tag and condition."""
+        return frozenset(self.closure(d.name for d in self.manifest.dependencies))
+
+    def closure(self, names: Iterable[str]) -> set[str]:
+        """Return some names, and those that the metapackages among them name."""
+        found: set[str] = set()
+        waiting = [(name, 0) for name in names]
+        while waiting:
+            name, depth = waiting.pop()
+            if name in found:
+                continue
+            found.add(name)
+            facts = self.workspace.named(name)
+            if facts is not None and facts.metapackage and depth < MAX_DEPTH:
+                waiting += [(need.name, depth + 1) for need in facts.dependencies]
+        return found
+
+    def has(self, names: Iterable[str]) -> bool:
+        """Return whether one of some names is declared, or is the package itself."""
+        return any(name in self.names or name == self.facts.name for name in names)

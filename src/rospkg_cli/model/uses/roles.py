@@ -1,0 +1,26 @@
+"""What a file of a package is there for, by where it stands: folders decide, a name like `test_utils` does not."""
+
+from __future__ import annotations
+
+import re
+from pathlib import PurePosixPath
+from typing import Literal
+
+Role = Literal["run", "launch", "test", "aside"]
+"""Used by what is installed; by a launch file; by tests; by neither (docs, tools, setup.py)."""
+
+TESTS = frozenset("test tests unit_test unit_tests integration_test integration_tests".split())
+ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored external templates template".split())
+LAUNCH = re.compile(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
+NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
+
+
+def role_of(path: str) -> Role:
+    """Return the role of a file that is, for all that its path tells, part of the package."""
+    where = PurePosixPath(path)
+    folders = set(where.parts[:-1])
+    if folders & TESTS or where.name == "conftest.py":
+        return "test"
+    if where.parts[0] in ASIDE or path in NOT_INSTALLED or folders & {"third_party", "vendor"}:
+        return "aside"
+    return "launch" if LAUNCH.search(path) else "run"

@@ -1,0 +1,65 @@
+"""DEP101 undeclared-import."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.uses.imported import Imported
+from ...rule import rule
+
+BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
+
+
+@rule(
+    "DEP101",
+    "undeclared-import",
+    over=Imported,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+                "my_pkg/viewer.py": BAD,
+            },
+            good={
+                "package.xml": manifest(
+                    "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>sensor_msgs</exec_depend>\n"
+                )
+            },
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"my_pkg/viewer.py": "import «cv2»\n"},
+            good={"package.xml": manifest("  <exec_depend>python3-opencv</exec_depend>\n")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def undeclared_import(imported: Imported) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare.
+    Imports that a file does without are left out: those under `try` … `except ImportError`, under `TYPE_CHECKING`, and
+    under conditions on the machine. So are tests and launch files, which have rules of their own.
+
+    ## Why is this bad?
+    It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
+    not name, and the node ends with ModuleNotFoundError; a released package breaks for everybody who installs it.
+
+    ## References
+    - REP-149, exec_depend
+    """
+    manifest = imported.declared.manifest
+    for missing in imported.missing("run"):
+        first, *others = missing.places
+        tag = f"<exec_depend>{missing.name}</exec_depend>"
+        message = (
+            f"package.xml does not declare `{missing.name}`, which is imported here as `{first.module}`: on a clean "
+            f"machine rosdep does not install it and the import raises ModuleNotFoundError; add {tag}"
+        )
+        fix = Fix(f"add {tag}", (add_dependency(manifest, "exec_depend", missing.name),))
+        related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
+        yield Hit(first.path, first.span, message, related=related, fix=fix)
