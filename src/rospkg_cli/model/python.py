@@ -12,6 +12,7 @@ from ..source import Source, Span
 from .syntax import Syntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
+MACHINE = frozenset({"sys", "os", "platform", "find_spec", "environ"})
 MODULE = re.compile(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
 
 
@@ -28,7 +29,7 @@ class Import:
     span: Span
     """Of the module's name (of the dots and the name)."""
     optional: bool = False
-    """In a `try` that survives an ImportError, or in the handler of one."""
+    """In a `try` that survives an ImportError or its handler, or under a condition on the machine."""
     typing: bool = False
     """Under `if TYPE_CHECKING`."""
     local: bool = False
@@ -66,9 +67,14 @@ class PythonFile(Syntax):
                     yield from self.imports_in(node.finalbody, under)
                 case ast.If():
                     typing = under.typing or is_type_checking(node.test)
-                    inner = Import("", (), 0, under.span, under.optional, typing, under.local)
+                    optional = under.optional or asks_the_machine(node.test)
+                    inner = Import("", (), 0, under.span, optional, typing, under.local)
+                    other = Import("", (), 0, under.span, optional, under.typing, under.local)
                     yield from self.imports_in(node.body, inner)
-                    yield from self.imports_in(node.orelse, under)
+                    yield from self.imports_in(node.orelse, other)
+                case ast.With(items=items) if any(suppresses_import_error(item.context_expr) for item in items):
+                    inner = Import("", (), 0, under.span, True, under.typing, under.local)
+                    yield from self.imports_in(node.body, inner)
                 case ast.stmt() | ast.ExceptHandler() | ast.match_case():
                     yield from self.imports_in(ast.iter_child_nodes(node), under)
 
@@ -112,6 +118,22 @@ def survives_import_error(handler: ast.ExceptHandler) -> bool:
     if handler.type is None:
         return True
     return any(isinstance(node, ast.Name) and node.id in IMPORT_ERRORS for node in ast.walk(handler.type))
+
+
+def suppresses_import_error(manager: ast.expr) -> bool:
+    """Return whether this is contextlib.suppress(ImportError)."""
+    return isinstance(manager, ast.Call) and {"suppress"} <= words(manager) and bool(words(manager) & IMPORT_ERRORS)
+
+
+def asks_the_machine(test: ast.expr) -> bool:
+    """Return whether a condition asks where the file runs: elsewhere, what stands under it is not needed."""
+    return bool(words(test) & MACHINE)
+
+
+def words(node: ast.expr) -> set[str]:
+    """Return the names and attributes that stand in an expression."""
+    names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+    return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
 
 
 def is_type_checking(test: ast.expr) -> bool:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from ...ros.imports import may_serve
 from ...source import Span
+from ..python import Import
 from .declared import Declared
-from .imports import Import
 from .python import PythonUse
 from .roles import Role
 
@@ -54,7 +54,7 @@ class Imported:
 
     def needed(self, what: Import) -> str | None:
         """Return what to declare for an import; None where nothing is missing or nobody can tell."""
-        if what.optional:
+        if what.optional or what.typing:
             return None
         names = self.serving(what)
         declared = self.declared

@@ -8,9 +8,8 @@ from functools import cached_property
 from pathlib import PurePosixPath
 
 from ..files import PackageFiles, Reading
-from ..python import PythonFile, parse_python
+from ..python import Import, PythonFile, parse_python
 from ..unreadable import UnreadableError
-from .imports import Import, imports_of
 from .installed import InstalledPython
 from .roles import Role, role_of
 
@@ -83,7 +82,7 @@ def read_python_use(reading: Reading) -> Iterator[PythonUse]:
 
 
 def foreign(file: PythonFile, own: OwnModules) -> tuple[Import, ...]:
-    return tuple(each for each in imports_of(file) if not own.has(each.module, file.path))
+    return tuple(each for each in file.imports if not each.level and not own.has(each.module, file.path))
 
 
 def is_python(files: PackageFiles, path: str) -> bool:
