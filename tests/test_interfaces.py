@@ -114,3 +114,11 @@ def test_a_byte_order_mark_is_named() -> None:
 def test_test_data_is_not_judged() -> None:
     files = {**BACKDROPS["interfaces"], "test/msg/Bad.msg": "int a\n", "templates/msg/X.msg": "@(type) a\n"}
     assert not lint_files(files, IDL).findings
+
+
+def test_a_package_that_takes_messages_from_elsewhere_is_believed() -> None:
+    cmake = "project(my_pkg)\nrosidl_generate_interfaces(${PROJECT_NAME} ${%s_MSG_FILES} msg/Status.msg)\n"
+    files = {**BACKDROPS["interfaces"], "msg/Status.msg": "Circle c\n"}
+    assert not lint_files({**files, "CMakeLists.txt": cmake % "shapes"}, ["IDL004"]).findings
+    own = 'set(own_MSG_FILES "msg/Other.msg")\n' + cmake % "own"
+    assert lint_files({**files, "CMakeLists.txt": own}, ["IDL004"]).findings

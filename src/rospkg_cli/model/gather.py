@@ -8,7 +8,7 @@ from typing import get_args
 from ..ros.distros import Targets
 from .facts import Need, PackageFacts, Unknown
 from .files import Reading
-from .interface.reader import interface_names
+from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
 

@@ -41,24 +41,3 @@ def read(files: PackageFiles, source: Source) -> Interface:
         Span(0, 0), "the file begins with a byte order mark, which rosidl takes for a part of the first type"
     )
     return Interface(source, found.kind, found.sections, (mark, *found.problems))
-
-
-GENERATED = (".in", ".em", ".j2", ".template")
-
-
-def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
-    """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
-
-    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own.
-    """
-    found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
-    for path in reading.files.paths:
-        folders = path.split("/")[:-1]
-        if path.endswith(".idl") and folders[-1:] and folders[-1] in KINDS and not ELSEWHERE.intersection(folders):
-            found.add(f"{folders[-1]}/{stem(path)}")
-    kinds = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in GENERATED)
-    return frozenset(found), not any(path.endswith(kinds) for path in reading.files.paths)
-
-
-def stem(path: str) -> str:
-    return path.rpartition("/")[2].rpartition(".")[0]

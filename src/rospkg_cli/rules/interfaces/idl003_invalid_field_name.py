@@ -13,7 +13,7 @@ from ...rule import rule
 HARM = {
     "Python": "importing the generated Python module ends with a SyntaxError",
     "C++": "the generated header does not compile",
-    "OMG IDL": "other IDL tools, such as those of DDS vendors, refuse the generated .idl file",
+    "OMG IDL": "rosidl takes it, but tools of DDS vendors may refuse the generated .idl file",
 }
 
 
@@ -72,7 +72,7 @@ def invalid_field_name(interface: Interface) -> Iterator[Hit]:
         if not is_valid(member):
             yield Hit(path, member.name_span, refusal(member), fix=rename(path, member))
         elif language:
-            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}; choose another name"
+            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}"
             yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else None)
     for section in interface.sections:
         for member, first in repeated(section):
