@@ -4,86 +4,23 @@ from __future__ import annotations
 
 import re
 from array import array
-from collections.abc import Iterator
-from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from ..source import Source, Span
 from .unreadable import UnreadableError
+from .xml_error import complaint
+from .xml_tree import Attribute as Attribute
+from .xml_tree import Comment as Comment
+from .xml_tree import Document as Document
+from .xml_tree import Element as Element
+from .xml_tree import Instruction as Instruction
 
 MAX_DEPTH = 200
+"""Deeper documents are refused; libxml2 stops at 256."""
+
 ATTRIBUTE = re.compile(r"""\s+([^\s=<>"'/]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
-
-
-@dataclass(slots=True)
-class Attribute:
-    name: str
-    value: str
-    """With references resolved."""
-    span: Span
-    """From the name to the closing quote."""
-    value_span: Span
-    """Between the quotes."""
-
-
-@dataclass(slots=True)
-class Comment:
-    text: str
-    span: Span
-
-
-@dataclass(slots=True)
-class Element:
-    tag: str
-    span: Span
-    """From `<` to the last `>`."""
-    open: Span
-    """The start tag."""
-    inner: Span
-    """Between start tag and end tag; empty at the end of a self-closing tag."""
-    attributes: dict[str, Attribute] = field(default_factory=dict)
-    nodes: list[Element | Comment] = field(default_factory=list)
-    """Child elements and comments, in order."""
-    chunks: list[str] = field(default_factory=list)
-
-    @property
-    def children(self) -> list[Element]:
-        return [node for node in self.nodes if isinstance(node, Element)]
-
-    @property
-    def self_closing(self) -> bool:
-        return self.open.end == self.span.end
-
-    @property
-    def text(self) -> str:
-        """The character data directly inside, stripped."""
-        return "".join(self.chunks).strip()
-
-    def get(self, name: str) -> str | None:
-        found = self.attributes.get(name)
-        return None if found is None else found.value
-
-    def walk(self) -> Iterator[Element]:
-        """Yield this element and all below it, in document order."""
-        yield self
-        for child in self.children:
-            yield from child.walk()
-
-
-@dataclass
-class Document:
-    source: Source
-    root: Element
-    instructions: list[tuple[str, str, Span]]
-    """Processing instructions: target, data, span."""
-    comments: list[Comment]
-    """All of them, wherever they stand."""
-
-    def text_span(self, element: Element) -> Span:
-        """Return the span of what stands between the tags, without the blanks around it."""
-        raw = self.source.slice(element.inner)
-        start = element.inner.start + len(raw) - len(raw.lstrip())
-        return Span(start, start + len(raw.strip())) if raw.strip() else element.span
+QUALIFIED = re.compile(r"[^:]+(:[^:]+)?")
+BOUND = frozenset({"xml", "xmlns"})
 
 
 def read_xml(source: Source) -> Document:
@@ -101,11 +38,13 @@ class Reader:
         self.parser = expat.ParserCreate("utf-8")
         top = Span(0, len(source.text))
         self.stack = [Element("", top, Span(0, 0), top)]
-        self.instructions: list[tuple[str, str, Span]] = []
+        self.bound = [BOUND]
+        self.instructions: list[Instruction] = []
         self.comments: list[Comment] = []
 
     def read(self) -> Document:
         parser = self.parser
+        parser.buffer_text = True
         parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
         parser.CharacterDataHandler = self.characters
         parser.CommentHandler, parser.ProcessingInstructionHandler = self.comment, self.instruction
@@ -113,7 +52,10 @@ class Reader:
         try:
             parser.Parse(self.data, True)
         except expat.ExpatError as error:
-            self.fail(self.char(parser.ErrorByteIndex), self.explain(error))
+            inside = self.stack[-1]
+            self.fail(
+                *complaint(self.source, error.code, self.char(parser.ErrorByteIndex), inside.tag, inside.span.start)
+            )
         return Document(self.source, self.stack[0].children[0], self.instructions, self.comments)
 
     def char(self, byte: int) -> int:
@@ -124,13 +66,8 @@ class Reader:
         return self.char(self.parser.CurrentByteIndex)
 
     def fail(self, at: int, why: str) -> None:
-        at = min(at, len(self.source.text))
+        at = max(0, min(at, len(self.source.text)))
         raise UnreadableError(self.source.path, Span(at, min(at + 1, len(self.source.text))), why)
-
-    def explain(self, error: expat.ExpatError) -> str:
-        said = expat.ErrorString(error.code).replace("not well-formed (invalid token)", "an unexpected character")
-        inside = f", inside `<{self.stack[-1].tag}>`" if len(self.stack) > 1 else ""
-        return f"`{self.source.path}` is not well-formed XML: {said}{inside}"
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         at = self.at
@@ -138,11 +75,24 @@ class Reader:
         element = Element(tag, Span(at, end), Span(at, end), Span(end, end), found)
         if len(self.stack) > MAX_DEPTH:
             self.fail(at, f"`{self.source.path}` is nested deeper than {MAX_DEPTH} elements")
+        declared = [name[6:] for name in attributes if name.startswith("xmlns:")]
+        self.bound.append(self.bound[-1].union(declared) if declared else self.bound[-1])
+        for name in (tag, *attributes):
+            if ":" in name:
+                self.check_prefix(name, at)
         self.stack[-1].nodes.append(element)
         self.stack.append(element)
 
+    def check_prefix(self, name: str, at: int) -> None:
+        """Refuse a prefix that no `xmlns:` declares, as every reader with namespaces does."""
+        prefix = name.partition(":")[0]
+        if not QUALIFIED.fullmatch(name) or prefix not in self.bound[-1]:
+            why = f"the prefix of `{name}` is declared nowhere (`xmlns:{prefix}`)"
+            self.fail(at, f"`{self.source.path}` is not well-formed XML: {why}")
+
     def end(self, tag: str) -> None:
         element, at, text = self.stack.pop(), self.at, self.source.text
+        self.bound.pop()
         if text[element.open.end - 2] != "/":
             element.inner = Span(element.open.end, at)
             element.span = Span(element.span.start, text.index(">", at) + 1)
@@ -158,10 +108,11 @@ class Reader:
 
     def instruction(self, target: str, data: str) -> None:
         at = self.at
-        self.instructions.append((target, data, Span(at, self.source.text.index("?>", at) + 2)))
+        self.instructions.append(Instruction(target, data, Span(at, self.source.text.index("?>", at) + 2)))
 
     def doctype(self, *_: object) -> None:
-        self.fail(self.at, f"`{self.source.path}` has a DOCTYPE; entities and document types are not read: remove it")
+        at = max(self.source.text.rfind("<!DOCTYPE", 0, self.at + 9), 0)
+        self.fail(at, f"`{self.source.path}` has a DOCTYPE; entities and document types are not read: remove it")
 
 
 def start_tag(text: str, at: int, values: dict[str, str]) -> tuple[dict[str, Attribute], int]:
