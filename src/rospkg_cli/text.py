@@ -41,7 +41,7 @@ class Text:
 def decode(data: bytes) -> Text:
     """Decode bytes by their mark, else by what an XML or Python header declares, else as UTF-8.
 
-    Raises UnicodeError (LookupError is turned into it) where that fails.
+    Raises UnicodeError where that fails.
     """
     bom, encoding = b"", ""
     for mark, name in BOMS:
@@ -50,7 +50,7 @@ def decode(data: bytes) -> Text:
             break
     body = data[len(bom) :]
     if not encoding:
-        encoding = declared(body)
+        encoding = unmarked_utf16(body) or declared(body)
     text = body.decode(encoding)
     if "\r" not in text:
         return Text(text, encoding, bom, "\n")
@@ -59,11 +59,23 @@ def decode(data: bytes) -> Text:
     return Text(text, encoding, bom, "")
 
 
+def unmarked_utf16(body: bytes) -> str:
+    """Return the encoding of XML in UTF-16 without a mark: a `<` of two bytes tells it; else ""."""
+    return {b"<\0": "utf-16-le", b"\0<": "utf-16-be"}.get(body[:2], "")
+
+
 def declared(body: bytes) -> str:
+    """Return the encoding that a header names; raises UnicodeError where we don't know it, or where it can't be."""
     found = DECLARED.match(body) or CODING.match(body)
     if found is None:
         return "utf-8"
     name = found.group(1).decode("ascii", "replace")
-    if not KNOWN.fullmatch(name):
+    try:
+        known = codecs.lookup(name).name if KNOWN.fullmatch(name) else ""
+    except LookupError:
+        known = ""
+    if not known:
         raise UnicodeError(f"the encoding {name!r} is not known here; save the file as UTF-8")
-    return "utf-16" if name.lower().replace("-", "") == "utf16" else name
+    if known.startswith("utf-16"):
+        raise UnicodeError(f"the encoding is said to be {name!r}, and the bytes are not; save the file as UTF-8")
+    return name
