@@ -1,11 +1,15 @@
-"""Conditions of package.xml, by the grammar of REP-149: comparisons of strings, `and`, `or`, parentheses."""
+"""Conditions of package.xml, by the grammar of REP-149: comparisons of strings, `and`, `or`, parentheses.
+
+A variable that nobody can know here (any but those of the ROS environment) makes what depends on it unknown: None.
+"""
 
 from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 TOKEN = re.compile(
     r"""\s*(?:(?P<paren>[()])|(?P<op>==|!=|<=|>=|<|>)|(?P<word>and|or)(?![A-Za-z0-9_-])"""
@@ -38,8 +42,9 @@ class Operand:
     quoted: bool
     at: int
 
-    def value(self, variables: Mapping[str, str]) -> str:
-        return variables.get(self.text, "") if self.variable else self.text
+    def value(self, variables: Mapping[str, str]) -> str | None:
+        """Return what it stands for; None for a variable that is not known."""
+        return variables.get(self.text) if self.variable else self.text
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +53,11 @@ class Comparison:
     operator: str
     right: Operand
 
-    def holds(self, variables: Mapping[str, str]) -> bool:
-        return OPERATORS[self.operator](self.left.value(variables), self.right.value(variables))
+    def holds(self, variables: Mapping[str, str]) -> bool | None:
+        left, right = self.left.value(variables), self.right.value(variables)
+        if left is None or right is None:
+            return None
+        return OPERATORS[self.operator](left, right)
 
     def comparisons(self) -> Iterator[Comparison]:
         yield self
@@ -62,8 +70,12 @@ class Junction:
     word: str
     parts: tuple[Comparison | Junction, ...]
 
-    def holds(self, variables: Mapping[str, str]) -> bool:
-        return (all if self.word == "and" else any)(part.holds(variables) for part in self.parts)
+    def holds(self, variables: Mapping[str, str]) -> bool | None:
+        found = [part.holds(variables) for part in self.parts]
+        decides = self.word == "or"
+        if decides in found:
+            return decides
+        return None if None in found else not decides
 
     def comparisons(self) -> Iterator[Comparison]:
         for part in self.parts:
@@ -73,6 +85,7 @@ class Junction:
 Condition = Comparison | Junction
 
 
+@lru_cache(maxsize=512)
 def parse_condition(text: str) -> Condition:
     """Parse a condition; raises ConditionError."""
     parser = Parser(text)
@@ -80,6 +93,32 @@ def parse_condition(text: str) -> Condition:
     if parser.kind:
         raise ConditionError(f"`{parser.token}` is not expected", parser.at)
     return found
+
+
+Environments = Sequence[Mapping[str, str]]
+"""The variables of each target, as `Targets.environments` gives them."""
+
+
+def value_in(text: str | None, variables: Mapping[str, str]) -> bool | None:
+    """Return whether a condition holds; None for what can't be told or read. No condition holds."""
+    if text is None:
+        return True
+    try:
+        return parse_condition(text).holds(variables)
+    except ConditionError:
+        return None
+
+
+def possible(text: str | None, environments: Environments) -> bool:
+    """Return whether a condition may hold for one of the targets."""
+    return any(value_in(text, variables) is not False for variables in environments)
+
+
+def together(one: str | None, other: str | None, environments: Environments) -> bool:
+    """Return whether two conditions surely hold at once for one of the targets; equal ones do wherever they hold."""
+    if one == other:
+        return possible(one, environments)
+    return any(value_in(one, each) and value_in(other, each) for each in environments)
 
 
 class Parser:
@@ -134,7 +173,7 @@ class Parser:
     def operand(self) -> Operand:
         if self.kind not in ("variable", "quoted", "literal"):
             raise ConditionError("a `$VARIABLE` or a value is missing", self.at)
-        text = self.token[1:] if self.kind == "variable" else self.token.strip("\"'")
+        text = {"variable": self.token[1:], "quoted": self.token[1:-1]}.get(self.kind, self.token)
         found = Operand(text, self.kind == "variable", self.kind == "quoted", self.at)
         self.step()
         return found

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..ros.distros import Targets
-from ..ros.manifest import DEPENDENCY_TAGS
+from ..ros.manifest import DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span
-from .condition import ConditionError, parse_condition
+from .condition import possible
 from .files import Reading
-from .xml import Document, Element, read_xml
+from .schema import Verdict, judge
+from .unreadable import UnreadableError
+from .xml import Attribute, Document, Element, Instruction, read_xml
 
 
 @dataclass(frozen=True)
@@ -23,9 +25,19 @@ class Dependency:
     """Of the name."""
     condition: str | None = None
 
+    @property
+    def limits(self) -> dict[str, Attribute]:
+        """The `version_…` attributes, by name."""
+        return {name: each for name, each in self.element.attributes.items() if name in VERSION_LIMITS}
+
+    @property
+    def key(self) -> tuple[str, tuple[tuple[str, str], ...]]:
+        """The name and all attributes: what makes two dependencies of one tag equal."""
+        return self.name, tuple(sorted((name, each.value) for name, each in self.element.attributes.items()))
+
     def active(self, targets: Targets) -> bool:
-        """Return whether the condition holds for one of the targets; one that can't be read does not."""
-        return holds(self.condition, targets)
+        """Return whether the condition holds, or may hold, for one of the targets."""
+        return possible(self.condition, targets.environments())
 
 
 @dataclass(frozen=True)
@@ -49,6 +61,28 @@ class Manifest:
         """The format (1 where none is named, as REP-127 says); 0 for what is not a number."""
         text = (self.root.get("format") or "1").strip()
         return int(text) if text.isdecimal() and len(text) < 4 else 0
+
+    @property
+    def declared_format(self) -> Attribute | None:
+        return self.root.attributes.get("format")
+
+    @cached_property
+    def schema_format(self) -> int:
+        """The format whose schema is asked: its own; 3 where there is no such format, or where newer tags say so."""
+        if self.declared_format is not None:
+            return self.format if self.format in FORMATS else max(FORMATS)
+        newer = {tag for tags in NEW_IN.values() for tag in tags}
+        return max(FORMATS) if self.all(*newer) else 1
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """What the schema says."""
+        return judge(self.document, self.schema_format)
+
+    @cached_property
+    def xml_model(self) -> Instruction | None:
+        """The first `<?xml-model …?>` line."""
+        return next((each for each in self.document.instructions if each.target == "xml-model"), None)
 
     def all(self, *tags: str) -> list[Element]:
         return [child for child in self.root.children if child.tag in tags]
@@ -97,7 +131,9 @@ class Manifest:
 
     def build_types(self, targets: Targets) -> Iterator[Element]:
         """Yield the <build_type> elements that hold for one of the targets."""
-        return (e for e in self.exports if e.tag == "build_type" and holds(e.get("condition"), targets))
+        return (
+            e for e in self.exports if e.tag == "build_type" and possible(e.get("condition"), targets.environments())
+        )
 
     def build_type(self, targets: Targets) -> str:
         """Return what colcon builds it as; `catkin` where nothing is said (REP-149)."""
@@ -105,17 +141,17 @@ class Manifest:
         return found[-1].text if found else "catkin"
 
 
-def holds(condition: str | None, targets: Targets) -> bool:
-    if condition is None:
-        return True
-    try:
-        parsed = parse_condition(condition)
-    except ConditionError:
-        return False
-    return any(parsed.holds(variables) for variables in targets.environments())
-
-
 def read_manifest(reading: Reading) -> Iterator[Manifest]:
-    """Read package.xml; raises UnreadableError where it is not well formed."""
+    """Read package.xml; raises UnreadableError where it is not well formed, or is about something else."""
     if reading.files.exists("package.xml"):
-        yield Manifest(read_xml(reading.files.source("package.xml")))
+        yield manifest_of(reading.files.source("package.xml"))
+
+
+def manifest_of(source: Source) -> Manifest:
+    """Make a manifest of a text; raises UnreadableError."""
+    document = read_xml(source)
+    root = document.root
+    if root.tag != "package":
+        why = f"`{source.path}` describes no package: its root element is `<{root.tag}>`, not `<package>`"
+        raise UnreadableError(source.path, root.open, why)
+    return Manifest(document)

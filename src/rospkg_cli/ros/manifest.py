@@ -33,6 +33,30 @@ ORDER = (
 )
 """The order of the schemas: what stands together in a tuple may stand in any order."""
 
+REQUIRED = ("name", "version", "description", "maintainer", "license")
+"""What every package.xml must have."""
+
+ONCE = ("name", "version", "description", "export")
+"""What may stand once; the others may be repeated."""
+
+CONDITIONAL_TAGS = (*DEPENDENCY_TAGS, "group_depend", "member_of_group")
+"""Children of <package> that may carry a condition in format 3; in <export> it is build_type."""
+
+FORMATS = (1, 2, 3)
+
+NEW_IN: dict[int, tuple[str, ...]] = {
+    2: ("build_export_depend", "buildtool_export_depend", "depend", "exec_depend", "doc_depend"),
+    3: ("group_depend", "member_of_group"),
+}
+"""The tags that a format added to the one before; format 2 dropped run_depend."""
+
+ATTRIBUTES_OF_3 = {"version": "compatibility", "license": "file"} | dict.fromkeys(DEPENDENCY_TAGS, "condition")
+"""The attribute that format 3 added to a tag."""
+
+VERSION_LIMITS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
+
+URL_TYPES = ("website", "bugtracker", "repository")
+
 BUILD_TYPES = ("ament_python", "ament_cmake", "cmake", "catkin")
 """The build types that we know how to check."""
 
@@ -42,7 +66,15 @@ OTHER_BUILD_TYPES = ("ament_cargo", "ament_gradle", "ament_nodejs", "bazel", "me
 PACKAGE_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 """REP-144 and the schemas: lower case, no `__`, no `_` at the end."""
 
-VERSION = re.compile(r"(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)\.(0|[1-9][0-9]*)")
+NUMBER = "(0|[1-9][0-9]*)"
+VERSION = re.compile(rf"{NUMBER}\.{NUMBER}\.{NUMBER}")
+VERSION_LIMIT = re.compile(rf"{NUMBER}(\.{NUMBER}(\.{NUMBER})?)?")
+
+EMAIL = re.compile(r"[\w%+-]+(\.[\w%+-]+)*@([A-Za-z0-9%-]+\.)+[A-Za-z]{2,}", re.ASCII)
+"""What the schemas and every release tool take for an e-mail address."""
+
+SCHEMA_URL = "http://download.ros.org/schema/package_format{}.xsd"
+XML_MODEL = f'<?xml-model href="{SCHEMA_URL}" schematypens="http://www.w3.org/2001/XMLSchema"?>'
 
 
 def place_of(tag: str) -> int:
