@@ -40,3 +40,7 @@ def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
     """Keep the ROS of the machine, and its colours, out of the tests."""
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "NO_COLOR", "FORCE_COLOR", "CI", "GITHUB_ACTIONS"):
         monkeypatch.delenv(name, raising=False)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--update-golden", action="store_true", help="write the golden outputs of tests/corpus anew")

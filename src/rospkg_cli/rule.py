@@ -37,6 +37,8 @@ class Rule(Generic[S]):
     """Other levels that a hit may carry, each with its condition."""
     profile: Profile = Profile.DEFAULT
     since: str = "0.1"
+    preview: bool = False
+    """New in this release: runs only under --preview, so that an upgrade reddens nobody's CI."""
     examples: tuple[Example, ...] = field(default=(), repr=False)
 
     @property
@@ -63,12 +65,13 @@ def rule(
     levels: Mapping[Severity, str] | None = None,
     profile: Profile = Profile.DEFAULT,
     since: str = "0.1",
+    preview: bool = False,
     examples: tuple[Example, ...],
 ) -> Callable[[Callable[[S], Iterator[Hit]]], Rule[S]]:
     """Make a rule of a generator over `over`: a file's model, or a joined slice."""
 
     def make(check: Callable[[S], Iterator[Hit]]) -> Rule[S]:
-        return Rule(code, name, over, severity, check, levels or {}, profile, since, examples)
+        return Rule(code, name, over, severity, check, levels or {}, profile, since, preview, examples)
 
     return make
 

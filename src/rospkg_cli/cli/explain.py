@@ -1,31 +1,22 @@
-"""`rospkg explain` and `rospkg rules`."""
+"""`rospkg explain`."""
 
 from __future__ import annotations
 
-import json
-import re
-import textwrap
-from collections.abc import Iterator
 from typing import Any
 
+from .. import docs
 from ..engine.selection import codes_named, rule_names
-from ..example import MARK, Example
-from ..finding import Safety
-from ..rule import Profile, Rule, all_rules
+from ..rule import Rule, all_rules
 from ..suggest import did_you_mean
 from . import UsageError
 
-FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes)", None: "none"}
-LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
-PROFILES = {
-    Profile.DEFAULT: "always",
-    Profile.PEDANTIC: "only with --pedantic, or when selected by name",
-    Profile.RELEASE: "only with --release, or when selected by name",
-}
+
+def explain(name: str) -> str:
+    """Return the docs of the rule of a code or a name, as Markdown; raises UsageError."""
+    return docs.explain(find_rule(name))
 
 
 def find_rule(name: str) -> Rule[Any]:
-    """Return the rule of a code or a name; raises UsageError."""
     for rule in all_rules():
         if name.upper() == rule.code or name.lower() == rule.name:
             return rule
@@ -33,86 +24,3 @@ def find_rule(name: str) -> Rule[Any]:
     if some:
         raise UsageError(f"`{name}` stands for several rules: {', '.join(some)}; name one")
     raise UsageError(f"there is no rule `{name}`{did_you_mean(name, rule_names())}; `rospkg rules` lists them")
-
-
-def explain(name: str) -> str:
-    """Return what a rule does, why, its levels, its fix, and its examples, as Markdown."""
-    rule = find_rule(name)
-    lines = [f"# {rule.code} {rule.name}", ""]
-    lines += [f"Level: {rule.severity.value}" + "".join(f"; {k.value} {v}" for k, v in rule.levels.items())]
-    lines += [f"Runs: {PROFILES[rule.profile]}", f"Fix: {FIX[rule.fix]}", f"Since: {rule.since}", ""]
-    lines += [textwrap.dedent(rule.docs).strip()]
-    for number, example in enumerate(rule.examples, 1):
-        lines += ["", f"## Example {number}" if len(rule.examples) > 1 else "## Example", *shown(example)]
-    return "\n".join(lines) + "\n"
-
-
-def shown(example: Example) -> Iterator[str]:
-    """Yield the bad files and what is good instead; of long files only the lines around the marks."""
-    if example.targets:
-        yield f"For {', '.join(example.targets)}:"
-    for path, text in example.bad.items():
-        if text is None:
-            yield f"`{path}` is not there."
-        else:
-            yield from fence(path, text, "Bad")
-    for path, text in example.good.items():
-        if text is None:
-            yield f"Instead, `{path}` is not there."
-        elif text != MARK.sub("", example.bad.get(path) or ""):
-            yield from fence(path, text, "Good")
-
-
-def fence(path: str, text: str, verdict: str) -> Iterator[str]:
-    yield f"{verdict} `{path}`{':' if text else ', empty.'}"
-    if text:
-        yield f"```{LANGUAGES.get(path.rpartition('.')[2], '')}\n{underlined(text)}\n```"
-
-
-def underlined(text: str) -> str:
-    """Return the text with each mark drawn as carets below its line."""
-    lines = []
-    for line in text.rstrip("\n").split("\n"):
-        lines.append(MARK.sub("", line))
-        marks = [(m.start() - i, m.group()) for i, m in enumerate(MARK.finditer(line))]
-        if marks:
-            start = next((at for at, mark in marks if mark == "«"), 0)
-            end = next((at for at, mark in marks if mark == "»"), len(lines[-1]))
-            lines.append(" " * start + "^" * max(1, end - start))
-    return "\n".join(lines)
-
-
-def rules_text() -> str:
-    """Return a table of all rules, one line each."""
-    rows = []
-    for rule in all_rules():
-        marks = {Safety.SAFE: "fix", Safety.UNSAFE: "unsafe fix", None: ""}[rule.fix]
-        profile = "" if rule.profile is Profile.DEFAULT else f"--{rule.profile.value}"
-        rows.append(f"{rule.code}  {rule.name:<32} {rule.severity.value:<8} {marks:<11} {profile}".rstrip())
-    return "\n".join(rows) + "\n"
-
-
-def rules_json() -> str:
-    """Return all rules as JSON."""
-    return json.dumps(
-        [
-            {
-                "code": rule.code,
-                "name": rule.name,
-                "severity": rule.severity.value,
-                "levels": {level.value: when for level, when in rule.levels.items()},
-                "profile": rule.profile.value,
-                "fix": rule.fix.value if rule.fix else None,
-                "since": rule.since,
-                "summary": summary(rule),
-            }
-            for rule in all_rules()
-        ],
-        indent=2,
-    ) + "\n"  # fmt: skip
-
-
-def summary(rule: Rule[Any]) -> str:
-    """Return the first sentence of what a rule does."""
-    body = rule.docs.partition("## What it does")[2].partition("##")[0]
-    return re.split(r"(?<=[.:])\s", " ".join(body.split()), maxsplit=1)[0]

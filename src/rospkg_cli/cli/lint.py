@@ -4,68 +4,38 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
-from contextlib import ExitStack
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import IO
 
 from ..config import Config, find_config
+from ..engine.baseline import apply_baseline, read_baseline, write_baseline
 from ..engine.fix import Repair, repair
 from ..engine.judge import Judge
 from ..engine.locate import Located, locate
-from ..engine.pool import SERIAL_BELOW, ProcessPool
-from ..engine.selection import Selection, codes_named, rule_names
-from ..engine.session import Pool, Results, Session
-from ..engine.write import write_changes
+from ..engine.session import Results, Session
+from ..engine.write import write_changes, write_text
 from ..finding import Safety, Severity
-from ..model.settings import Settings
-from ..report import FORMATS, Report, render
+from ..report import Report
 from ..report.style import wants_color
-from ..ros.distros import DISTROS, Targets
-from ..rule import Profile
-from ..suggest import did_you_mean
-from ..tree import DiskTree
-from . import UsageError
 from .diff import unified
-
-
-@dataclass(frozen=True)
-class LintOptions:
-    """What was typed; None where nothing was."""
-
-    paths: tuple[Path, ...] = ()
-    select: tuple[str, ...] = ()
-    ignore: tuple[str, ...] = ()
-    extend_select: tuple[str, ...] = ()
-    pedantic: bool = False
-    release: bool = False
-    target: tuple[str, ...] = ()
-    fail_on: str | None = None
-    fix: bool = False
-    unsafe_fixes: bool = False
-    diff: bool = False
-    exit_non_zero_on_fix: bool = False
-    format: str = "text"
-    output: tuple[str, ...] = ()
-    workspace: Path | None = None
-    jobs: str = "auto"
-    allow_empty: bool = False
-    color: str = "auto"
-    verbose: bool = False
-    quiet: bool = False
+from .ignoring import add_ignores
+from .options import LintOptions, make_session, outputs
+from .show import show
 
 
 def lint(options: LintOptions) -> int:
-    """Lint and report; return the exit status. Raises UsageError, ConfigError, LocateError, WriteError."""
-    outputs = [parse_output(text) for text in options.output]
+    """Lint and report; return the exit status.
+
+    Raises UsageError, ConfigError, LocateError, BaselineError and WriteError, each with one sentence.
+    """
+    files = outputs(options)
     paths = options.paths or (Path(),)
     config = find_config(nearest_folder(paths))
     located = locate(paths, options.workspace, config)
     session = make_session(options, config, located)
     judge = Judge(config, located.root)
-    outcome = run(options, session, judge, located)
+    outcome = run(options, session, judge_and_baseline(options, judge, located), located)
     report = Report(
         with_config(outcome.results, session, judge, located),
         located.root,
@@ -78,7 +48,11 @@ def lint(options: LintOptions) -> int:
         sys.stdout.writelines(unified(session.tree, outcome.changes))
     elif outcome.changes:
         write_changes(located.root, session.tree, outcome.changes)
-    show(options, report, outputs)
+    if options.write_baseline:
+        return adopt(options.write_baseline, report)
+    if options.add_ignores is not None:
+        return add_ignores(options.add_ignores, session, judge, report)
+    show(options, report, files)
     return status(options, config, report, outcome)
 
 
@@ -87,51 +61,20 @@ def nearest_folder(paths: Sequence[Path]) -> Path:
     return common if common.is_dir() else common.parent
 
 
-def make_session(options: LintOptions, config: Config, located: Located) -> Session:
-    profiles = {Profile.DEFAULT}
-    profiles |= {Profile.PEDANTIC} if options.pedantic or config.pedantic else set()
-    profiles |= {Profile.RELEASE} if options.release or config.release else set()
-    for name in (*options.select, *options.ignore, *options.extend_select):
-        if not codes_named(name):
-            hint = did_you_mean(name, rule_names())
-            raise UsageError(f"there is no rule `{name}`{hint}; `rospkg rules` lists them")
-    selection = Selection(
-        select=options.select or config.select,
-        ignore=options.ignore,
-        extend=options.extend_select + config.extend_select,
-        profiles=frozenset(profiles),
-    )
-    return Session(
-        DiskTree(located.root),
-        located.scope,
-        selection.codes(),
-        targets(options, config),
-        Settings(frozenset(config.build_types)),
-        pool_for(options.jobs, len(located.scope.folders)),
-    )
+def judge_and_baseline(options: LintOptions, judge: Judge, located: Located) -> Callable[[Results], Results]:
+    """Return what sets findings aside: the config, then the baseline."""
+    if options.baseline is None:
+        return judge
+    known, shown = read_baseline(options.baseline), relative_to(options.baseline, located.root)
+    return lambda results: apply_baseline(judge(results), known, shown)
 
 
-def targets(options: LintOptions, config: Config) -> Targets:
-    """Return the targets: as typed, else the config's, else $ROS_DISTRO, else unknown."""
-    names = [each.name for each in DISTROS]
-    for name in options.target:
-        if name not in names:
-            raise UsageError(f"there is no distribution `{name}`{did_you_mean(name, names)}; known: {', '.join(names)}")
-    own = os.environ.get("ROS_DISTRO", "")
-    return Targets(options.target or config.target or ((own,) if own in names else ()))
+def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
+    folder = baseline.resolve().parent
+    return lambda path: Path(os.path.relpath(root / path, folder)).as_posix()
 
 
-def pool_for(jobs: str, packages: int) -> type[Pool] | partial[ProcessPool]:
-    if jobs == "auto":
-        count = min(os.cpu_count() or 1, 8) if packages >= SERIAL_BELOW else 1
-    elif jobs.isdecimal() and int(jobs):
-        count = int(jobs)
-    else:
-        raise UsageError(f"--jobs wants a number from 1 on, or auto; not `{jobs}`")
-    return partial(ProcessPool, jobs=count) if count > 1 else Pool
-
-
-def run(options: LintOptions, session: Session, judge: Judge, located: Located) -> Repair:
+def run(options: LintOptions, session: Session, judge: Callable[[Results], Results], located: Located) -> Repair:
     if not located.scope.given:
         shown = [str(path) for path in options.paths or (Path(),)]
         return Repair(Results() if options.allow_empty else session.nothing(shown, located.hidden))
@@ -153,26 +96,12 @@ def with_config(results: Results, session: Session, judge: Judge, located: Locat
     return replace(results, findings=tuple(sorted((*results.findings, *extra), key=lambda f: f.sort_key)))
 
 
-def parse_output(text: str) -> tuple[str, str]:
-    name, _, path = text.partition(":")
-    if name not in FORMATS or not path:
-        raise UsageError(f"--output wants FORMAT:FILE with a format of {', '.join(FORMATS)}; not `{text}`")
-    return name, path
-
-
-def show(options: LintOptions, report: Report, outputs: Sequence[tuple[str, str]]) -> None:
-    """Print the report, and write those of --output."""
-    with ExitStack() as stack:
-        for name, path in outputs:
-            Path(path).parent.mkdir(parents=True, exist_ok=True)
-            stream: IO[str] = stack.enter_context(Path(path).open("w", encoding="utf-8"))
-            render(name, replace(report, color=False), stream)
-    to = sys.stderr if options.diff else sys.stdout
-    if not (options.quiet and options.format == "text" and not report.results.findings):
-        render(options.format, report, to)
-    if options.verbose:
-        for crash in report.results.crashes:
-            print(crash.error, file=sys.stderr)
+def adopt(path: Path, report: Report) -> int:
+    """Write the baseline; return the exit status."""
+    findings = report.results.findings
+    write_text(path, write_baseline(findings, relative_to(path, report.root)))
+    print(f"rospkg: {len(findings)} findings are in `{path}`; lint with --baseline {path}", file=sys.stderr)
+    return 0
 
 
 def status(options: LintOptions, config: Config, report: Report, outcome: Repair) -> int:

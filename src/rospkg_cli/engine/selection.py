@@ -17,6 +17,8 @@ class Selection:
     ignore: tuple[str, ...] = ()
     extend: tuple[str, ...] = ()
     profiles: frozenset[Profile] = field(default_factory=lambda: frozenset({Profile.DEFAULT}))
+    preview: bool = False
+    """Whether rules run that are new in this release."""
 
     def codes(self) -> frozenset[str]:
         """Return the codes of the rules that run."""
@@ -29,12 +31,12 @@ class Selection:
             return False
         if own.intersection(self.select + self.extend):
             return True
-        if named_by(rule, self.ignore) or rule.profile not in self.profiles:
+        if named_by(rule, self.ignore) or rule.profile not in self.profiles or (rule.preview and not self.preview):
             return False
         return not self.select or named_by(rule, self.select + self.extend)
 
 
-EVERYTHING = Selection(profiles=frozenset(Profile))
+EVERYTHING = Selection(profiles=frozenset(Profile), preview=True)
 
 
 def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:

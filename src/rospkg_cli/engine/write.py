@@ -66,6 +66,14 @@ def write_file(target: Path, entry: Entry) -> None:
         raise
 
 
+def write_text(target: Path, text: str) -> None:
+    """Write a report or a baseline; raises WriteError."""
+    try:
+        write_file(target, Entry("file", text.encode()))
+    except OSError as error:
+        raise WriteError(f"`{target}` can't be written: {error.strerror or error}") from error
+
+
 def current_umask() -> int:
     mask = os.umask(0)
     os.umask(mask)

@@ -11,7 +11,7 @@ from typing import IO
 from ..engine.session import Results
 from ..finding import Finding, Severity
 
-FORMATS = ("text", "concise", "json", "github")
+FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
 
 
 @dataclass(frozen=True)

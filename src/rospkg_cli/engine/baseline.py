@@ -1,0 +1,63 @@
+"""Adopt rospkg in a large workspace: what was there before is set aside, what is new is reported.
+
+A baseline counts findings by code, path and message, so that it holds when lines move.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from ..finding import Finding
+from .session import Results
+
+SCHEMA = 1
+REASON = "in the baseline"
+Key = tuple[str, str, str]
+
+
+class BaselineError(Exception):
+    """A baseline that can't be read; the message says what to do."""
+
+
+def keys(findings: Iterable[Finding], shown: Callable[[str], str]) -> Counter[Key]:
+    return Counter((f.code, shown(f.place.path), f.message) for f in findings)
+
+
+def write_baseline(findings: Iterable[Finding], shown: Callable[[str], str]) -> str:
+    """Return the text of a baseline; `shown` makes a path relative to the baseline's folder."""
+    entries = [
+        {"code": code, "path": path, "message": message, "count": count}
+        for (code, path, message), count in sorted(keys(findings, shown).items())
+    ]
+    return json.dumps({"schema": SCHEMA, "findings": entries}, indent=2, ensure_ascii=False) + "\n"
+
+
+def read_baseline(path: Path) -> Counter[Key]:
+    """Read a baseline; raises BaselineError."""
+    try:
+        data = json.loads(path.read_text("utf-8"))
+        return Counter({(e["code"], e["path"], e["message"]): int(e["count"]) for e in data["findings"]})
+    except OSError as error:
+        hint = f"make it with --write-baseline {path}"
+        raise BaselineError(f"the baseline `{path}` can't be read: {error.strerror}; {hint}") from None
+    except (ValueError, KeyError, TypeError):
+        raise BaselineError(f"`{path}` is no baseline of rospkg; make one with --write-baseline {path}") from None
+
+
+def apply_baseline(results: Results, known: Counter[Key], shown: Callable[[str], str]) -> Results:
+    """Set the known findings aside, each as often as the baseline counts it."""
+    left = known.copy()
+    new: list[Finding] = []
+    old: list[Finding] = []
+    for finding in results.findings:
+        key = (finding.code, shown(finding.place.path), finding.message)
+        if left[key] > 0:
+            left[key] -= 1
+            old.append(replace(finding, suppressed=REASON))
+        else:
+            new.append(finding)
+    return replace(results, findings=tuple(new), suppressed=(*results.suppressed, *old))

@@ -1,0 +1,33 @@
+"""GitLab's code quality report: one JSON list."""
+
+from __future__ import annotations
+
+import json
+from typing import IO
+
+from ..finding import Severity
+from . import Report
+from .fingerprint import fingerprints
+
+LEVELS = {Severity.ERROR: "critical", Severity.WARNING: "major", Severity.INFO: "info"}
+
+
+def render(report: Report, stream: IO[str]) -> None:
+    entries = [
+        {
+            "description": f"{finding.code}: {finding.message}",
+            "check_name": finding.name,
+            "fingerprint": mark,
+            "severity": LEVELS[finding.severity],
+            "location": {
+                "path": report.path(finding.place.path),
+                "positions": {
+                    "begin": {"line": finding.place.line, "column": finding.place.column},
+                    "end": {"line": finding.place.end_line, "column": finding.place.end_column},
+                },
+            },
+        }
+        for finding, mark in fingerprints(report, report.results.findings)
+    ]
+    json.dump(entries, stream, indent=2, ensure_ascii=False)
+    stream.write("\n")

@@ -1,0 +1,49 @@
+"""reviewdog's diagnostic format, with suggestions for the edits of safe fixes."""
+
+from __future__ import annotations
+
+import json
+from typing import IO, Any
+
+from ..finding import Edit, Finding, Place, Safety, Severity
+from . import Report
+
+LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
+
+
+def render(report: Report, stream: IO[str]) -> None:
+    document = {
+        "source": {"name": "rospkg"},
+        "diagnostics": [diagnostic(report, finding) for finding in report.results.findings],
+    }
+    json.dump(document, stream, indent=2, ensure_ascii=False)
+    stream.write("\n")
+
+
+def diagnostic(report: Report, finding: Finding) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "message": finding.message,
+        "severity": LEVELS[finding.severity],
+        "code": {"value": finding.code},
+        "location": {"path": report.path(finding.place.path), "range": span(finding.place)},
+    }
+    suggestions = suggested(finding)
+    return {**found, "suggestions": suggestions} if suggestions else found
+
+
+def suggested(finding: Finding) -> list[dict[str, Any]]:
+    """Return the edits of a safe fix that changes nothing but this file."""
+    fix = finding.fix
+    if fix is None or fix.safety is Safety.UNSAFE:
+        return []
+    if any(not isinstance(o, Edit) or o.path != finding.place.path for o in fix.operations):
+        return []
+    edits = [o for o in fix.operations if isinstance(o, Edit)]
+    return [{"range": span(at), "text": edit.text} for edit, at in zip(edits, finding.edit_places, strict=True)]
+
+
+def span(at: Place) -> dict[str, Any]:
+    return {
+        "start": {"line": at.line, "column": at.column},
+        "end": {"line": at.end_line, "column": at.end_column},
+    }
