@@ -30,9 +30,10 @@ FLOORS = (
     {"rules"},
     {"configkeys", "config", "versions"},
     {"engine"},
-    {"testing", "docs"},
+    {"docs"},
     {"report", "scaffold", "index", "format"},
     {"cli"},
+    {"testing"},
     {"__main__"},
 )
 

@@ -1,14 +1,22 @@
-"""Lint a tree of plain texts: for tests of rules, and for whoever writes plug-ins."""
+"""For tests: of a package (`from rospkg_cli.testing import test_package` in one of its test files), and of rules."""
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
 
+from .cli.lint import lint_to
+from .cli.options import LintOptions
 from .engine.selection import EVERYTHING
 from .engine.session import Results, Scope, Session
 from .model.discover import packages_in
 from .ros.distros import Targets
 from .tree import Entry, MemoryTree
+
+if TYPE_CHECKING:
+    import pytest
 
 
 def lint_files(
@@ -23,3 +31,16 @@ def lint_files(
     chosen = EVERYTHING.codes() if codes is None else frozenset(codes)
     session = Session(tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), chosen, Targets(targets))
     return session.run() if folders else session.nothing(["."])
+
+
+def test_package(request: pytest.FixtureRequest) -> None:
+    """Lint the package that the importing test file lies in; what `rospkg lint` would fail on fails the test."""
+    report = lint_package(Path(request.path))
+    assert not report, f"\n\n{report}"
+
+
+def lint_package(inside: Path) -> str:
+    """Return what `rospkg lint` says of the package around a path; "" where it would leave with 0."""
+    stream = io.StringIO()
+    status = lint_to(LintOptions(paths=(inside,), format="text", color="never"), stream)
+    return stream.getvalue() if status else ""

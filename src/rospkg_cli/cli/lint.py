@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import IO
 
 from ..config import Config, find_config
 from ..engine.baseline import apply_baseline, read_baseline, write_baseline
@@ -25,7 +26,12 @@ from .show import show
 
 
 def lint(options: LintOptions) -> int:
-    """Lint and report; return the exit status.
+    """Lint and report to stdout; return the exit status. Raises as lint_to does."""
+    return lint_to(options, sys.stdout)
+
+
+def lint_to(options: LintOptions, stream: IO[str]) -> int:
+    """Lint and report to a stream; return the exit status.
 
     Raises UsageError, ConfigError, LocateError, BaselineError and WriteError, each with one sentence.
     """
@@ -40,19 +46,19 @@ def lint(options: LintOptions) -> int:
         with_config(outcome.results, session, judge, located),
         located.root,
         Path.cwd(),
-        wants_color(options.color, sys.stdout),
+        wants_color(options.color, stream),
         options.verbose,
         0 if options.diff else len(outcome.applied),
     )
     if options.diff:
-        sys.stdout.writelines(unified(session.tree, outcome.changes))
+        stream.writelines(unified(session.tree, outcome.changes))
     elif outcome.changes:
         write_changes(located.root, session.tree, outcome.changes)
     if options.write_baseline:
         return adopt(options.write_baseline, report)
     if options.add_ignores is not None:
         return add_ignores(options.add_ignores, session, judge, report)
-    show(options, report, files)
+    show(options, report, files, stream)
     return status(options, config, report, outcome)
 
 

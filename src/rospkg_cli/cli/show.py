@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import IO
 
 from ..engine.write import write_text
 from ..finding import Safety
@@ -15,13 +16,13 @@ from ..report import Report, render
 from .options import LintOptions
 
 
-def show(options: LintOptions, report: Report, files: Sequence[tuple[str, Path]]) -> None:
+def show(options: LintOptions, report: Report, files: Sequence[tuple[str, Path]], stream: IO[str]) -> None:
     """Write every report that was asked for; raises WriteError."""
     for name, path in files:
-        stream = io.StringIO()
-        render(name, replace(report, color=False), stream)
-        write_text(path, stream.getvalue())
-    to = sys.stderr if options.diff else sys.stdout
+        text = io.StringIO()
+        render(name, replace(report, color=False), text)
+        write_text(path, text.getvalue())
+    to = sys.stderr if options.diff else stream
     if options.statistics:
         to.write(statistics(report))
     elif not (options.quiet and options.format == "text" and not report.results.findings):

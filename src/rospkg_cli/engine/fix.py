@@ -79,10 +79,20 @@ def one_round(
         broken = newly_broken(tree, changes, session.scope.folders)
         if not broken:
             return changes, [f for f in left if is_taken(f.fix, taken)], refused
-        guilty = [f for f in left if f.fix and any(o.path in broken for o in f.fix.operations)]
+        guilty = breakers(tree, session, [f for f in left if f.fix and any(o.path in broken for o in f.fix.operations)])
         refused += [(f, f"it would break `{next(iter(broken))}`: {next(iter(broken.values()))}") for f in guilty]
         left = [f for f in left if f not in guilty]
     return {}, [], refused
+
+
+def breakers(tree: Overlay, session: Session, touching: Sequence[Finding]) -> list[Finding]:
+    """Return the findings whose fix breaks a file by itself; all of them where only several together do."""
+    guilty = [
+        finding
+        for finding in touching
+        if finding.fix and newly_broken(tree, apply_fixes(tree, [finding.fix])[0], session.scope.folders)
+    ]
+    return guilty or list(touching)
 
 
 def is_taken(fix: Fix | None, taken: Sequence[Fix]) -> bool:
