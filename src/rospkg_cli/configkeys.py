@@ -61,14 +61,9 @@ def text(value: Any) -> str:
     return value
 
 
-def table(value: Any) -> dict[str, Any]:
-    if not isinstance(value, dict):
-        raise ValueError("wants a table")
-    return value
-
-
 Form = Callable[[Any], Any] | Mapping[str, Any]
 
+NEW: Mapping[str, Form] = dict.fromkeys(("distro", "email", "license", "maintainer", "version"), text)
 SECTION: Mapping[str, Form] = {"ignore": reasons, "severity": severities}
 FORMS: Mapping[str, Form] = {
     "select": strings,
@@ -84,7 +79,7 @@ FORMS: Mapping[str, Form] = {
     "required-version": text,
     "per-package": {"*": SECTION},
     "per-path": {"*": SECTION},
-    "new": table,
+    "new": NEW,
 }
 
 

@@ -1,0 +1,84 @@
+"""`rospkg new`: write a package that builds, runs, passes its own tests and our linter."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ..config import find_config, load
+from ..finding import Finding
+from ..report.style import paint, wants_color
+from ..scaffold import ScaffoldError
+from ..scaffold.answers import Request
+from ..scaffold.drawing import Row, draw
+from ..scaffold.names import check_package_name
+from ..scaffold.place import check_place, hidden_by, workspace_of
+from ..scaffold.plan import Plan, make_plan
+from ..scaffold.write import write_folder
+from . import UsageError
+
+
+def new(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
+    """Write the package into a folder, or show every file; return the exit status.
+
+    Raises UsageError and ConfigError for what can't be done as asked.
+    """
+    target = into / request.name
+    try:
+        check_package_name(request.name)
+        check_place(into, target)
+        plan = make_plan(request, into, defaults(into))
+        if not dry_run:
+            write_folder(target, plan.files)
+    except ScaffoldError as error:
+        raise UsageError(str(error)) from error
+    for line in (*plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
+        print(f"rospkg: {line}", file=sys.stderr)
+    painted = wants_color(color, sys.stdout)
+    print("\n".join(shown_tree(plan, painted)))
+    print("\n".join(shown_files(plan, painted) if dry_run else shown_commands(plan, into, painted)))
+    return 0
+
+
+def defaults(into: Path) -> Mapping[str, str]:
+    """Return what the config of the place says under `new`, and the user's own config where that says nothing."""
+    own = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "rospkg" / "config.toml"
+    return {**(load(own).new if own.is_file() else {}), **find_config(into).new}
+
+
+def said(finding: Finding) -> str:
+    return f"{finding.place.path}:{finding.place.line}: {finding.message} ({finding.code})"
+
+
+def shown_tree(plan: Plan, color: bool) -> Iterable[str]:
+    rows = draw(plan.answers.name, {file.path: file.about for file in plan.files})
+    width = max(len(row.drawn) for row in rows)
+    for row in rows:
+        yield (
+            f"{row.drawn:<{width}}   {paint(row.about, 'dim', color)}".rstrip()
+            if row.about
+            else bold_folder(row, color)
+        )
+
+
+def bold_folder(row: Row, color: bool) -> str:
+    return row.drawn.replace(row.name, paint(row.name, "bold", color)) if row.name.endswith("/") else row.drawn
+
+
+def shown_commands(plan: Plan, into: Path, color: bool) -> Iterable[str]:
+    workspace = workspace_of(into)
+    here = workspace == Path.cwd()
+    yield "\nNext:" if here else f"\nNext, in {workspace}:"
+    for command in plan.commands:
+        yield f"  {paint(command, 'cyan', color)}"
+
+
+def shown_files(plan: Plan, color: bool) -> Iterable[str]:
+    for file in plan.files:
+        text = file.entry.text.text
+        yield paint(f"\n── {plan.answers.name}/{file.path}{'' if text else ' (empty)'}", "bold", color)
+        if text:
+            yield text.removesuffix("\n")
+    yield "\nNothing was written."

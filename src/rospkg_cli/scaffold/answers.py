@@ -1,0 +1,67 @@
+"""What was asked for, and the answers that a template gets: every one checked, none missing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..ros.distros import Distro
+from ..ros.licenses import License
+from .told import Told
+
+
+@dataclass(frozen=True)
+class Request:
+    """What was typed; "", () and 0 where nothing was."""
+
+    name: str
+    template: str = "ament_python"
+    nodes: tuple[str, ...] = ()
+    """`NAME` or `NAME:KIND`."""
+    depends: tuple[str, ...] = ()
+    description: str = ""
+    license: str = ""
+    maintainer: str = ""
+    email: str = ""
+    version: str = ""
+    distro: str = ""
+    year: int = 0
+
+    def with_defaults(self, defaults: Mapping[str, str]) -> Request:
+        """Return the request with a config's values where nothing was typed."""
+        missing: dict[str, Any] = {key: value for key, value in defaults.items() if not getattr(self, key)}
+        return replace(self, **missing)
+
+
+@dataclass(frozen=True)
+class Node:
+    name: str
+    kind: str
+
+    @property
+    def class_name(self) -> str:
+        """`TalkerNode` for `talker` and for `talker_node`: never the name of a class that a node imports."""
+        camel = "".join(word.capitalize() for word in self.name.split("_"))
+        return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
+
+
+@dataclass(frozen=True)
+class Answers:
+    name: str
+    nodes: tuple[Node, ...]
+    depends: tuple[str, ...]
+    """What was asked for beside what the template needs: sorted, each once."""
+    test_depends: tuple[str, ...]
+    """The same, of what only tests use."""
+    description: Told
+    license: License
+    maintainer: Told
+    email: str
+    version: str
+    distro: Distro
+    year: int
+
+    @property
+    def copyright(self) -> Told:
+        return Told(f"Copyright {self.year} {self.maintainer.text}")

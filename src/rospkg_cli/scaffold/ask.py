@@ -1,0 +1,88 @@
+"""From what was typed to answers; each refusal is one sentence with the reason and what to do."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ..ros.distros import DISTROS, NEWEST_LTS, Distro, distro
+from ..ros.licenses import LICENSES, License, offered, spdx_id
+from ..ros.manifest import VERSION
+from ..suggest import did_you_mean
+from . import ScaffoldError
+from .answers import Node
+from .names import LONGEST, check_node_name
+
+KINDS = ("publisher",)
+"""The kinds of nodes that there are templates for, first the one that is written unasked."""
+
+KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
+"""Names of ROS packages and of rosdep keys."""
+
+TEST_ONLY = re.compile(
+    r"ament_(lint_.*|copyright|cpplint|flake8|mypy|pep257|xmllint)|launch_testing.*|python3-pytest.*"
+)
+
+
+def nodes_of(asked: tuple[str, ...], package: str) -> tuple[Node, ...]:
+    """Return the nodes; one with a name made from the package's where none was asked for."""
+    nodes: dict[str, Node] = {}
+    for text in asked or (default_node(package),):
+        name, colon, kind = text.partition(":")
+        if colon and kind not in KINDS:
+            known = ", ".join(KINDS)
+            raise ScaffoldError(f"there is no kind of node `{kind}`{did_you_mean(kind, KINDS)}; known so far: {known}")
+        check_node_name(name, package)
+        if name in nodes:
+            raise ScaffoldError(f"the node `{name}` is named twice; name each once")
+        nodes[name] = Node(name, kind or KINDS[0])
+    return tuple(nodes.values())
+
+
+def default_node(package: str) -> str:
+    if package.endswith("_node"):
+        return package.removesuffix("_node")
+    return f"{package}_node" if len(package) <= LONGEST - len("_node") else "main_node"
+
+
+def depends_of(asked: tuple[str, ...], package: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return what the package needs to run, and what only its tests need."""
+    for key in asked:
+        if key == package:
+            raise ScaffoldError(f"`{key}` can't depend on itself; leave it out of --depends")
+        if key == "ament_python":
+            raise ScaffoldError("`ament_python` is the build type and no package; leave it out of --depends")
+        if not KEY.fullmatch(key):
+            raise ScaffoldError(f"`{key}` is neither the name of a ROS package nor a rosdep key; --depends wants those")
+    keys = sorted(set(asked))
+    tests = tuple(key for key in keys if TEST_ONLY.fullmatch(key))
+    return tuple(key for key in keys if key not in tests), tests
+
+
+def license_of(asked: str) -> License:
+    spdx = spdx_id(asked)
+    found = offered(spdx) if spdx else None
+    if found is None:
+        known = [each.spdx for each in LICENSES]
+        hint = did_you_mean(asked, known)
+        raise ScaffoldError(f"the text of the license `{asked}` is not known here{hint}; known: {', '.join(known)}")
+    return found
+
+
+def version_of(asked: str) -> str:
+    if not VERSION.fullmatch(asked):
+        raise ScaffoldError(f"`{asked}` is no version of a ROS package: three numbers without leading zeros, as 0.1.0")
+    return asked
+
+
+def distro_of(asked: str, notes: list[str]) -> Distro:
+    """Return the distribution that was asked for, else that of $ROS_DISTRO, else the newest with long support."""
+    names = [each.name for each in DISTROS]
+    if asked and asked not in names:
+        raise ScaffoldError(
+            f"there is no distribution `{asked}`{did_you_mean(asked, names)}; known: {', '.join(names)}"
+        )
+    sourced = os.environ.get("ROS_DISTRO", "")
+    if not asked and sourced and sourced not in names:
+        notes.append(f"nothing is known of ROS_DISTRO={sourced}; written for {NEWEST_LTS} (--distro chooses)")
+    return distro(asked or (sourced if sourced in names else NEWEST_LTS))

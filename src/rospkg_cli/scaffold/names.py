@@ -1,0 +1,81 @@
+"""Which names a package and a node may have, and the reason where one may not."""
+
+from __future__ import annotations
+
+import keyword
+import re
+import sys
+
+from ..ros.manifest import PACKAGE_NAME
+from . import ScaffoldError
+
+LONGEST = 60
+"""Longer names break the line length of the linters in places where no line can be broken."""
+
+ALSO_STDLIB = frozenset(
+    "aifc asynchat asyncore audioop binhex cgi cgitb chunk compression crypt distutils imghdr imp mailcap msilib nis "
+    "nntplib ossaudiodev pipes smtpd sndhdr spwd sunau telnetlib test uu xdrlib".split()
+)
+"""`test`, and modules that one Python between 3.10 and 3.14 has and another lacks."""
+
+CPP_KEYWORDS = frozenset(
+    "alignas alignof and_eq asm auto bitand bitor bool catch char class compl concept const consteval constexpr "
+    "constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern float friend goto "
+    "inline int long mutable namespace new noexcept not_eq nullptr operator or_eq private protected public register "
+    "reinterpret_cast requires short signed sizeof static static_assert static_cast struct switch template this "
+    "thread_local throw typedef typeid typename union unsigned using virtual void volatile wchar_t xor xor_eq".split()
+)
+
+TAKEN = frozenset(
+    "ament_copyright ament_flake8 ament_index_python ament_mypy ament_pep257 ament_xmllint launch launch_ros "
+    "launch_testing numpy pip pkg_resources pytest rcl_interfaces rclcpp rclpy setuptools std_msgs wheel yaml "
+    "action build config include install log msg resource src srv tests".split()
+)
+"""What packages of ROS import, and what folders in them are called."""
+
+
+def check_package_name(name: str) -> None:
+    """Raise ScaffoldError for a name that no package should have."""
+    check_form("package", name)
+    if name in CPP_KEYWORDS:
+        raise ScaffoldError(f"`{name}` is a keyword of C++: no C++ code could use its namespace; {another(name)}")
+    if name in sys.stdlib_module_names or name in ALSO_STDLIB:
+        raise ScaffoldError(f"`{name}` is a module of Python itself, and one would hide the other; {another(name)}")
+    if name in TAKEN:
+        raise ScaffoldError(
+            f"`{name}` is taken: packages of ROS import that name, or keep a folder under it; {another(name)}"
+        )
+
+
+def check_node_name(name: str, package: str) -> None:
+    """Raise ScaffoldError for a name that no node of the package should have."""
+    check_form("node", name)
+    if name == package:
+        reason = "the module would have the name of its package, and `import` could find the wrong one"
+        raise ScaffoldError(f"a node can't be called like its package: {reason}; try `--node {name}_node`")
+
+
+def check_form(what: str, name: str) -> None:
+    """Raise ScaffoldError where a name is not of the form that schema, REP-144 and Python want."""
+    if not PACKAGE_NAME.fullmatch(name) or len(name) < 2:
+        better = repaired(name)
+        hint = f"; try `{better}`" if better else ""
+        raise ScaffoldError(
+            f"`{name}` can't be the name of a {what}: two or more lower-case letters, digits and single underscores, "
+            f"with a letter first and no underscore at the end{hint}"
+        )
+    if len(name) > LONGEST:
+        raise ScaffoldError(f"`{name}` is too long for the name of a {what}: {len(name)} characters; at most {LONGEST}")
+    if keyword.iskeyword(name):
+        raise ScaffoldError(f"`{name}` is a keyword of Python: nothing could import it; {another(name)}")
+
+
+def another(name: str) -> str:
+    return f"try `my_{name}`"
+
+
+def repaired(name: str) -> str:
+    """Return the nearest name of the right form, "" where there is none."""
+    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+    words = re.sub(r"[^a-z0-9]+", "_", words).strip("_")
+    return words if len(words) > 1 and PACKAGE_NAME.fullmatch(words) else ""

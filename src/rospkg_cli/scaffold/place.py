@@ -1,0 +1,42 @@
+"""Where a package is written: whether colcon will find it there, and where its workspace is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from . import ScaffoldError
+from .write import refuse_existing
+
+MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
+
+
+def check_place(into: Path, target: Path) -> None:
+    """Raise ScaffoldError where the folder has the package already, is a file, or belongs to another package."""
+    refuse_existing(target)
+    for folder in (into.absolute(), *into.absolute().parents):
+        if folder.exists() and not folder.is_dir():
+            raise ScaffoldError(f"`{folder}` is a file; --into wants a folder")
+        if (folder / "package.xml").is_file():
+            raise ScaffoldError(
+                f"`{folder}` is a package itself, and colcon looks for none inside another; "
+                f"choose a folder beside it: --into {folder.parent}"
+            )
+
+
+def hidden_by(into: Path) -> Iterator[str]:
+    """Yield a sentence where a marker hides from colcon what lies in the folder."""
+    for folder in (into.absolute(), *into.absolute().parents):
+        for marker in MARKERS:
+            if (folder / marker).exists():
+                yield f"colcon will not see the package: `{folder / marker}` hides what lies below"
+                return
+
+
+def workspace_of(into: Path) -> Path:
+    """Return where colcon is to be started: above the nearest `src`, else in the folder itself."""
+    into = into.absolute()
+    for folder in (into, *into.parents):
+        if folder.name == "src":
+            return folder.parent
+    return into

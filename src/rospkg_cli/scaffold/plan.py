@@ -1,0 +1,117 @@
+"""What `new` would write, and what there is to say of it."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ..finding import Finding, Severity
+from ..ros.names import BUILT_IN
+from ..suggest import did_you_mean
+from . import ScaffoldError
+from .answers import Answers, Request
+from .ask import depends_of, distro_of, license_of, nodes_of, version_of
+from .identity import Who, who
+from .names import check_package_name
+from .proof import lint_written
+from .render import Written, render, render_line
+from .template import Template, load_template, template_names
+from .told import Told, told
+
+COMING = ("ament_cmake", "mixed", "interfaces", "description", "bringup")
+"""Types of packages that have no template yet."""
+
+LICENSE = "Apache-2.0"
+VERSION = "0.1.0"
+
+
+class OwnFaultError(Exception):
+    """A template wrote what our own linter refuses."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    answers: Answers
+    template: Template
+    files: tuple[Written, ...]
+    findings: tuple[Finding, ...]
+    """What our own linter says of what was asked for (a key that nobody knows, say); never an error."""
+    notes: tuple[str, ...]
+    """What the user should hear: guesses, and what follows from what was asked for."""
+
+    @property
+    def commands(self) -> list[str]:
+        """What to type next, from the root of the workspace."""
+        return [render_line(self.template, line, self.answers) for line in self.template.commands]
+
+
+def make_plan(request: Request, folder: Path, defaults: Mapping[str, str]) -> Plan:
+    """Return what would be written into a folder; raises ScaffoldError for what can't be, OwnFaultError.
+
+    `defaults` holds a config's values by the names of the request's fields. What is missing there too comes from the
+    environment, from git's config as it holds in the folder, and at last from the login.
+    """
+    template = template_of(request.template)
+    check_package_name(request.name)
+    notes: list[str] = []
+    request = request.with_defaults(defaults)
+    maintainer = who(request.maintainer, request.email, folder)
+    answers = answers_of(request, maintainer, template, notes)
+    files = render(template, answers)
+    findings = lint_written(answers, files).findings
+    refuse_errors(template, findings)
+    if maintainer.guessed:
+        notes.append(where_guessed(maintainer, files))
+    return Plan(answers, template, files, findings, tuple(notes))
+
+
+def template_of(name: str) -> Template:
+    known = template_names()
+    if name in known:
+        return load_template(name)
+    if name in COMING:
+        raise ScaffoldError(f"`--type {name}` isn't there yet; so far there is {', '.join(known)}")
+    raise ScaffoldError(f"there is no type of package `{name}`{did_you_mean(name, known)}; known: {', '.join(known)}")
+
+
+def answers_of(request: Request, maintainer: Who, template: Template, notes: list[str]) -> Answers:
+    depends, test_depends = depends_of(request.depends, request.name)
+    answers = Answers(
+        name=request.name,
+        nodes=nodes_of(request.nodes, request.name),
+        depends=depends,
+        test_depends=test_depends,
+        description=told("the description", request.description),
+        license=license_of(request.license or LICENSE),
+        maintainer=maintainer.name,
+        email=maintainer.email,
+        version=version_of(request.version or VERSION),
+        distro=distro_of(request.distro, notes),
+        year=request.year or datetime.date.today().year,
+    )
+    if BUILT_IN.is_package(answers.name):
+        notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")
+    if not answers.license.header_known:
+        notes.append(f"ament_copyright knows no header for {answers.license.spdx}; its test was left out")
+    if answers.description.text:
+        return answers
+    return replace(answers, description=Told(render_line(template, template.description, answers)))
+
+
+def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
+    faults = [finding for finding in findings if finding.severity is Severity.ERROR]
+    if faults:
+        shown = "; ".join(f"{each.place.path}:{each.place.line}: {each.code} {each.message}" for each in faults)
+        raise OwnFaultError(f"the template `{template.name}` writes what our own linter refuses: {shown}")
+
+
+def where_guessed(maintainer: Who, files: Sequence[Written]) -> str:
+    """Return a sentence that names the lines to change."""
+    places = []
+    for file in files:
+        for number, line in enumerate(file.entry.text.text.splitlines(), 1):
+            if maintainer.email in line:
+                places.append(f"{file.path} line {number}")
+    return f"nobody said your e-mail address, so it is {maintainer.email}; to change it: {' and '.join(places)}"

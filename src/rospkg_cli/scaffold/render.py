@@ -1,0 +1,107 @@
+"""From a template and answers to files in memory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from ..tree import Entry
+from . import ScaffoldError
+from .answers import Answers
+from .template import Template, TemplateFile
+from .told import WIDTH, Told, UnescapedError, comment, markdown, plain, python, python_argument, xml
+
+
+@dataclass(frozen=True)
+class Written:
+    """One file that is to be written; `path` is relative to the package."""
+
+    path: str
+    entry: Entry
+    about: str
+
+
+def render(template: Template, answers: Answers) -> tuple[Written, ...]:
+    """Return every file, sorted by path; raises ScaffoldError where two have one path."""
+    environment = make_environment(template)
+    values = known_values(answers)
+    files: dict[str, Written] = {}
+    for file in template.files:
+        for extra in items(environment, file, values):
+            one = render_file(environment, file, {**values, **extra})
+            if one.path in files:
+                raise ScaffoldError(f"two files would have the name `{one.path}`; choose other names for the nodes")
+            files[one.path] = one
+    return tuple(files[path] for path in sorted(files))
+
+
+def known_values(answers: Answers) -> dict[str, Any]:
+    """Return what every file of a template knows."""
+    return {**vars(answers), "copyright": answers.copyright}
+
+
+def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield what a file knows beside the answers, once for each time that it is written."""
+    singular = file.each.removesuffix("s")
+    for extra in [{singular: item} for item in values[file.each]] if file.each else [{}]:
+        if not file.when or environment.compile_expression(file.when)(**values, **extra):
+            yield extra
+
+
+def render_file(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Written:
+    text = environment.get_template(file.source + ".j2").render(values)
+    path = environment.from_string(file.path).render(values)
+    about = environment.from_string(file.about).render(values)
+    mode = 0o755 if text.startswith("#!") else 0o644
+    return Written(path, Entry("file", text.encode(), mode), about)
+
+
+def render_line(template: Template, line: str, answers: Answers) -> str:
+    """Return a line of template.toml with its answers filled in."""
+    return make_environment(template).from_string(line).render(known_values(answers))
+
+
+def make_environment(template: Template) -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader([str(folder) for folder in template.folders]),
+        undefined=StrictUndefined,
+        autoescape=False,  # each text names the language of its file; see `told`
+        finalize=escaped_only,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters.update(FILTERS)
+    return environment
+
+
+def escaped_only(value: object) -> object:
+    """Raise UnescapedError for a user's text that no filter has made safe."""
+    if isinstance(value, Told):
+        raise UnescapedError(str(value))
+    return value
+
+
+def in_order(lines: str) -> str:
+    """Sort import lines as Google's style wants them: by module, whatever the form."""
+    return "".join(sorted(lines.splitlines(keepends=True), key=lambda line: line.split()[1].lower()))
+
+
+def long_line(line: str) -> str:
+    """Return a line of Python that can't be broken, excused where it is too long."""
+    return line if len(line) <= WIDTH else f"{line}  # noqa: E501"
+
+
+FILTERS = {
+    "comment": comment,
+    "in_order": in_order,
+    "long_line": long_line,
+    "markdown": markdown,
+    "plain": plain,
+    "python": python,
+    "python_argument": python_argument,
+    "xml": xml,
+}

@@ -1,0 +1,72 @@
+"""A template: which files it writes, under which names, on which conditions."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..resources import resources
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+@dataclass(frozen=True)
+class TemplateFile:
+    """One file of a template, or one for each item of a list."""
+
+    source: str
+    """Below `files/`, or `_shared/…`; on disk it ends in `.j2`."""
+    path: str
+    """Where it is written, with `{{ }}`."""
+    about: str
+    """What the file is for, in a few words, with `{{ }}`; "" where its name says it."""
+    each: str = ""
+    """The answer that holds the items; an item goes by the name in the singular (`nodes`: `node`)."""
+    when: str = ""
+    """An expression; the file is written where it holds."""
+
+
+@dataclass(frozen=True)
+class Template:
+    name: str
+    title: str
+    build_type: str
+    description: str
+    """Of a package whose user gave none, with `{{ }}`."""
+    files: tuple[TemplateFile, ...]
+    commands: tuple[str, ...]
+    """What to type next, from the root of the workspace, with `{{ }}`."""
+
+    @property
+    def folders(self) -> tuple[Path, ...]:
+        """The folders that sources and includes are looked for in."""
+        return (resources("templates") / self.name / "files", resources("templates"))
+
+
+def template_names() -> tuple[str, ...]:
+    """Return the names of all templates."""
+    return tuple(sorted(path.parent.name for path in resources("templates").glob("*/template.toml")))
+
+
+def load_template(name: str) -> Template:
+    """Read a template; raises FileNotFoundError, and KeyError or TypeError where its template.toml is wrong."""
+    data = tomllib.loads((resources("templates") / name / "template.toml").read_text("utf-8"))
+    return Template(
+        name=name,
+        title=data["title"],
+        build_type=data["build-type"],
+        description=data["description"],
+        files=tuple(files_of(data["files"])),
+        commands=tuple(data["commands"]),
+    )
+
+
+def files_of(rows: list[dict[str, Any]]) -> Iterator[TemplateFile]:
+    for row in rows:
+        yield TemplateFile(**{"path": row["source"], "about": "", **row})

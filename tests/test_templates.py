@@ -1,0 +1,110 @@
+"""Every template with every answer: it renders, parses, and our own linter has nothing to say, pedantic or not."""
+
+from __future__ import annotations
+
+import ast
+import configparser
+import itertools
+
+import pytest
+import yaml
+from planned import plan, texts
+
+from rospkg_cli.ros.distros import DISTROS
+from rospkg_cli.ros.licenses import LICENSES
+from rospkg_cli.scaffold.ask import KINDS
+from rospkg_cli.scaffold.template import load_template, template_names
+
+NODES = {"default": (), "one": ("talker",), "several": ("talker", "listener_node", "node", "a1")}
+DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "rclpy")}
+COMBINATIONS = [
+    pytest.param(distro.name, spdx.spdx, nodes, depends, id=f"{distro.name}-{spdx.spdx}-{nodes}-{depends}")
+    for distro, spdx, nodes, depends in itertools.product(DISTROS, LICENSES, NODES, DEPENDS)
+]
+
+
+@pytest.mark.parametrize("distro, license, nodes, depends", COMBINATIONS)
+def test_every_combination_is_written_without_a_finding(distro: str, license: str, nodes: str, depends: str) -> None:
+    planned = plan(distro=distro, license=license, nodes=NODES[nodes], depends=DEPENDS[depends])
+    assert [(f.code, f.place.path, f.message) for f in planned.findings] == []
+    for path, text in texts(planned).items():
+        assert text == "" or (text.endswith("\n") and not text.endswith("\n\n")), path
+        assert not [line for line in text.splitlines() if line != line.rstrip()], path
+        if path.endswith(".py"):
+            ast.parse(text, feature_version=(3, 10))
+            assert max(map(len, text.splitlines()), default=0) <= 99, path
+        if path.endswith(".yaml"):
+            assert yaml.safe_load(text)
+
+
+def test_the_same_answers_give_the_same_bytes() -> None:
+    assert plan(nodes=("a1", "b2")).files == plan(nodes=("a1", "b2")).files
+
+
+def test_the_year_is_the_one_that_was_asked_for() -> None:
+    assert "# Copyright 1999 Ada Lovelace\n" in texts(plan(year=1999))["setup.py"]
+
+
+@pytest.mark.parametrize("name", template_names())
+def test_every_file_of_a_template_is_written_by_it(name: str) -> None:
+    template = load_template(name)
+    own = template.folders[0]
+    listed = {file.source + ".j2" for file in template.files if not file.source.startswith("_shared/")}
+    assert {path.relative_to(own).as_posix() for path in own.rglob("*") if path.is_file()} == listed
+
+
+def test_every_file_of_the_templates_ends_in_j2() -> None:
+    """Otherwise pip compiles it, git obeys it, or colcon takes it for a package."""
+    for name in (*template_names(), "_shared"):
+        folder = load_template("ament_python").folders[1] / name
+        names = {path.name for path in folder.rglob("*") if path.is_file()}
+        assert [n for n in names if not n.endswith(".j2")] == (["template.toml"] if name != "_shared" else [])
+
+
+def test_dependencies_stand_in_their_tags() -> None:
+    manifest = texts(plan(depends=("sensor_msgs", "python3-numpy", "launch_testing_ros", "rclpy")))["package.xml"]
+    for key in ("sensor_msgs", "python3-numpy", "rclpy", "launch", "std_msgs"):
+        assert manifest.count(f"<exec_depend>{key}</exec_depend>") == 1
+    assert manifest.count(">launch_testing_ros<") == manifest.count("<test_depend>launch_testing_ros<") == 1
+
+
+def test_each_node_is_an_executable() -> None:
+    files = texts(plan(nodes=("talker", "listener")))
+    assert "'talker = my_robot_nav.talker:main',\n" in files["setup.py"]
+    assert "'listener = my_robot_nav.listener:main',\n" in files["setup.py"]
+    assert "class TalkerNode(Node):" in files["my_robot_nav/talker.py"]
+    assert files["launch/my_robot_nav.launch.py"].count("executable=") == 2
+
+
+def test_executables_go_where_ros2_run_looks() -> None:
+    config = configparser.ConfigParser()
+    config.read_string(texts(plan())["setup.cfg"])
+    assert config["develop"]["script_dir"] == config["install"]["install_scripts"] == "$base/lib/my_robot_nav"
+
+
+def test_the_main_of_a_node_fits_the_distribution() -> None:
+    humble, jazzy = (
+        texts(plan(distro=name, nodes=("talker",)))["my_robot_nav/talker.py"] for name in ("humble", "jazzy")
+    )
+    assert "rclpy.try_shutdown()" in humble
+    assert "with rclpy.init(args=args):" in jazzy
+
+
+def test_long_names_keep_the_line_length() -> None:
+    name = "a_rather_long_name_for_a_package_that_somebody_chose_so_long"
+    planned = plan(name, nodes=(name[:-1], "talker"), description="words " * 60)
+    assert planned.findings == ()
+    for path, text in texts(planned).items():
+        if path.endswith(".py"):
+            assert not [n for n in text.splitlines() if len(n) > 99 and not n.endswith("  # noqa: E501")], path
+
+
+def test_a_node_is_named_after_its_package() -> None:
+    assert plan("drive").answers.nodes[0].name == "drive_node"
+    assert plan("drive_node").answers.nodes[0].name == "drive"
+    assert plan("t" * 60).answers.nodes[0].name == "main_node"
+
+
+def test_there_is_a_template_for_each_kind() -> None:
+    for kind in KINDS:
+        assert plan(nodes=(f"talker:{kind}",)).answers.nodes[0].kind == kind
