@@ -6,6 +6,7 @@ import json
 import re
 import textwrap
 from collections.abc import Iterator
+from difflib import SequenceMatcher
 from typing import Any
 
 from .example import MARK, Example
@@ -14,6 +15,8 @@ from .rule import Profile, Rule, all_rules
 
 FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes)", None: "none"}
 LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
+SHORT, AROUND = 9, 2
+"""How many lines are shown whole; how many around what matters in longer files."""
 PROFILES = {
     Profile.DEFAULT: "always",
     Profile.PEDANTIC: "only with --pedantic, or when selected by name",
@@ -33,29 +36,44 @@ def explain(rule: Rule[Any]) -> str:
 
 
 def shown(example: Example) -> Iterator[str]:
-    """Yield the bad files and what is good instead; of long files only the lines around the marks."""
+    """Yield the bad files, and what is good instead; of long files only what is around the difference."""
     if example.targets:
         yield f"For {', '.join(example.targets)}:"
     for path, text in example.bad.items():
         if text is None:
             yield f"`{path}` is not there."
         else:
-            yield from fence(path, text, "Bad")
-    for path, text in example.good.items():
-        if text is None:
+            yield from fence(path, underlined(text), "Bad", lines_marked(text))
+    for path, good in example.good.items():
+        bad = MARK.sub("", example.bad.get(path) or "")
+        if good is None:
             yield f"Instead, `{path}` is not there."
-        elif text != MARK.sub("", example.bad.get(path) or ""):
-            yield from fence(path, text, "Good")
+        elif good != bad:
+            yield from fence(path, good.rstrip("\n").split("\n"), "Good", lines_changed(bad, good))
 
 
-def fence(path: str, text: str, verdict: str) -> Iterator[str]:
+def fence(path: str, lines: list[str], verdict: str, wanted: set[int]) -> Iterator[str]:
+    """Yield a fenced block of the lines near the wanted ones, or of all where there are few."""
+    text = "\n".join(lines if len(lines) <= SHORT or not wanted else excerpt(lines, wanted))
     yield f"{verdict} `{path}`{':' if text else ', empty.'}"
     if text:
-        yield f"```{LANGUAGES.get(path.rpartition('.')[2], '')}\n{underlined(text)}\n```"
+        yield f"```{LANGUAGES.get(path.rpartition('.')[2], '')}\n{text}\n```"
 
 
-def underlined(text: str) -> str:
-    """Return the text with each mark drawn as carets below its line."""
+def excerpt(lines: list[str], wanted: set[int]) -> Iterator[str]:
+    shown = -1
+    for number, line in enumerate(lines):
+        if any(abs(number - each) <= AROUND for each in wanted):
+            if number > shown + 1:
+                yield "…"
+            yield line
+            shown = number
+    if shown < len(lines) - 1:
+        yield "…"
+
+
+def underlined(text: str) -> list[str]:
+    """Return the lines of a text with each mark drawn as carets below its line."""
     lines = []
     for line in text.rstrip("\n").split("\n"):
         lines.append(MARK.sub("", line))
@@ -64,7 +82,23 @@ def underlined(text: str) -> str:
             start = next((at for at, mark in marks if mark == "«"), 0)
             end = next((at for at, mark in marks if mark == "»"), len(lines[-1]))
             lines.append(" " * start + "^" * max(1, end - start))
-    return "\n".join(lines)
+    return lines
+
+
+def lines_marked(text: str) -> set[int]:
+    """Return the numbers (from 0) of the lines that hold carets, as `underlined` counts them."""
+    return {number for number, line in enumerate(underlined(text)) if line.strip() and not line.strip(" ^")}
+
+
+def lines_changed(bad: str, good: str) -> set[int]:
+    """Return the numbers (from 0) of the lines of `good` that `bad` lacks, or beside which it has more."""
+    matcher = SequenceMatcher(None, bad.split("\n"), good.split("\n"), autojunk=False)
+    return {
+        number
+        for tag, _, _, start, end in matcher.get_opcodes()
+        if tag != "equal"
+        for number in range(start, max(end, start + 1))
+    }
 
 
 def rules_text() -> str:
