@@ -8,6 +8,7 @@ from typing import get_args
 from ..ros.distros import Targets
 from .facts import Need, PackageFacts, Unknown
 from .files import Reading
+from .installed import installed_facts
 from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -22,6 +23,8 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     unknown: set[Unknown] = set()
     interfaces, complete = interface_names(reading)
     unknown |= set() if complete else {"interfaces"}
+    installed = installed_facts(reading, manifest.name)
+    unknown |= installed.unknown
     return PackageFacts(
         name=manifest.name or PurePosixPath(folder).name or fallback,
         folder=folder,
@@ -30,7 +33,10 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         version=manifest.version,
         dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
+        executables=installed.executables,
         interfaces=interfaces,
+        share_files=installed.share_files,
+        modules=installed.modules,
         unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),
     )
