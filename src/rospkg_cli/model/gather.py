@@ -6,9 +6,9 @@ from pathlib import PurePosixPath
 from typing import get_args
 
 from ..ros.distros import Targets
+from .cmake.facts import cmake_facts
 from .facts import Need, PackageFacts, Unknown
 from .files import Reading
-from .installed import installed_facts
 from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -23,20 +23,21 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     unknown: set[Unknown] = set()
     interfaces, complete = interface_names(reading)
     unknown |= set() if complete else {"interfaces"}
-    installed = installed_facts(reading, manifest.name)
-    unknown |= installed.unknown
+    name = manifest.name or PurePosixPath(folder).name or fallback
+    cmake = cmake_facts(reading, name)
     return PackageFacts(
-        name=manifest.name or PurePosixPath(folder).name or fallback,
+        name=name,
         folder=folder,
         build_type=manifest.build_type(targets),
         name_span=manifest.name_span,
         version=manifest.version,
         dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
-        executables=installed.executables,
         interfaces=interfaces,
-        share_files=installed.share_files,
-        modules=installed.modules,
-        unknown=frozenset(unknown),
+        executables=cmake.executables,
+        share_files=cmake.share_files,
+        components=cmake.components,
+        modules=cmake.modules,
+        unknown=cmake.unknown.union(unknown),
         metapackage=is_metapackage(reading.files, manifest),
     )

@@ -1,8 +1,7 @@
-"""Which CMake files of a package are read: CMakeLists.txt, and what it adds and includes."""
+"""One CMake file of a package: parsed, or refused where CMake would refuse it."""
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -10,11 +9,14 @@ from ...ros.distros import Targets
 from ...source import Source
 from ..files import PackageFiles, Reading
 from ..manifest import Manifest
-from ..unreadable import Unreadable, UnreadableError
+from ..unreadable import UnreadableError
 from .blocks import Block, nest
 from .syntax import Command, Fault, Syntax, parse
 
 ROOT = "CMakeLists.txt"
+SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
+"""Where in their arguments commands name a variable that they set."""
+
 BUILDS_WITHOUT = frozenset({"ament_python"})
 """Build types under which nobody reads a CMakeLists.txt."""
 
@@ -33,25 +35,6 @@ class CMakeFile:
     @property
     def path(self) -> str:
         return self.syntax.source.path
-
-
-def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
-    """Yield CMakeLists.txt and the package's own files that it reaches by literal paths."""
-    if not reading.files.exists(ROOT) or not builds_with_cmake(reading):
-        return
-    waiting, seen = [ROOT], set()
-    while waiting:
-        path = waiting.pop()
-        if path in seen or not reading.files.exists(path):
-            continue
-        seen.add(path)
-        try:
-            file = read_file(reading.files, path)
-        except UnreadableError as error:
-            yield error.unreadable
-            continue
-        yield file
-        waiting += [posixpath.normpath(posixpath.join(posixpath.dirname(path), p)) for p in reached(file)]
 
 
 def builds_with_cmake(reading: Reading) -> bool:
@@ -73,10 +56,9 @@ def refuse(path: str, faults: tuple[Fault, ...]) -> None:
         raise UnreadableError(path, first.span, f"`{path}` is not valid CMake: {first.message}")
 
 
-def reached(file: CMakeFile) -> Iterator[str]:
+def names_set(file: CMakeFile) -> Iterator[str]:
+    """Yield the names of variables that a file sets somewhere by a literal name."""
     for command in file.syntax.commands:
-        first = command.arguments[0].text if command.arguments else ""
-        if command.name == "add_subdirectory":
-            yield posixpath.join(first, ROOT)
-        elif command.name == "include":
-            yield first
+        at = SETTERS.get(command.name)
+        if at is not None and len(command.arguments) > at:
+            yield command.arguments[at].text

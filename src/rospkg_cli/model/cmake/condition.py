@@ -1,0 +1,187 @@
+"""Conditions of `if` and `while`: true, false, or unknown."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from .pattern import search
+from .words import HOLE, Value, Word, joined
+
+Truth = bool | None
+
+TRUE = frozenset({"ON", "YES", "TRUE", "Y"})
+FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
+NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
+VERSION = re.compile(r"\d+(\.\d+)*")
+
+NUMBERS: Mapping[str, Callable[[float, float], bool]] = {
+    "EQUAL": lambda a, b: a == b,
+    "LESS": lambda a, b: a < b,
+    "GREATER": lambda a, b: a > b,
+    "LESS_EQUAL": lambda a, b: a <= b,
+    "GREATER_EQUAL": lambda a, b: a >= b,
+}
+STRINGS: Mapping[str, Callable[[str, str], bool]] = {
+    "STREQUAL": lambda a, b: a == b,
+    "STRLESS": lambda a, b: a < b,
+    "STRGREATER": lambda a, b: a > b,
+    "STRLESS_EQUAL": lambda a, b: a <= b,
+    "STRGREATER_EQUAL": lambda a, b: a >= b,
+    "PATH_EQUAL": lambda a, b: a == b,
+}
+UNARY = frozenset({"EXISTS", "COMMAND", "DEFINED", "TARGET", "POLICY", "TEST", "IS_DIRECTORY", "IS_ABSOLUTE",
+                   "IS_SYMLINK", "IS_READABLE", "IS_WRITABLE", "IS_EXECUTABLE"})  # fmt: skip
+BINARY = frozenset({*NUMBERS, *STRINGS, *(f"VERSION_{name}" for name in NUMBERS), "MATCHES", "IN_LIST",
+                    "IS_NEWER_THAN"})  # fmt: skip
+
+
+class World(Protocol):
+    """What a condition asks about."""
+
+    def variable(self, name: str) -> Value | None:
+        """Return a variable's value, None where it is not set; a hole where that can't be told."""
+
+    def operand(self, name: str) -> Value | None:
+        """Return what a word in a comparison stands for; None where it is only a word."""
+
+    def holds(self, test: str, name: str) -> Truth:
+        """Answer EXISTS, COMMAND, TARGET and the like."""
+
+
+def both(a: Truth, b: Truth) -> Truth:
+    return False if a is False or b is False else True if a and b else None
+
+
+def either(a: Truth, b: Truth) -> Truth:
+    return True if a or b else False if a is False and b is False else None
+
+
+def negated(a: Truth) -> Truth:
+    return None if a is None else not a
+
+
+def evaluate(words: Sequence[Word], world: World) -> Truth:
+    """Return whether a condition holds; unknown too where CMake would refuse it."""
+    return Condition(words, world).whole()
+
+
+@dataclass
+class Condition:
+    words: Sequence[Word]
+    world: World
+    at: int = 0
+
+    def whole(self) -> Truth:
+        try:
+            found = self.disjunction()
+        except (IndexError, RecursionError):
+            return None
+        return found if self.at == len(self.words) else None
+
+    def peek(self) -> str:
+        """Return the next word where it can be a keyword."""
+        word = self.words[self.at] if self.at < len(self.words) else None
+        return word.text if word is not None and not word.quoted else ""
+
+    def take(self) -> Word:
+        self.at += 1
+        return self.words[self.at - 1]
+
+    def disjunction(self) -> Truth:
+        found = self.conjunction()
+        while self.peek() == "OR":
+            self.take()
+            found = either(found, self.conjunction())
+        return found
+
+    def conjunction(self) -> Truth:
+        found = self.negation()
+        while self.peek() == "AND":
+            self.take()
+            found = both(found, self.negation())
+        return found
+
+    def negation(self) -> Truth:
+        if self.peek() == "NOT":
+            self.take()
+            return negated(self.negation())
+        return self.test()
+
+    def test(self) -> Truth:
+        if self.peek() == "(":
+            self.take()
+            found = self.disjunction()
+            return found if self.take().text == ")" else None
+        if self.peek() in UNARY and self.at + 1 < len(self.words):
+            test, name = self.take().text, self.take()
+            return None if name.maybe or HOLE in name.text else self.world.holds(test, name.text)
+        left = self.take()
+        if self.peek() in BINARY and self.at + 1 < len(self.words):
+            return self.comparison(left, self.take().text, self.take())
+        return self.truth(left)
+
+    def comparison(self, left: Word, operator: str, right: Word) -> Truth:
+        a, b = self.content(left), self.content(right)
+        if operator == "IN_LIST":
+            value = self.world.variable(right.text)
+            return None if HOLE in a else contains(value or (), a)
+        if operator == "MATCHES":
+            b = right.text
+        if HOLE in a or HOLE in b:
+            return None
+        if operator in STRINGS:
+            return STRINGS[operator](a, b)
+        if operator == "MATCHES":
+            return search(b, a)
+        if operator in NUMBERS:
+            numbers = NUMBER.fullmatch(a.strip()) and NUMBER.fullmatch(b.strip())
+            return NUMBERS[operator](float(a), float(b)) if numbers else None if not a.strip() else False
+        return versions(operator.removeprefix("VERSION_"), a, b)
+
+    def content(self, word: Word) -> str:
+        """Return a word, or what the variable of that name holds."""
+        if word.maybe:
+            return HOLE
+        value = None if word.quoted or HOLE in word.text else self.world.operand(word.text)
+        return word.text if value is None else joined(value)
+
+    def truth(self, word: Word) -> Truth:
+        if word.maybe or HOLE in word.text:
+            return None
+        if (constant := as_constant(word.text)) is not None:
+            return constant
+        if word.quoted:
+            return False
+        value = self.world.variable(word.text)
+        if value is None:
+            return False
+        text = joined(value)
+        return None if HOLE in text else as_constant(text) is not False
+
+
+def as_constant(text: str) -> Truth:
+    upper = text.upper()
+    if upper in TRUE or (NUMBER.fullmatch(text) and float(text) != 0):
+        return True
+    if upper in FALSE or upper.endswith("-NOTFOUND") or NUMBER.fullmatch(text):
+        return False
+    return None
+
+
+def contains(value: Value, text: str) -> Truth:
+    sure = [word.text for word in value if not word.maybe]
+    if text in sure:
+        return True
+    return None if any(word.maybe or HOLE in word.text for word in value) else False
+
+
+def versions(operator: str, a: str, b: str) -> Truth:
+    if operator not in NUMBERS or not (VERSION.fullmatch(a) and VERSION.fullmatch(b)):
+        return None
+    pair = [[int(part) for part in text.split(".")] for text in (a, b)]
+    width = max(map(len, pair))
+    left, right = ([*numbers, *[0] * (width - len(numbers))] for numbers in pair)
+    return NUMBERS[operator](float((left > right) - (left < right)), 0.0)

@@ -1,0 +1,263 @@
+"""Run the CMake files of a package as far as that can be done without CMake: bounded, and honest about holes.
+
+What platforms and options decide is judged as on Linux; conditions that can't be evaluated run all their branches,
+and what they did is then marked as `maybe`.  BUILD_TESTING is tried both ways.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+
+from ...source import Span
+from ..files import PackageFiles
+from ..install import PYTHON
+from ..unreadable import Unreadable, UnreadableError
+from .blocks import Block
+from .call import Call, located
+from .read import ROOT, CMakeFile, names_set, read_file
+from .scope import Scope
+from .syntax import Command
+from .words import BINARY, HOLE, PREFIX, SOURCE, Value, Word, as_value, words_of
+
+MAX_STEPS = 20_000
+MAX_DEPTH = 40
+
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+OFF = ("WIN32", "MSVC", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "BORLAND", "CMAKE_CROSSCOMPILING")
+INSTALL_DIRS = {
+    "BINDIR": "bin", "SBINDIR": "sbin", "LIBEXECDIR": "libexec", "SYSCONFDIR": "etc", "LIBDIR": "lib",
+    "INCLUDEDIR": "include", "DATAROOTDIR": "share", "DATADIR": "share", "DOCDIR": "share/doc", "MANDIR": "share/man",
+}  # fmt: skip
+"""What GNUInstallDirs sets, below any prefix but /usr."""
+
+CONSTANTS = {
+    "CMAKE_INSTALL_PREFIX": PREFIX,
+    "CMAKE_SYSTEM_NAME": "Linux",
+    "PYTHON_INSTALL_DIR": PYTHON,
+    **{f"CMAKE_INSTALL_{name}": text for name, text in INSTALL_DIRS.items()},
+    "UNIX": "1",
+    "LINUX": "1",
+    **dict.fromkeys(OFF, ""),
+}
+
+
+NOWHERE = Span(0, 0)
+
+
+class LeaveError(Exception):
+    """`return`, `break` or `continue`; `fatal` where the configuration stops."""
+
+    def __init__(self, how: str) -> None:
+        super().__init__(how)
+        self.how = how
+
+
+class ExhaustedError(Exception):
+    """The files take more steps than we are willing to go."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Where the machine is."""
+
+    path: str
+    """The file whose commands are run."""
+    file: str = ROOT
+    """CMAKE_CURRENT_LIST_FILE: inside a function that of its caller."""
+    folder: str = ""
+    """CMAKE_CURRENT_SOURCE_DIR, relative to the package."""
+    testing: bool = False
+    maybe: bool = False
+    depth: int = 0
+    inside: str = ""
+    """The function or macro of the package that is run."""
+    bindings: Mapping[str, Value] = field(default_factory=dict)
+    """The arguments of the macro that is run."""
+
+
+@dataclass
+class Function:
+    command: Command
+    body: list[Command | Block]
+    path: str
+    parameters: list[str]
+    macro: bool
+
+
+@dataclass
+class Machine:
+    """The state of a run; what commands and blocks do to it is given, by name."""
+
+    files: PackageFiles
+    commands: Mapping[str, Callable[[Machine, Call], None]]
+    blocks: Mapping[str, Callable[[Machine, Block], None]]
+    invoke: Callable[[Machine, Function, Call], None]
+    foreign: Callable[[Machine, Call], None]
+    """What a command does that is none of CMake's own."""
+    calls: list[Call] = field(default_factory=list)
+    broken: list[Unreadable] = field(default_factory=list)
+    read: dict[str, CMakeFile] = field(default_factory=dict)
+    scope: Scope = field(default_factory=Scope)
+    functions: dict[str, Function] = field(default_factory=dict)
+    targets: set[str] = field(default_factory=set)
+    assigned: set[str] = field(default_factory=set)
+    """Names of variables that a file of the package sets somewhere: before that they are empty."""
+    touched: set[str] = field(default_factory=set)
+    """Names that a command which we don't know may have set."""
+    frame: Frame = field(default_factory=lambda: Frame(ROOT))
+    assume: str | None = None
+    """What BUILD_TESTING is while a condition is tried."""
+    steps: int = 0
+    exhausted: bool = False
+
+    def run(self) -> None:
+        """Run CMakeLists.txt; never raises for what it holds."""
+        try:
+            self.file(ROOT)
+        except LeaveError:
+            pass
+        except (ExhaustedError, RecursionError):
+            self.exhausted = True
+
+    # ---- files
+
+    def file(self, path: str, folder: str | None = None) -> None:
+        """Run a file of the package, in the folder of the one that includes it or in its own."""
+        file = self.load(path)
+        if file is None:
+            return
+        where = self.frame.folder if folder is None else folder
+        with self.framed(replace(self.frame, path=path, file=path, folder=where, depth=self.frame.depth + 1)):
+            try:
+                self.body(file.body)
+            except LeaveError as leave:
+                if leave.how != "return":
+                    raise
+
+    def load(self, path: str) -> CMakeFile | None:
+        if path in self.read:
+            return self.read[path]
+        if not self.files.exists(path) or any(each.path == path for each in self.broken):
+            return None
+        try:
+            self.read[path] = read_file(self.files, path)
+        except UnreadableError as error:
+            self.broken.append(error.unreadable)
+            return None
+        self.assigned |= set(names_set(self.read[path]))
+        return self.read[path]
+
+    @contextmanager
+    def framed(self, frame: Frame) -> Iterator[None]:
+        if frame.depth > MAX_DEPTH:
+            raise ExhaustedError
+        before, self.frame = self.frame, frame
+        try:
+            yield
+        finally:
+            self.frame = before
+
+    # ---- commands
+
+    def body(self, body: Sequence[Command | Block]) -> None:
+        for each in body:
+            if isinstance(each, Block):
+                self.step()
+                self.blocks[each.command.name](self, each)
+            else:
+                self.command(each)
+
+    def step(self) -> None:
+        self.steps += 1
+        if self.steps > MAX_STEPS:
+            raise ExhaustedError
+
+    def command(self, command: Command) -> None:
+        self.step()
+        call = self.call(command)
+        if (function := self.functions.get(command.name)) is not None:
+            self.invoke(self, function, call)
+            return
+        self.calls.append(call)
+        self.commands.get(command.name, self.foreign)(self, call)
+
+    def call(self, command: Command) -> Call:
+        frame = self.frame
+        words = tuple(self.words(command))
+        return Call(command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside)
+
+    def words(self, command: Command) -> list[Word]:
+        """Return the evaluated arguments of a command."""
+        found: list[Word] = []
+        for argument in command.arguments:
+            found += words_of(argument, self.frame.path, self.value, environment)
+        return found
+
+    # ---- variables
+
+    def value(self, name: str) -> Value:
+        """Return what `${name}` stands for: nothing, where the package itself has yet to set it; else a hole."""
+        found = self.known(name)
+        if found is not None:
+            return found
+        return () if self.settled(name) else self.hole()
+
+    def settled(self, name: str) -> bool:
+        """Return whether a variable that has no value yet is empty, because only the package itself sets it."""
+        return name in self.assigned and name not in self.touched and not name.startswith("CMAKE_")
+
+    def known(self, name: str) -> Value | None:
+        """Return the value of a variable that was set, or that CMake itself sets."""
+        if name in self.frame.bindings:
+            return self.frame.bindings[name]
+        if (found := self.scope.get(name)) is not None:
+            return found
+        if (text := self.built_in(name)) is not None:
+            return as_value([self.word(text)])
+        return None
+
+    def built_in(self, name: str) -> str | None:
+        here = self.frame
+        match name:
+            case "CMAKE_SOURCE_DIR":
+                return SOURCE
+            case "CMAKE_BINARY_DIR":
+                return BINARY
+            case "CMAKE_CURRENT_SOURCE_DIR":
+                return posixpath.join(SOURCE, here.folder).rstrip("/")
+            case "CMAKE_CURRENT_BINARY_DIR":
+                return posixpath.join(BINARY, here.folder).rstrip("/")
+            case "CMAKE_CURRENT_LIST_DIR":
+                return posixpath.join(SOURCE, posixpath.dirname(here.file)).rstrip("/")
+            case "BUILD_TESTING":
+                return self.assume
+            case "CMAKE_CURRENT_LIST_FILE":
+                return posixpath.join(SOURCE, here.file)
+            case _:
+                return CONSTANTS.get(name)
+
+    def word(self, text: str) -> Word:
+        """Return a word that stands nowhere: CMake made it."""
+        return Word(text, self.frame.path, NOWHERE)
+
+    def hole(self) -> Value:
+        return (self.word(HOLE),)
+
+    def set(self, name: str, value: Value) -> None:
+        if HOLE not in name:
+            self.scope.set(name, value)
+
+    def set_text(self, name: str, text: str | None) -> None:
+        """Set a variable to a text, or to a hole."""
+        self.set(name, self.hole() if text is None else as_value([self.word(text)]))
+
+    def path(self, text: str) -> str | None:
+        """Return a path relative to the package, None where it is unknown or outside."""
+        return located(text, self.frame.folder)
+
+
+def environment(name: str) -> str:
+    return ENVIRONMENT.get(name, HOLE)

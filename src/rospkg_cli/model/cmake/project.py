@@ -1,0 +1,120 @@
+"""CMakeLists.txt and the files it reads, evaluated: what rules and PackageFacts go by."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from ..files import PackageFiles, Reading
+from ..unreadable import Unreadable
+from .call import Call
+from .commands import COMMANDS, foreign
+from .components import Component, InterfaceTarget, components_of, interface_targets_of
+from .flow import BLOCKS, invoke
+from .installs import InstallRule, install_rules
+from .machine import Machine
+from .packages import FoundPackage, found_packages
+from .read import ROOT, CMakeFile, builds_with_cmake
+from .targets import Target, by_name, targets_of
+from .words import Word
+
+
+@dataclass(frozen=True)
+class CMake:
+    """The commands of a package as CMake would run them, in order."""
+
+    package: PackageFiles = field(repr=False)
+    files: tuple[CMakeFile, ...]
+    calls: tuple[Call, ...]
+    complete: bool = True
+    """False where the run was cut short: nothing may be concluded from what is absent."""
+
+    @property
+    def root(self) -> CMakeFile:
+        return self.files[0]
+
+    def file(self, path: str) -> CMakeFile:
+        """Return the file with a path; raises StopIteration."""
+        return next(file for file in self.files if file.path == path)
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[Call]]:
+        found: dict[str, list[Call]] = {}
+        for call in self.calls:
+            found.setdefault(call.name, []).append(call)
+        return found
+
+    def named(self, *names: str) -> list[Call]:
+        """Return the calls of the commands with these names, in order."""
+        if len(names) == 1:
+            return self._by_name.get(names[0], [])
+        return [call for call in self.calls if call.name in names]
+
+    @cached_property
+    def project(self) -> Word | None:
+        """The name that project() gives, where it is called in CMakeLists.txt itself."""
+        calls = [call for call in self.named("project") if call.path == ROOT and call.words]
+        return calls[0].words[0] if calls else None
+
+    @property
+    def project_name(self) -> str:
+        return self.project.text if self.project is not None and self.project.known else ""
+
+    @cached_property
+    def targets(self) -> tuple[Target, ...]:
+        return tuple(targets_of(self.calls))
+
+    @cached_property
+    def _targets_by_name(self) -> dict[str, Target]:
+        return by_name(self.targets)
+
+    def target(self, name: str) -> Target | None:
+        return self._targets_by_name.get(name)
+
+    @cached_property
+    def installs(self) -> tuple[InstallRule, ...]:
+        return tuple(install_rules(self.calls, self.project_name))
+
+    @cached_property
+    def components(self) -> tuple[Component, ...]:
+        return tuple(components_of(self.calls))
+
+    @cached_property
+    def interface_targets(self) -> tuple[InterfaceTarget, ...]:
+        return tuple(interface_targets_of(self.calls))
+
+    @cached_property
+    def packages(self) -> tuple[FoundPackage, ...]:
+        """What is looked for with find_package."""
+        return tuple(found_packages(self.calls))
+
+    @cached_property
+    def output_names(self) -> dict[str, str]:
+        """Targets whose file is called otherwise than they are."""
+        found: dict[str, str] = {}
+        for call in self.named("set_target_properties", "set_property"):
+            texts = call.texts
+            if "OUTPUT_NAME" in texts[:-1] and "PROPERTIES" in texts:
+                new = texts[texts.index("OUTPUT_NAME") + 1]
+                found |= dict.fromkeys(texts[: texts.index("PROPERTIES")], new)
+        return found
+
+
+def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
+    """Yield every CMake file that is read, one by one."""
+    yield from reading.parts(CMake).broken
+    for cmake in reading.parts(CMake).good:
+        yield from cmake.files
+
+
+def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
+    """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
+    if not reading.files.exists(ROOT) or not builds_with_cmake(reading):
+        return
+    machine = Machine(reading.files, COMMANDS, BLOCKS, invoke, foreign)
+    machine.run()
+    if machine.broken:
+        yield from machine.broken
+    else:
+        yield CMake(reading.files, tuple(machine.read.values()), tuple(machine.calls), not machine.exhausted)

@@ -1,0 +1,172 @@
+"""The install table of a package that CMake builds."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...source import Span
+from ..install import PYTHON, Installed, InstallTable, NotKnown, What
+from .call import Call
+from .copying import copies
+from .installs import InstallRule
+from .project import CMake
+from .targets import Target
+from .words import BINARY, HOLE, Word
+
+INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
+
+
+def cmake_table(cmake: CMake, name: str) -> InstallTable:
+    """Return what the package called `name` installs; what ament writes itself (hooks, configs) is left out."""
+    table = Table(cmake, name)
+    rows = tuple(dict.fromkeys(table.rows()))
+    return InstallTable(rows, tuple(table.unknown()))
+
+
+class Table:
+    def __init__(self, cmake: CMake, name: str) -> None:
+        self.cmake = cmake
+        self.name = name
+
+    def rows(self) -> Iterator[Installed]:
+        if self.cmake.named("ament_package", "ament_auto_package", "autoware_ament_auto_package"):
+            yield Installed("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
+        for rule in self.cmake.installs:
+            if rule.kind == "TARGETS":
+                yield from self.targets(rule)
+            else:
+                yield from self.files(rule)
+        yield from self.automatic()
+        yield from self.components()
+        yield from self.interfaces()
+        yield from self.parameters()
+
+    def row(self, destination: str, source: str, word: Word) -> Installed:
+        return Installed(self.what(destination), destination, source, "", word.path, word.span)
+
+    def what(self, destination: str) -> What:
+        if destination.startswith((f"lib/{self.name}/", "bin/")):
+            return "executable"
+        for prefix, what in PLACES:
+            if destination.startswith(prefix):
+                return what
+        return "other"
+
+    def files(self, rule: InstallRule) -> Iterator[Installed]:
+        for copy in copies(rule, self.cmake.package):
+            yield self.row(copy.destination, copy.source, copy.item)
+        if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
+            for word in filter(made_by_the_build, rule.items):
+                name = rule.rename.text if rule.rename else posixpath.basename(word.text)
+                yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word)
+
+    def targets(self, rule: InstallRule) -> Iterator[Installed]:
+        for word in rule.items:
+            target = self.cmake.target(word.text)
+            place = self.place(rule, target) if target is not None and target.built else None
+            if target is not None and place is not None:
+                yield self.row(posixpath.join(place, self.file_name(target)), "", word)
+
+    def place(self, rule: InstallRule, target: Target) -> str | None:
+        """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
+        given = rule.destinations or {}
+        kind = "RUNTIME" if target.executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
+        if kind in given or "" in given:
+            return given.get(kind, given.get(""))
+        return "bin" if target.executable else "lib"
+
+    def file_name(self, target: Target) -> str:
+        name = self.cmake.output_names.get(target.name, target.name)
+        if target.executable:
+            return name
+        return (
+            f"{name}.so"
+            if "MODULE" in target.options
+            else f"lib{name}.a"
+            if "STATIC" in target.options
+            else f"lib{name}.so"
+        )
+
+    def automatic(self) -> Iterator[Installed]:
+        """What ament_auto_package installs of itself: the targets of ament_auto_add_*, and include/."""
+        for call in self.cmake.named("ament_auto_package", "autoware_ament_auto_package")[:1]:
+            place = "bin" if "INSTALL_TO_PATH" in call.texts else f"lib/{self.name}"
+            for target in self.cmake.targets:
+                if target.call.name == "ament_auto_add_executable" and HOLE not in target.name:
+                    yield self.row(f"{place}/{self.file_name(target)}", "", target.word)
+                elif target.call.name == "ament_auto_add_library" and target.built and HOLE not in target.name:
+                    yield self.row(f"lib/{self.file_name(target)}", "", target.word)
+            for path in self.cmake.package.below("include"):
+                yield Installed("header", path, path, "", call.path, call.command.name_span)
+
+    def components(self) -> Iterator[Installed]:
+        for component in self.cmake.components:
+            if component.executable is not None and component.executable.known:
+                yield self.row(f"lib/{self.name}/{component.executable.text}", "", component.executable)
+
+    def interfaces(self) -> Iterator[Installed]:
+        """The interface files themselves; their .idl forms and the code made of them are left to rosidl."""
+        for each in self.cmake.interface_targets:
+            for word in each.files:
+                path = word.text.rpartition(":")[2] if not each.skip_install and word.known else ""
+                if path:
+                    folder, file = posixpath.split(path)
+                    place = f"share/{self.name}/{posixpath.basename(folder)}/{file}"
+                    yield self.row(posixpath.normpath(place), posixpath.join(each.call.folder, path), word)
+
+    def parameters(self) -> Iterator[Installed]:
+        for call in self.cmake.named("generate_parameter_module"):
+            for word in call.words[:1]:
+                yield self.row(f"{PYTHON}/{self.name}/{word.text}.py", "", word)
+        for call in self.cmake.named("generate_parameter_library"):
+            for word in call.words[:1]:
+                yield self.row(f"include/{self.name}/{word.text}.hpp", "", word)
+
+    # ---- what can't be told
+
+    def unknown(self) -> Iterator[NotKnown]:
+        if not self.cmake.complete:
+            for what in ALL:
+                yield NotKnown(what, "it takes too many steps", self.cmake.root.path, Span(0, 0))
+        for rule in self.cmake.installs:
+            yield from self.unknown_rule(rule)
+        for call in self.cmake.calls:
+            if self.may_install(call):
+                for what in ALL[:2]:
+                    yield NotKnown(what, f"`{call.name}` may install anything", call.path, call.command.span)
+
+    def unknown_rule(self, rule: InstallRule) -> Iterator[NotKnown]:
+        places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
+        dim = rule.kind == "CODE" or None in places
+        items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
+        if rule.kind == "DIRECTORY":
+            items += filter(made_by_the_build, rule.items)
+        if not dim and not items:
+            return
+        whats = {self.what(f"{place}/x") for place in places if place is not None} if not dim else set(ALL)
+        where = items[0] if items else rule.destination_word
+        span = where.span if where is not None else rule.call.command.span
+        for what in sorted(whats):
+            yield NotKnown(what, "a value can't be evaluated", where.path if where else rule.call.path, span)
+
+    def may_install(self, call: Call) -> bool:
+        known = call.name == "install" or call.name in INSTALL_COMMANDS
+        return call.name in INSTALLS_ON_ITS_OWN or ("install" in call.name and not known)
+
+
+def made_by_the_build(word: Word) -> bool:
+    return word.known and word.text.startswith(BINARY)
+
+
+ALL: tuple[What, ...] = ("executable", "share", "module", "library", "header", "other")
+PLACES: tuple[tuple[str, What], ...] = (
+    ("share/", "share"),
+    (PYTHON + "/", "module"),
+    ("include/", "header"),
+    ("lib/", "library"),
+)
+INSTALL_COMMANDS = frozenset({
+    "ament_python_install_package", "ament_python_install_module", "catkin_install_python",
+    "ament_get_python_install_dir", "ament_cmake_python_get_python_install_dir",
+})  # fmt: skip

@@ -1,0 +1,122 @@
+"""The targets that a package's CMake makes, and what they are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from .call import Call, flags_and_values
+from .words import HOLE, Word
+
+Kind = Literal["executable", "library", "other"]
+LIBRARY_TYPES = ("STATIC", "SHARED", "MODULE", "OBJECT", "INTERFACE", "ALIAS", "UNKNOWN")
+OPTIONS = frozenset({*LIBRARY_TYPES, "IMPORTED", "GLOBAL", "WIN32", "MACOSX_BUNDLE", "EXCLUDE_FROM_ALL",
+                     "NO_TARGET_LINK_LIBRARIES"})  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Target:
+    word: Word
+    """The name, where it is given."""
+    kind: Kind
+    call: Call
+    options: frozenset[str] = frozenset()
+    """`SHARED`, `INTERFACE`, `EXCLUDE_FROM_ALL` and the like."""
+    sources: tuple[Word, ...] = ()
+    folder: Word | None = None
+    """The folder that ament_auto_add_* takes all sources of."""
+
+    @property
+    def name(self) -> str:
+        return self.word.text
+
+    @property
+    def built(self) -> bool:
+        """Whether a build makes a file of it that can be installed."""
+        return self.kind != "other" and not self.options & {"INTERFACE", "ALIAS", "IMPORTED", "UNKNOWN", "OBJECT"}
+
+    @property
+    def library(self) -> bool:
+        return self.kind == "library"
+
+    @property
+    def executable(self) -> bool:
+        return self.kind == "executable"
+
+
+def added(kind: Kind) -> Callable[[Call], Iterator[Target]]:
+    """`add_executable`, `add_library`, their ament_auto forms, and commands that pass arguments on to them."""
+
+    def make(call: Call) -> Iterator[Target]:
+        if call.words:
+            options, values, sources = flags_and_values(call.words[1:], OPTIONS, ("DIRECTORY",), ())
+            folder = next(iter(values.get("DIRECTORY", [])), None)
+            yield Target(call.words[0], kind, call, frozenset(options), tuple(sources), folder)
+
+    return make
+
+
+def named(kind: Kind) -> Callable[[Call], Iterator[Target]]:
+    """Commands whose first argument is a target that they make in their own way."""
+
+    def make(call: Call) -> Iterator[Target]:
+        if call.words:
+            yield Target(call.words[0], kind, call)
+
+    return make
+
+
+def generated_interface(call: Call) -> Iterator[Target]:
+    """generate_parameter_library makes a library without code."""
+    if call.words:
+        yield Target(call.words[0], "library", call, frozenset({"INTERFACE"}))
+
+
+def component_executable(call: Call) -> Iterator[Target]:
+    """`rclcpp_components_register_node(… EXECUTABLE name)` makes an executable of a component."""
+    _, values, _ = flags_and_values(call.words, (), ("EXECUTABLE", "PLUGIN", "EXECUTOR", "RESOURCE_INDEX"), ())
+    for word in values.get("EXECUTABLE", []):
+        yield Target(word, "executable", call)
+
+
+MAKERS: Mapping[str, Callable[[Call], Iterator[Target]]] = {
+    "add_executable": added("executable"),
+    "ament_auto_add_executable": added("executable"),
+    "cuda_add_executable": added("executable"),
+    "add_library": added("library"),
+    "ament_auto_add_library": added("library"),
+    "cuda_add_library": added("library"),
+    "pybind11_add_module": added("library"),
+    "python3_add_library": added("library"),
+    "nanobind_add_module": added("library"),
+    "ament_add_gtest": named("executable"),
+    "ament_add_gmock": named("executable"),
+    "ament_add_gtest_executable": named("executable"),
+    "ament_add_gmock_executable": named("executable"),
+    "ament_add_google_benchmark": named("executable"),
+    "ament_auto_add_gtest": named("executable"),
+    "ament_add_ros_isolated_gtest": named("executable"),
+    "ament_add_ros_isolated_gmock": named("executable"),
+    "add_custom_target": named("other"),
+    "rosidl_generate_interfaces": named("other"),
+    "generate_parameter_library": generated_interface,
+    "generate_parameter_module": generated_interface,
+    "rclcpp_components_register_node": component_executable,
+}
+
+
+def targets_of(calls: Iterable[Call]) -> Iterator[Target]:
+    """Yield the targets in the order in which they are made, one whose name is unknown too."""
+    for call in calls:
+        if maker := MAKERS.get(call.name):
+            yield from maker(call)
+
+
+def by_name(targets: Iterable[Target]) -> dict[str, Target]:
+    """Return the targets whose names are known; the first of a name counts."""
+    found: dict[str, Target] = {}
+    for target in targets:
+        if HOLE not in target.name:
+            found.setdefault(target.name, target)
+    return found

@@ -1,0 +1,158 @@
+"""Values of CMake variables: lists of words, each with the place where it was written, and holes for what is unknown.
+
+A text is an ordinary string with a few private characters in it, none of which can stand in a CMake file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ...source import Span
+from .syntax import Argument
+
+HOLE = "\0"
+"""An unknown piece of a text. A word that is nothing but a hole may be any number of words."""
+SOURCE = "/\1source"
+"""The package's own folder."""
+BINARY = "/\1binary"
+"""The build folder."""
+PREFIX = "/\1prefix"
+"""The install prefix."""
+MAX_TEXT = 100_000
+MAX_WORDS = 5_000
+
+REFERENCE = re.compile(r"\$(ENV|CACHE)?\{|\}|\\(.)", re.DOTALL)
+PLAIN_REFERENCE = re.compile(r"\$\{([^{}$\\]+)\}")
+ESCAPES = {"n": "\n", "t": "\t", "r": "\r", ";": "\\;"}
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    text: str
+    path: str
+    """The file where it was written."""
+    span: Span
+    """The argument that it was written in, with its quotes."""
+    maybe: bool = False
+    """It is there only under a condition that can't be evaluated."""
+    quoted: bool = False
+
+    @property
+    def known(self) -> bool:
+        """Whether the text is what CMake would have: no hole, no generator expression."""
+        return HOLE not in self.text and "$<" not in self.text
+
+
+Value = tuple[Word, ...]
+
+
+def joined(value: Sequence[Word]) -> str:
+    """Return a list as the string that it is in CMake, a hole where that can't be told."""
+    if any(word.maybe for word in value):
+        return HOLE
+    return ";".join(word.text.replace(";", "\\;") for word in value)[:MAX_TEXT]
+
+
+def split(text: str) -> Iterator[str]:
+    """Yield the elements of a list: `;` parts them, unless it is escaped or stands in square brackets."""
+    depth, start, at = 0, 0, 0
+    while at < len(text):
+        char = text[at]
+        if char == "\\" and text[at + 1 : at + 2] == ";":
+            at += 1
+        elif char in "[]":
+            depth += 1 if char == "[" else -1
+        elif char == ";" and depth == 0:
+            yield text[start:at].replace("\\;", ";")
+            start = at + 1
+        at += 1
+    yield text[start:].replace("\\;", ";")
+
+
+def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
+    """Resolve references and escapes in one pass; `value_of` gets ("", "ENV" or "CACHE") and a name.
+
+    A reference that is never closed makes the whole a hole.
+    """
+    levels: list[list[str]] = [[]]
+    kinds: list[str] = []
+    at = 0
+    for match in REFERENCE.finditer(text):
+        levels[-1].append(text[at : match.start()])
+        at = match.end()
+        if match.group(2) is not None:
+            levels[-1].append(ESCAPES.get(match.group(2), match.group(2)))
+        elif match.group() != "}":
+            levels.append([])
+            kinds.append(match.group(1) or "")
+        elif kinds:
+            name = "".join(levels.pop())
+            levels[-1].append(HOLE if HOLE in name else value_of(kinds.pop(), name))
+        else:
+            levels[-1].append("}")
+    if kinds:
+        return HOLE
+    return "".join([*levels[0], text[at:]])[:MAX_TEXT]
+
+
+def words_of(argument: Argument, path: str, variable: Callable[[str], Value], env: Callable[[str], str]) -> list[Word]:
+    """Return what an argument stands for: one word if it is quoted, else any number of them."""
+
+    def value_of(kind: str, name: str) -> str:
+        return env(name) if kind == "ENV" else joined(variable(name))
+
+    if argument.kind in ("bracket", "paren"):
+        return [Word(argument.text, path, argument.span, quoted=argument.kind == "bracket")]
+    if argument.kind == "quoted":
+        text = substitute(argument.text.replace("\\\n", ""), value_of)
+        return [Word(text, path, argument.span, quoted=True)]
+    if whole := PLAIN_REFERENCE.fullmatch(argument.text):
+        return [placed(word, argument, path) for word in variable(whole.group(1)) if word.text]
+    text = substitute(argument.text, value_of)
+    return [Word(each, path, argument.span) for each in split(text) if each]
+
+
+def placed(word: Word, argument: Argument, path: str) -> Word:
+    """Return a word with a place: what CMake made, and so stands nowhere, is where it is used."""
+    return replace(word, path=path, span=argument.span) if word.span.end == 0 else word
+
+
+def as_value(words: Iterable[Word]) -> Value:
+    """Return the list that a variable holds after it was set to these words."""
+    found: list[Word] = []
+    for word in words:
+        if ";" in word.text:
+            found += [replace(word, text=each) for each in split(word.text)]
+        else:
+            found.append(word)
+    return () if len(found) == 1 and not found[0].text else tuple(found[:MAX_WORDS])
+
+
+def merge(values: Sequence[Value]) -> Value:
+    """Return what a variable holds after branches that ended with these values.
+
+    Elements that only some branches have become `maybe`; where none of the values holds all the others, it's a hole.
+    """
+    first = values[0]
+    if all(texts(value) == texts(first) for value in values):
+        return next((value for value in values if any(word.maybe for word in value)), first)
+    longest = max(values, key=len)
+    if not all(is_within(texts(value), texts(longest)) for value in values):
+        return (replace(longest[0], text=HOLE, maybe=False),)
+    common = [texts(value) for value in values]
+    return tuple(
+        word if all(word.text in each for each in common) and not word.maybe else replace(word, maybe=True)
+        for word in longest
+    )
+
+
+def texts(value: Value) -> list[str]:
+    return [word.text for word in value]
+
+
+def is_within(shorter: Sequence[str], longer: Sequence[str]) -> bool:
+    """Return whether the one is what is left of the other when elements are taken out."""
+    rest = iter(longer)
+    return all(each in rest for each in shorter)

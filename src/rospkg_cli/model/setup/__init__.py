@@ -1,1 +1,0 @@
-"""setup.py and setup.cfg: what setuptools is told, and what colcon installs for it."""

@@ -1,0 +1,126 @@
+"""What CMake installs where, and what other packages may know of it."""
+
+# ruff: noqa: E501  (a case a line)
+
+from __future__ import annotations
+
+import pytest
+from cmaking import table, unknown
+
+from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.model.facts import PackageFacts
+from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.gather import gather
+from rospkg_cli.model.package import Package
+from rospkg_cli.ros.distros import Targets
+from rospkg_cli.tree import MemoryTree
+
+FILES = {
+    "launch/a.launch.py": "",
+    "launch/sub/b.launch.py": "",
+    "launch/sub/__pycache__/b.pyc": "",
+    "config/a.yaml": "",
+    "config/README.md": "",
+    "scripts/run.py": "#!/usr/bin/env python3\n",
+    "include/my_pkg/a.hpp": "",
+    "my_pkg/__init__.py": "",
+    "my_pkg/sub/tool.py": "",
+    "plugins/p.xml": "",
+    "src/a.cpp": "",
+}
+
+
+def installs(text: str) -> dict[str, str]:
+    """Return destination → source of a package with FILES."""
+    found = table({**FILES, "CMakeLists.txt": f"project(my_pkg)\n{text}\nament_package()\n"})
+    assert found.pop("share/my_pkg/package.xml") == "package.xml"
+    return found
+
+
+@pytest.mark.parametrize(
+    "text, destinations",
+    [
+        ("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})", "share/my_pkg/launch/a.launch.py share/my_pkg/launch/sub/__pycache__/b.pyc share/my_pkg/launch/sub/b.launch.py"),
+        ("install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME})", "share/my_pkg/a.launch.py share/my_pkg/sub/__pycache__/b.pyc share/my_pkg/sub/b.launch.py"),
+        ("install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME}/ PATTERN __pycache__ EXCLUDE PATTERN *.md EXCLUDE)", "share/my_pkg/config/a.yaml share/my_pkg/launch/a.launch.py share/my_pkg/launch/sub/b.launch.py"),
+        ("install(DIRECTORY . DESTINATION share/my_pkg FILES_MATCHING PATTERN \"*.yaml\")", "share/my_pkg/config/a.yaml"),
+        ("install(DIRECTORY launch DESTINATION share/my_pkg FILES_MATCHING REGEX \".*/sub/.*py$\")", "share/my_pkg/launch/sub/b.launch.py"),
+        ("install(FILES config/a.yaml DESTINATION share/${PROJECT_NAME}/config RENAME b.yaml)", "share/my_pkg/config/b.yaml"),
+        ("install(FILES config/nothing.yaml DESTINATION share/${PROJECT_NAME})", ""),
+        ("install(PROGRAMS scripts/run.py DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/${PROJECT_NAME} RENAME run)", "lib/my_pkg/run"),
+        ("file(GLOB y config/*.yaml)\ninstall(FILES ${y} TYPE DATA)", "share/a.yaml"),
+        ("add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/talker"),
+        ("add_executable(talker src/a.cpp)\nset_target_properties(talker PROPERTIES OUTPUT_NAME node)\ninstall(TARGETS talker RUNTIME DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/node"),
+        ("add_library(l SHARED src/a.cpp)\nadd_library(i INTERFACE)\ninstall(TARGETS l i EXPORT e ARCHIVE DESTINATION a LIBRARY DESTINATION b RUNTIME DESTINATION c INCLUDES DESTINATION d)", "b/libl.so"),
+        ("add_library(l STATIC src/a.cpp)\ninstall(TARGETS l)", "lib/libl.a"),
+        ("ament_auto_add_library(l SHARED src/a.cpp)\nament_auto_add_executable(n src/a.cpp)\nament_auto_package(INSTALL_TO_SHARE config)", "include/my_pkg/a.hpp lib/libl.so lib/my_pkg/n share/my_pkg/config/README.md share/my_pkg/config/a.yaml"),
+        ("ament_python_install_package(${PROJECT_NAME})", "lib/python/my_pkg/__init__.py lib/python/my_pkg/sub/tool.py"),
+        ("ament_python_install_package(other PACKAGE_DIR my_pkg)", "lib/python/other/__init__.py lib/python/other/sub/tool.py"),
+        ("add_library(c SHARED src/a.cpp)\nrclcpp_components_register_node(c PLUGIN \"n::C\" EXECUTABLE c_node)", "lib/my_pkg/c_node"),
+        ("pluginlib_export_plugin_description_file(base plugins/p.xml)", "share/my_pkg/plugins/p.xml"),
+        ("rosidl_generate_interfaces(${PROJECT_NAME} msg/A.msg DEPENDENCIES std_msgs)", "share/my_pkg/msg/A.msg"),
+        ("generate_parameter_library(params config/a.yaml)", "include/my_pkg/params.hpp"),
+        ("ament_get_python_install_dir(d)\ninstall(FILES my_pkg/sub/tool.py DESTINATION ${d}/x)", "lib/python/x/tool.py"),
+        ("if(BUILD_TESTING)\ninstall(FILES config/a.yaml DESTINATION share/my_pkg/test)\nendif()", "share/my_pkg/test/a.yaml"),
+        ("function(put)\ninstall(DIRECTORY ${ARGN} DESTINATION share/${PROJECT_NAME})\nendfunction()\nput(config)", "share/my_pkg/config/README.md share/my_pkg/config/a.yaml"),
+    ],
+)  # fmt: skip
+def test_the_install_table(text: str, destinations: str) -> None:
+    found = installs(text)
+    assert " ".join(sorted(found)) == destinations
+    assert all(not source or source in FILES or source.startswith("msg/") for source in found.values())
+
+
+@pytest.mark.parametrize(
+    "text, whats",
+    [
+        ("install(FILES config/a.yaml DESTINATION ${unheard})", "executable header library module other share"),
+        ("install(FILES ${unheard} DESTINATION share/my_pkg)", "share"),
+        ("install(TARGETS ${unheard} DESTINATION lib/my_pkg)", "executable"),
+        ("install(CODE \"do()\")", "executable header library module other share"),
+        ("someones_install_macro(config)", "executable share"),
+        ("ExternalProject_Add(x URL y)", "executable share"),
+        ("install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gen.yaml DESTINATION share/my_pkg)", ""),
+        ("install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/gen DESTINATION share/my_pkg)", "share"),
+        ("someones_other_macro(config)", ""),
+    ],
+)  # fmt: skip
+def test_what_can_not_be_told(text: str, whats: str) -> None:
+    assert " ".join(sorted(unknown({**FILES, "CMakeLists.txt": f"project(my_pkg)\n{text}\n"}))) == whats
+
+
+def facts(files: dict[str, str]) -> PackageFacts:
+    return gather(Package(PackageFiles(MemoryTree.of(files))), Targets(), "", "my_pkg")
+
+
+def test_what_other_packages_know() -> None:
+    text = """project(my_pkg)
+add_library(c SHARED src/a.cpp)
+rclcpp_components_register_nodes(c "n::A" n::B)
+add_executable(talker src/a.cpp)
+install(TARGETS c DESTINATION lib)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+ament_python_install_package(${PROJECT_NAME})
+ament_package()
+"""
+    found = facts({**FILES, "package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": text})
+    assert found.executables == {"talker"}
+    assert found.components == {"n::A", "n::B"}
+    assert found.modules == {"my_pkg", "my_pkg.sub.tool"}
+    assert "launch/a.launch.py" in found.share_files
+    assert not found.unknown
+
+
+def test_nothing_is_known_of_what_can_not_be_read() -> None:
+    found = facts({**FILES, "package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": "project("})
+    assert found.unknown >= {"executables", "share_files", "components", "modules"}
+
+
+def test_a_generated_file_is_known_by_its_name() -> None:
+    found = installs("install(FILES ${CMAKE_CURRENT_BINARY_DIR}/a.yaml DESTINATION share/${PROJECT_NAME})")
+    assert found == {"share/my_pkg/a.yaml": ""}
+
+
+def test_the_faultless_package() -> None:
+    assert facts({k: v for k, v in BACKDROPS["ament_cmake"].items() if v is not None}).share_files == {"package.xml"}
