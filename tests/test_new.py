@@ -15,6 +15,7 @@ from rospkg_cli.cli.new import new
 from rospkg_cli.configkeys import ConfigError
 from rospkg_cli.scaffold import write as writing
 from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.ask import distro_of
 from rospkg_cli.scaffold.names import check_node_name, check_package_name, repaired
 from rospkg_cli.scaffold.place import workspace_of
 
@@ -233,13 +234,12 @@ def test_the_config_says_what_nobody_typed(home: Path) -> None:
     own = home / ".config" / "rospkg" / "config.toml"
     own.parent.mkdir(parents=True)
     own.write_text('[new]\nmaintainer = "Ada"\nemail = "ada@example.org"\nlicense = "MIT"\n')
-    Path("rospkg.toml").write_text('[new]\nlicense = "BSD-3-Clause"\ndistro = "humble"\n')
+    Path("rospkg.toml").write_text('[new]\nlicense = "BSD-3-Clause"\n')
     new(Request("my_robot_nav", version="2.0.0"))
     written = manifest_of("my_robot_nav")
     assert '<maintainer email="ada@example.org">Ada</maintainer>' in written
     assert "<license>BSD-3-Clause</license>" in written
     assert "<version>2.0.0</version>" in written
-    assert "try_shutdown" in Path("my_robot_nav/my_robot_nav/my_robot_nav_node.py").read_text()
 
 
 def test_a_wrong_key_of_the_config_is_named() -> None:
@@ -252,19 +252,13 @@ def manifest_of(name: str) -> str:
     return Path(name, "package.xml").read_text()
 
 
-def test_the_distribution_comes_from_the_environment(monkeypatch: pytest.MonkeyPatch, capsys) -> None:
-    asked = {**ADA, "distro": ""}
-    node = "my_robot_nav/my_robot_nav_node.py"
-    for distro, has in (
-        ("humble", "try_shutdown"),
-        ("jazzy", "with rclpy"),
-        ("iron", "with rclpy"),
-        ("", "with rclpy"),
-    ):
-        monkeypatch.setenv("ROS_DISTRO", distro)
-        new(Request("my_robot_nav", **asked), Path(distro or "none"))
-        assert has in Path(distro or "none", "my_robot_nav", node).read_text()
-        assert ("ROS_DISTRO=iron" in capsys.readouterr().err) == (distro == "iron")
+def test_the_distribution_comes_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    for sourced, chosen in (("humble", "humble"), ("jazzy", "jazzy"), ("iron", "lyrical"), ("", "lyrical")):
+        monkeypatch.setenv("ROS_DISTRO", sourced)
+        notes: list[str] = []
+        assert distro_of("", notes).name == chosen
+        assert bool(notes) == (sourced == "iron")
+        assert distro_of("kilted", notes).name == "kilted"
 
 
 def test_a_released_name_and_an_unknown_header_are_mentioned(capsys: pytest.CaptureFixture[str]) -> None:

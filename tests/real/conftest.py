@@ -90,7 +90,7 @@ def one_colcon(shell: Shell, newest_colcon: Path) -> Shell:
 
 @pytest.fixture(scope="session")
 def debian_colcon_programs() -> Path:
-    return tools(lambda: venv(DEBIAN_PYTHON, ("setuptools==68.1.2", *COLCON), DEBIAN_MODULES))
+    return tools(lambda: venv(DEBIAN_PYTHON, ("setuptools==65.5.1", *COLCON), DEBIAN_MODULES))
 
 
 @pytest.fixture

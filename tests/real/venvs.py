@@ -35,7 +35,7 @@ COLCON = (
     "empy<4",
     "mypy",
     "pytest<9",
-    "types-setuptools",
+    "pyyaml",
 )
 """colcon with the extensions that find, build and test ROS packages, and what their tests run on."""
 

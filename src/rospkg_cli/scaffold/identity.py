@@ -9,14 +9,12 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..ros.manifest import EMAIL
 from . import ScaffoldError
 from .told import Told, told
 
 LONGEST = 80
 """The copyright line holds the name, and ament_copyright wants it on one line."""
-
-EMAIL = re.compile(r"[\w%+-]+(\.[\w%+-]+)*@([A-Za-z0-9%-]+\.)+[A-Za-z]{2,}", re.ASCII)
-"""What catkin_pkg takes for an e-mail address."""
 
 CODING = re.compile(r"coding[:=]")
 

@@ -1,0 +1,68 @@
+"""A stand-in for rclpy, because the real one can't be had from a package index.
+
+It behaves as rclpy does, by its sources, where a node's `main` can get it wrong: `init` returns None (up to Jazzy it is
+no context manager), SIGINT raises KeyboardInterrupt and shuts the context down, SIGTERM shuts it down so that `spin`
+raises ExternalShutdownException, a second `shutdown` is an error, `try_shutdown` is none.
+What the node did is appended to the file that STANDIN_LOG names, one JSON object a line.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import time
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from rclpy.executors import ExternalShutdownException
+
+_state: dict[str, Any] = {"ok": False, "initialized": False}
+
+
+def note(what: str, **values: object) -> None:
+    with Path(os.environ["STANDIN_LOG"]).open("a", encoding="utf-8") as log:
+        log.write(json.dumps({"what": what, **values}) + "\n")
+
+
+def init(*, args: list[str] | None = None) -> None:
+    if _state["initialized"]:
+        raise RuntimeError("Context.init() must only be called once")
+    _state.update(ok=True, initialized=True)
+    signal.signal(signal.SIGINT, _interrupt)
+    signal.signal(signal.SIGTERM, _terminate)
+    note("init", args=args)
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    _state["ok"] = False
+    raise KeyboardInterrupt
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    _state["ok"] = False
+
+
+def ok() -> bool:
+    return bool(_state["ok"])
+
+
+def shutdown() -> None:
+    if not _state["ok"]:
+        raise RuntimeError("failed to shutdown: rcl_shutdown already called on the given context")
+    try_shutdown()
+
+
+def try_shutdown() -> None:
+    _state["ok"] = False
+    note("shutdown")
+
+
+def spin(node: Any) -> None:
+    note("spin", node=node.name)
+    while ok():
+        for timer in node.timers:
+            timer()
+        time.sleep(0.01)
+    raise ExternalShutdownException
