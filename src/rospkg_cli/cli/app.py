@@ -9,7 +9,7 @@ import typer
 
 from .. import __version__
 from . import UsageError
-from .commands import explain, lint
+from .commands import explain, lint, new
 
 app = typer.Typer(
     name="rospkg",
@@ -20,6 +20,7 @@ app = typer.Typer(
     help="Write ROS 2 packages that are right, and find what is wrong in those that exist.",
     epilog="Examples:  rospkg new my_robot_nav  ·  rospkg lint src/  ·  rospkg explain SET101",
 )
+app.command(epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape
-
 from ..finding import Edit
 from ..model.manifest import Manifest
 from ..model.xml import Element
@@ -13,7 +11,12 @@ from ..source import Span
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
     """Put a dependency where a person would: among its like, in order where they are in order."""
-    return add_element(manifest, tag, f"<{tag}>{escape(name)}</{tag}>", name)
+    return add_element(manifest, tag, f"<{tag}>{escaped(name)}</{tag}>", name)
+
+
+def escaped(text: str) -> str:
+    """Return character data for XML."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
 def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit:

@@ -6,9 +6,10 @@ from pathlib import PurePosixPath
 from typing import get_args
 
 from ..ros.distros import Targets
-from .cmake.facts import cmake_facts
+from .cmake.facts import registered_components
 from .facts import Need, PackageFacts, Unknown
 from .files import Reading
+from .installed import installed_facts
 from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -23,21 +24,23 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     unknown: set[Unknown] = set()
     interfaces, complete = interface_names(reading)
     unknown |= set() if complete else {"interfaces"}
-    name = manifest.name or PurePosixPath(folder).name or fallback
-    cmake = cmake_facts(reading, name)
+    installed = installed_facts(reading, manifest.name)
+    unknown |= installed.unknown
+    components, complete = registered_components(reading)
+    unknown |= set() if complete else {"components"}
     return PackageFacts(
-        name=name,
+        name=manifest.name or PurePosixPath(folder).name or fallback,
         folder=folder,
         build_type=manifest.build_type(targets),
         name_span=manifest.name_span,
         version=manifest.version,
         dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
+        executables=installed.executables,
         interfaces=interfaces,
-        executables=cmake.executables,
-        share_files=cmake.share_files,
-        components=cmake.components,
-        modules=cmake.modules,
-        unknown=cmake.unknown.union(unknown),
+        share_files=installed.share_files,
+        components=components,
+        modules=installed.modules,
+        unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),
     )

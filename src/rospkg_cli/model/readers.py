@@ -8,14 +8,25 @@ from typing import Any
 from .cmake.project import CMake, read_cmake, read_cmake_files
 from .cmake.read import CMakeFile
 from .files import Reading
+from .install import InstallTable
+from .installed import read_install_table
 from .interface.declared import Interface
 from .interface.reader import read_interfaces
 from .manifest import Manifest, read_manifest
+from .modules import Modules, read_installed_modules, read_modules
+from .python import PythonFile
+from .setup.cfg import SetupCfg, read_setup_cfg
+from .setup.setup_py import SetupPy, read_setup_py
 from .unreadable import Unreadable
 from .uses.python import PythonUse, read_python_use
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
+    SetupCfg: read_setup_cfg,
+    SetupPy: read_setup_py,
+    Modules: read_modules,
+    PythonFile: read_installed_modules,
+    InstallTable: read_install_table,
     CMake: read_cmake,
     CMakeFile: read_cmake_files,
     Interface: read_interfaces,

@@ -15,7 +15,7 @@ from .flow import BLOCKS, invoke
 from .installs import InstallRule, install_rules
 from .machine import Machine
 from .packages import FoundPackage, found_packages
-from .read import ROOT, CMakeFile, builds_with_cmake
+from .read import ROOT, CMakeFile, is_built_with_cmake
 from .targets import Target, by_name, targets_of
 from .words import Word
 
@@ -110,7 +110,7 @@ def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
 
 def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
     """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
-    if not reading.files.exists(ROOT) or not builds_with_cmake(reading):
+    if not is_built_with_cmake(reading):
         return
     machine = Machine(reading.files, COMMANDS, BLOCKS, invoke, foreign)
     machine.run()

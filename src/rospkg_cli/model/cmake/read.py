@@ -37,7 +37,10 @@ class CMakeFile:
         return self.syntax.source.path
 
 
-def builds_with_cmake(reading: Reading) -> bool:
+def is_built_with_cmake(reading: Reading) -> bool:
+    """Return whether the build reads a CMakeLists.txt of the package."""
+    if not reading.files.exists(ROOT):
+        return False
     manifest = reading.parts(Manifest).only
     return manifest is None or manifest.build_type(Targets()) not in BUILDS_WITHOUT
 

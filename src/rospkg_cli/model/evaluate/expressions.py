@@ -41,7 +41,6 @@ DATA: dict[str, Callable[[Machine, Span], Value]] = {
     "os.linesep": lambda machine, span: Text(span, "\n"),
     "os.curdir": lambda machine, span: Text(span, "."),
     "os.pardir": lambda machine, span: Text(span, ".."),
-    "os.environ": lambda machine, span: machine.unknown(span, "`os.environ` depends on the environment"),
     "sys.version_info": lambda machine, span: machine.unknown(span, "`sys.version_info` depends on the Python"),
     "sys.platform": lambda machine, span: machine.unknown(span, "`sys.platform` depends on the machine"),
     "sys.argv": lambda machine, span: machine.unknown(span, "`sys.argv` depends on the command"),
@@ -214,6 +213,9 @@ class Expressions(Machine):
         value = self.evaluate(node.value, scope)
         if not isinstance(node.slice, ast.Slice):
             index = self.evaluate(node.slice, scope)
+            if isinstance(value, Symbol) and (known := self.library.get(f"{value.name}[]")) is not None:
+                asked = Call(self.span(node), value.name, (Argument("", index, index.span),))
+                return self.otherwise(known(self, asked), node, index)
             return self.otherwise(subscript(value, index, self.span(node)), node, value, index)
         try:
             ends = [

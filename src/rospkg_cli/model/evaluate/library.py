@@ -58,6 +58,19 @@ def is_callable(machine: Machine, call: Call) -> Value | None:
     return Constant(call.span, isinstance(call.positional[0], Function)) if call.positional else None
 
 
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+"""The variables that are the same wherever a ROS 2 package is built (REP-149 knows them too)."""
+
+
+def variable(machine: Machine, call: Call) -> Value | None:
+    """os.environ, whichever way it is asked."""
+    name = call.positional[0] if call.positional else None
+    text = ENVIRONMENT.get(name.text) if isinstance(name, Text) else None
+    if text is None:
+        return machine.unknown(call.span, f"{machine.shown(call.span)} depends on the environment")
+    return Text(call.span, text)
+
+
 LIBRARY: Mapping[str, Intrinsic] = {
     **ITERATION,
     **PATHS,
@@ -72,6 +85,9 @@ LIBRARY: Mapping[str, Intrinsic] = {
     "chr": pure(chr),
     "isinstance": is_instance,
     "callable": is_callable,
+    "os.environ[]": variable,
+    "os.environ.get": variable,
+    "os.getenv": variable,
     "print": nothing,
     "warnings.warn": nothing,
     "warnings.filterwarnings": nothing,

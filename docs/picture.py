@@ -1,0 +1,63 @@
+"""Draw docs/lint.svg, the README's picture: `python docs/picture.py` lints a small broken package, keeps the screen."""
+
+from __future__ import annotations
+
+import io
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from rich.console import Console
+from rich.text import Text
+
+from rospkg_cli.example import Example
+
+COMMAND = "rospkg lint my_robot_nav"
+WIDTH = 92
+ENTRY = """\
+    entry_points={
+        'console_scripts': [
+            'planner = my_pkg.path_planer:main',
+        ],
+    },
+)
+"""
+NODE = "import rclpy\nfrom nav_msgs.msg import Path\n\n\ndef main():\n    rclpy.init()\n"
+
+
+def package() -> dict[str, str]:
+    """Return a package with mistakes that cost people days."""
+    files = Example(bad={}, good={}).bad_files()
+    del files["setup.cfg"]
+    return {
+        **files,
+        "setup.py": files["setup.py"].rstrip(")\n") + "\n" + ENTRY,
+        "my_pkg/path_planner.py": NODE,
+        "package.xml": files["package.xml"].replace("  <export>", "  <exec_depend>rclpy</exec_depend>\n  <export>"),
+    }
+
+
+def screen(folder: Path) -> str:
+    """Return what the command prints, with its colours."""
+    for path, text in package().items():
+        target = folder / "my_robot_nav" / path.replace("my_pkg", "my_robot_nav")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text.replace("my_pkg", "my_robot_nav"))
+    command = [sys.executable, "-m", "rospkg_cli", *COMMAND.split()[1:], "--color", "always"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False).stdout
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as scratch:
+        said = screen(Path(scratch))
+    console = Console(record=True, width=WIDTH, file=io.StringIO(), force_terminal=True)
+    console.print(Text(f"$ {COMMAND}"), Text.from_ansi(said), sep="\n")
+    svg = console.export_svg(title="rospkg")
+    svg = re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL).replace("Fira Code", "DejaVu Sans Mono")
+    Path(__file__).with_name("lint.svg").write_text(svg)
+
+
+if __name__ == "__main__":
+    main()

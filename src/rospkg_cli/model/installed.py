@@ -1,0 +1,62 @@
+"""Make the install table of a package, whatever builds it, and the facts that other packages get of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+from typing import NamedTuple
+
+from .cmake.project import CMake
+from .cmake.read import is_built_with_cmake
+from .cmake.table import cmake_table
+from .facts import Unknown
+from .files import Reading
+from .install import PYTHON, InstallTable
+from .manifest import Manifest
+from .setup.setup_py import SetupPy
+from .setup.table import python_table
+
+
+def read_install_table(reading: Reading) -> Iterator[InstallTable]:
+    """Yield the install table; none where nothing that is understood installs the package."""
+    manifest, setup = reading.parts(Manifest).only, reading.parts(SetupPy).only
+    if manifest is None or not manifest.name:
+        return
+    if is_built_with_cmake(reading):
+        for cmake in reading.parts(CMake).good:
+            yield cmake_table(cmake, manifest.name)
+    elif setup is not None:
+        yield python_table(setup, manifest.name)
+
+
+class InstalledFacts(NamedTuple):
+    """What PackageFacts says of a table."""
+
+    executables: frozenset[str] = frozenset()
+    share_files: frozenset[str] = frozenset()
+    modules: frozenset[str] = frozenset()
+    unknown: frozenset[Unknown] = frozenset({"executables", "share_files", "modules"})
+
+
+def installed_facts(reading: Reading, name: str) -> InstalledFacts:
+    table = reading.parts(InstallTable).only
+    if table is None:
+        return InstalledFacts()
+    unknown: set[Unknown] = set()
+    unknown |= set() if table.knows("executable") else {"executables"}
+    unknown |= set() if table.knows("share") else {"share_files"}
+    unknown |= set() if table.knows("module") else {"modules"}
+    return InstalledFacts(
+        frozenset(path for path, _ in table.below(f"lib/{name}")),
+        frozenset(path for path, _ in table.below(f"share/{name}")),
+        frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
+        frozenset(unknown),
+    )
+
+
+def module_name(path: str) -> str:
+    """Return the dotted name of an installed Python file, "" for what is none."""
+    pure = PurePosixPath(path)
+    if pure.suffix != ".py":
+        return ""
+    return ".".join(pure.parent.parts if pure.stem == "__init__" else pure.with_suffix("").parts)

@@ -1,0 +1,141 @@
+"""setup.cfg with the place of everything: read as configparser reads it, and refused where it refuses."""
+
+from __future__ import annotations
+
+import configparser
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ...source import Source, Span
+from ..files import Reading
+from ..unreadable import UnreadableError
+from .said import Said
+
+SECTION = re.compile(r"\[(?P<name>.+)\]")
+OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
+COMMENTS = ("#", ";")
+
+
+@dataclass(frozen=True)
+class Option:
+    """One option, with a key in the spelling of the file."""
+
+    key: str
+    key_span: Span
+    value: Said
+    """All lines of it, blanks at both ends left out."""
+    span: Span
+    """From the first character of the key to the end of the last line of the value."""
+
+    @property
+    def name(self) -> str:
+        """The key as setuptools takes it: lower case, underscores."""
+        return self.key.lower().replace("-", "_")
+
+
+@dataclass(frozen=True)
+class Section:
+    name: str
+    span: Span
+    """Of `[name]`."""
+    options: dict[str, Option] = field(default_factory=dict)
+    """By name, in order."""
+
+
+@dataclass(frozen=True)
+class SetupCfg:
+    source: Source
+    sections: dict[str, Section]
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    def get(self, section: str, option: str) -> Option | None:
+        found = self.sections.get(section)
+        return found.options.get(option) if found else None
+
+    def options(self, section: str) -> tuple[Option, ...]:
+        found = self.sections.get(section)
+        return tuple(found.options.values()) if found else ()
+
+
+def read_setup_cfg(reading: Reading) -> Iterator[SetupCfg]:
+    """Read setup.cfg; raises UnreadableError where configparser refuses it."""
+    if reading.files.exists("setup.cfg"):
+        source = reading.files.source("setup.cfg")
+        refuse(source)
+        yield SetupCfg(source, {section.name: section for section in sections(source)})
+
+
+def refuse(source: Source) -> None:
+    """Raise UnreadableError at the line that configparser complains about."""
+    parser = configparser.RawConfigParser()
+    parser.optionxform = str  # type: ignore[assignment,method-assign]  # as setuptools sets it
+    try:
+        parser.read_string(source.text)
+    except configparser.MissingSectionHeaderError as error:
+        fail(source, error.lineno, "an option before the first `[section]`")
+    except configparser.ParsingError as error:
+        fail(source, error.errors[0][0] if error.errors else 1, "neither a `[section]` nor an `option = value`")
+    except configparser.DuplicateOptionError as error:
+        fail(source, error.lineno or 1, f"`{error.option}` stands twice in `[{error.section}]`")
+    except configparser.DuplicateSectionError as error:
+        fail(source, error.lineno or 1, f"`[{error.section}]` stands twice")
+    except configparser.Error as error:
+        fail(source, 1, str(error).splitlines()[0])
+
+
+def fail(source: Source, line: int, why: str) -> None:
+    span = source.line_span(min(line, len(source.line_starts)))
+    raise UnreadableError(source.path, span, f"`{source.path}` can't be read: {why}; setuptools stops there")
+
+
+def sections(source: Source) -> Iterator[Section]:
+    """Yield the sections of a file that configparser accepts."""
+    section: Section | None = None
+    key: tuple[str, Span] | None = None
+    value: list[Span] = []
+    indent = 0
+    for number in range(1, len(source.line_starts) + 1):
+        whole = source.line_span(number)
+        line = strip(source, whole)
+        text = source.slice(line)
+        if not text or text.startswith(COMMENTS):
+            continue
+        if key and section and line.start - whole.start > indent:
+            value.append(line)
+            continue
+        if key and section:
+            add(source, section, key, value)
+            key = None
+        indent = line.start - whole.start
+        if (header := SECTION.match(text)) is not None:
+            if section is not None:
+                yield section
+            section = Section(header["name"], Span(line.start, line.start + header.end()))
+        elif section is not None and (match := OPTION.match(text)) is not None:
+            key = match["key"], Span(line.start, line.start + match.end("key"))
+            at = line.start + (match.start("value") if match["sign"] else len(text))
+            value = [Span(at, line.end)]
+    if key and section:
+        add(source, section, key, value)
+    if section is not None:
+        yield section
+
+
+def strip(source: Source, span: Span) -> Span:
+    text = source.slice(span)
+    start = span.start + len(text) - len(text.lstrip())
+    return Span(start, max(start, span.start + len(text.rstrip())))
+
+
+def add(source: Source, section: Section, key: tuple[str, Span], lines: list[Span]) -> None:
+    """Put an option into its section; the value is taken as it stands, from its first line to its last."""
+    name, span = key
+    held = [line for line in lines if line.start < line.end] or lines[:1]
+    whole = Span(held[0].start, held[-1].end)
+    value = Said(source.path, source.slice(whole), whole, whole)
+    option = Option(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
+    section.options.setdefault(option.name, option)

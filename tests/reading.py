@@ -1,0 +1,24 @@
+"""Read one package of plain texts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.package import Package
+from rospkg_cli.tree import Entry, MemoryTree
+
+T = TypeVar("T")
+
+
+def package(files: Mapping[str, str | bytes | Entry]) -> Package:
+    return Package(PackageFiles(MemoryTree.of(files)))
+
+
+def one(files: Mapping[str, str | bytes | Entry], kind: type[T]) -> T:
+    """Return the one model of a kind; fails where it is absent or can't be read."""
+    parts = package(files).parts(kind)
+    assert not parts.broken, parts.broken
+    (found,) = parts.good
+    return found
