@@ -20,8 +20,8 @@ class Example:
 
     In `bad`, each complaint stands between « and »: the exact span of one hit.  `good` gives only the files that
     differ from `bad` (None: the file is not there).  `on` names the backdrop: the other files of a faultless
-    package called `my_pkg` ("ament_python", "ament_cmake", "interfaces", or "" for none).  `fix` says that the rule's
-    own fix makes `good` of `bad`.
+    package called `my_pkg`: "ament_python", "ament_cmake", "interfaces", "config" (which installs the folder of that
+    name), or "" for none.  `fix` says that the rule's own fix makes `good` of `bad`.
     """
 
     bad: Files
@@ -113,6 +113,12 @@ ament_package()
 """
 
 
+CONFIG_INSTALL = """\
+install(DIRECTORY config
+  DESTINATION share/${PROJECT_NAME}
+)
+"""
+
 INTERFACES_CMAKE = """\
 cmake_minimum_required(VERSION 3.20)
 project(my_pkg)
@@ -153,6 +159,11 @@ BACKDROPS: dict[str, dict[str, str | None]] = {
     "ament_cmake": {
         "package.xml": manifest(build_type="ament_cmake"),
         "CMakeLists.txt": CMAKE,
+        "LICENSE": "Apache License\n",
+    },
+    "config": {
+        "package.xml": manifest(build_type="ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", CONFIG_INSTALL + "ament_package"),
         "LICENSE": "Apache License\n",
     },
     "interfaces": {

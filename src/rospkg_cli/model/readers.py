@@ -14,6 +14,8 @@ from .interface.declared import Interface
 from .interface.reader import read_interfaces
 from .manifest import Manifest, read_manifest
 from .modules import Modules, read_installed_modules, read_modules
+from .params.file import ParameterFile
+from .params.reader import read_parameter_files
 from .python import PythonFile
 from .setup.cfg import SetupCfg, read_setup_cfg
 from .setup.setup_py import SetupPy, read_setup_py
@@ -30,6 +32,7 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     CMake: read_cmake,
     CMakeFile: read_cmake_files,
     Interface: read_interfaces,
+    ParameterFile: read_parameter_files,
     PythonUse: read_python_use,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

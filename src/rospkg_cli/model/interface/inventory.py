@@ -7,7 +7,8 @@ import re
 from ...ros.interfaces import KINDS
 from ..cmake.read import CMakeFile
 from ..files import Reading
-from .reader import ELSEWHERE, interface_paths
+from ..uses.roles import role_of
+from .reader import interface_paths
 
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
 VARIABLE = re.compile(r"\$\{([^}]*)\}")
@@ -22,7 +23,7 @@ def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
     found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
     for path in reading.files.paths:
         folders = path.split("/")[:-1]
-        if path.endswith(".idl") and folders[-1:] and folders[-1] in KINDS and not ELSEWHERE.intersection(folders):
+        if path.endswith(".idl") and folders[-1:] and folders[-1] in KINDS and role_of(path) == "run":
             found.add(f"{folders[-1]}/{stem(path)}")
     complete = not any(path.endswith(GENERATED) for path in reading.files.paths) and not from_elsewhere(reading)
     return frozenset(found), complete

@@ -10,11 +10,9 @@ from ...source import Source, Span
 from ..files import PackageFiles, Reading, each
 from ..manifest import Manifest
 from ..unreadable import Unreadable
+from ..uses.roles import role_of
 from .declared import Interface, Problem
 from .text import parse_interface
-
-ELSEWHERE = frozenset({"test", "tests", "templates", "template", "third_party", "vendor", "external", "fixtures"})
-"""Folders whose files are somebody else's, or none of the package's own."""
 
 
 def read_interfaces(reading: Reading) -> Iterator[Interface | Unreadable]:
@@ -29,7 +27,7 @@ def interface_paths(files: PackageFiles) -> list[str]:
     return [
         path
         for path in files.paths
-        if path.endswith(tuple(f".{kind}" for kind in KINDS)) and not ELSEWHERE.intersection(path.split("/")[:-1])
+        if path.endswith(tuple(f".{kind}" for kind in KINDS)) and role_of(path) not in ("test", "aside")
     ]
 
 

@@ -1,0 +1,66 @@
+"""PRM001 missing-ros-parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.params.file import ParameterFile
+from ...rule import rule
+
+GOOD = """\
+talker:
+  ros__parameters:
+    rate: 10.0
+listener:
+  ros__parameters:
+    depth: 5
+"""
+
+
+@rule(
+    "PRM001",
+    "missing-ros-parameters",
+    over=ParameterFile,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="config",
+            bad={"config/robot.yaml": GOOD.replace("ros__parameters", "«ros_parameters»", 1)},
+            good={"config/robot.yaml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="config",
+            bad={"config/robot.yaml": GOOD.replace("listener:\n  ros__parameters:\n    ", "«listener»:\n  ")},
+            good={"config/robot.yaml": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds blocks of nodes in a parameter file whose values do not stand below `ros__parameters:`, and wrong spellings
+    of that word: it has two `_` in the middle and an `s` at the end.
+
+    ## Why is this bad?
+    rcl refuses the whole file: "Cannot have a value before ros__parameters". Every node that is given the file stops
+    when it starts.
+
+    ## Fix safety
+    The spelling is repaired safely. A missing `ros__parameters:` is put above all that the block holds, which is
+    right unless a namespace was meant.
+
+    ## References
+    ros2/rcl: rcl_yaml_param_parser/src/parse.c
+    """
+    for fault in file.faults:
+        if fault.kind == "key":
+            fix = None
+            if fault.repair is not None:
+                where = fault.repair_span or fault.span
+                safety = Safety.SAFE if where == fault.span else Safety.UNSAFE
+                fix = Fix("write `ros__parameters:`", (Edit(file.path, where, fault.repair),), safety)
+            yield Hit(file.path, fault.span, fault.message, fix=fix)

@@ -1,0 +1,64 @@
+"""PRM002 duplicate-parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Hit, Related, Severity
+from ...model.params.file import ParameterFile
+from ...rule import rule
+
+GOOD = """\
+talker:
+  ros__parameters:
+    rate: 10.0
+    depth: 5
+"""
+
+
+@rule(
+    "PRM002",
+    "duplicate-parameter",
+    over=ParameterFile,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "both hold mappings, which rcl joins"},
+    examples=(
+        Example(
+            on="config",
+            bad={"config/robot.yaml": GOOD + "    «rate»: 20.0\n"},
+            good={"config/robot.yaml": GOOD},
+        ),
+        Example(
+            on="config",
+            bad={"config/robot.yaml": GOOD + "«talker»:\n  ros__parameters:\n    verbose: true\n"},
+            good={"config/robot.yaml": GOOD + "    verbose: true\n"},
+        ),
+        Example(
+            on="config",
+            bad={"config/robot.yaml": GOOD + "    arm.speed: 1.0\n    arm:\n      «speed»: 2.0\n"},
+            good={"config/robot.yaml": GOOD + "    arm.speed: 1.0\n"},
+        ),
+    ),
+)
+def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that stand twice in one mapping of a parameter file: parameters, groups of them, nodes. `a.b: 1` and
+    `a: {b: 2}` are one name.
+
+    ## Why is this bad?
+    Nobody complains. rcl takes the last value and joins blocks; what reads YAML in Python (composable nodes in launch
+    files, nav2's RewrittenYaml) keeps only the last block, and all parameters of the first are gone.
+
+    ## References
+    ros2/rclcpp#2166
+    """
+    for each in file.repeated:
+        if each.joined:
+            message = f"`{each.key.text}` stands here twice: rcl joins both, PyYAML (launch files) knows only the last"
+        else:
+            message = f"`{each.key.text}` stands here twice: the last value wins, and nobody says so"
+        level = Severity.INFO if each.joined else None
+        related = (Related(file.path, each.first.span, "the first one"),)
+        yield Hit(file.path, each.key.span, message, level, related=related)

@@ -1,0 +1,54 @@
+"""PRM004 unsupported-yaml."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Hit, Severity
+from ...model.params.file import ParameterFile
+from ...rule import rule
+
+GOOD = """\
+talker:
+  ros__parameters:
+    rate: 10.0
+"""
+
+
+def example(bad: str, good: str) -> Example:
+    return Example(on="config", bad={"config/robot.yaml": GOOD + bad}, good={"config/robot.yaml": GOOD + good})
+
+
+@rule(
+    "PRM004",
+    "unsupported-yaml",
+    over=ParameterFile,
+    severity=Severity.ERROR,
+    examples=(
+        example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
+        example("    names: «[]»\n", "    names: ['']\n"),
+        example("    frame: &frame map\n    other: «*frame»\n", "    frame: map\n    other: map\n"),
+        example("    «frame»:\n    other: map\n", "    other: map\n"),
+        example("    points: [«[0.0, 1.0]», [2.0, 3.0]]\n", "    points: [0.0, 1.0, 2.0, 3.0]\n"),
+        example("«my-node»:\n  ros__parameters:\n    a: 1\n", "my_node:\n  ros__parameters:\n    a: 1\n"),
+        example("«version»: 2\n", ""),
+    ),
+)
+def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds what is good YAML and what rcl does not take for parameters: aliases, lists that mix types, empty lists
+    (their type is unknown), lists of lists or of mappings, values that are missing or stand above `ros__parameters:`,
+    names that no node can have. In a list `1` and `2.5` are of two types, and `y` is a bool.
+
+    ## Why is this bad?
+    rcl refuses the whole file, and every node that is given it stops when it starts, often with a message about
+    something else. At an empty list a C++ node throws "No parameter value set".
+
+    ## References
+    ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
+    """
+    for fault in file.faults:
+        if fault.kind == "yaml":
+            yield Hit(file.path, fault.span, fault.message)

@@ -1,0 +1,142 @@
+"""Parameter files, judged as rcl judges them: every verdict below is that of the real rcl_yaml_param_parser."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS
+from rospkg_cli.model.params.file import ParameterFile
+from rospkg_cli.model.params.judge import judge
+from rospkg_cli.model.params.numbers import ambiguous_numbers, canonical
+from rospkg_cli.model.params.tree import Scalar, documents
+from rospkg_cli.model.params.value import type_of, yaml_type
+from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.source import Source, Span
+from rospkg_cli.testing import lint_files
+
+BLOCK = "n:\n  ros__parameters:\n"
+
+BODY = ":\n  ros__parameters:\n    a: 1\n"
+
+TAKEN = [
+    BLOCK + "    a: &x 1\n", BLOCK + '    a: ""\n', BLOCK + "    b: {}\n", BLOCK + "    a: [1e-9, 1.0]\n",
+    BLOCK + "    a: [true, yes, n]\n", BLOCK + "    a: [.nan, 1.0, nan]\n", BLOCK + "    a: !!str 1\n",
+    BLOCK + "    a:\n      - b: [1, 2]\n", BLOCK + "    <<: {a: 1}\n", "n:\n  ros__parameters: {}\n",
+    "n: {ros__parameters: {a: 1, b: {c: 2}}}\n", "x: {}\n" + BLOCK + "    a: 1\n",
+    "ns:\n  n:\n    ros__parameters:\n      a: 1\n", "/ns/:\n  n:\n    ros__parameters:\n      a: 1\n",
+    BLOCK + "    a: 1\n---\nm:\n  ros__parameters:\n    a: 1\n",
+    BLOCK + "    a: 1\nn:\n  ros__parameters:\n    a: 2\n", "n:\n  'ros__parameters':\n    a: 1\n",
+    *(name + BODY for name in ("n", "/**", "/**/n", '"*"', "ns/n")),
+]  # fmt: skip
+
+REFUSED = [
+    "n:\n  ros_parameters:\n    a: 1\n", "n:\n  ros__parameter:\n    a: 1\n", "ros__parameters:\n  a: 1\n",
+    "n:\n  x: 1\n  ros__parameters:\n    a: 1\n", BLOCK + "    a: 1\n  x: 1\n", "x: 1\n" + BLOCK + "    a: 1\n",
+    "x:\n" + BLOCK + "    a: 1\n", BLOCK, "n:\n  ros__parameters: 5\n", BLOCK + "    a:\n", BLOCK + "    a: |\n",
+    BLOCK + "    a: &x 1\n    b: *x\n", BLOCK + "    a: [1, 2.0]\n", BLOCK + "    a: [1, x]\n",
+    BLOCK + '    a: ["1", 2]\n', BLOCK + "    a: [x, y, z]\n", BLOCK + "    a:\n    -\n    - 1\n",
+    BLOCK + '    "": 1\n', BLOCK + "    a: [[1, 2], [3, 4]]\n    d: 5\n",
+    BLOCK + "    a:\n    - b: 1\n      c: x\n    d: 5\n", BLOCK + "    a: {}\n    b: 1\n",
+    "/1a/b:\n  ros__parameters:\n    b: 1\n", "/ns:\n  /n:\n    ros__parameters:\n      a: 1\n",
+    "n" * 300 + BODY,
+    BLOCK + "    a: 1\n  ros__parameters:\n    b: 2\n", BLOCK + "    a: 1\n  m:\n    ros__parameters:\n      b: 1\n",
+    "m: *a\n" + BLOCK + "    a: 1\n", BLOCK + "    ? [a]\n    : 1\n",
+    *(name + BODY for name in ("my-node", "1n", "a.b", "/a*", "//n", "ns/", "/")),
+]  # fmt: skip
+
+
+def read(text: str) -> ParameterFile:
+    source = Source("config/robot.yaml", text)
+    return judge(source, documents(source))
+
+
+@pytest.mark.parametrize("text", TAKEN)
+def test_what_rcl_takes(text: str) -> None:
+    assert read(text).faults == ()
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_rcl_refuses(text: str) -> None:
+    assert read(text).faults
+
+
+def test_an_empty_list_has_no_type() -> None:
+    """rcl takes it, and rclcpp stops at it."""
+    (fault,) = read(BLOCK + "    a: []\n").faults
+    assert "No parameter value set" in fault.message
+
+
+@pytest.mark.parametrize(
+    "text, rcl, yaml",
+    [
+        ("1", "int", "int"), ("1e-9", "double", "string"), ("1.0e9", "double", "string"), ("010", "int", "int"),
+        ("08", "double", "string"), ("0x1F", "int", "int"), ("1.", "double", "double"), (".5", "double", "double"),
+        ("1_000", "string", "int"), ("1e400", "string", "string"), ("99999999999999999999", "double", "int"),
+        ("nan", "double", "string"), (".nan", "double", "double"), ("-.inf", "double", "double"),
+        ("1:30", "string", "int"), ("0b11", "string", "int"), ("x", "string", "string"), ("1.2.3", "string", "string"),
+    ],
+)  # fmt: skip
+def test_types_of_scalars(text: str, rcl: str, yaml: str) -> None:
+    assert type_of(Scalar(text, Span(0, 0), True)) == rcl
+    assert yaml_type(text) == yaml
+
+
+@pytest.mark.parametrize("text", ["y", "Y", "yes", "on", "True", "n", "No", "OFF"])
+def test_bools(text: str) -> None:
+    assert type_of(Scalar(text, Span(0, 0), True)) == "bool"
+    assert type_of(Scalar(text, Span(0, 0), False, quoted=True)) == "string"
+
+
+@pytest.mark.parametrize(
+    "text, better", [("1e-9", "1.0e-9"), ("5.E3", "5.0e+3"), (".5e3", "0.5e+3"), ("-inf", "-.inf"), ("08", None)]
+)
+def test_a_number_that_everybody_reads(text: str, better: str | None) -> None:
+    assert canonical(text) == better
+    if better:
+        assert yaml_type(better) == "double"
+        assert type_of(Scalar(better, Span(0, 0), True)) == "double"
+
+
+def test_a_list_of_numbers_is_one_finding_that_repairs_all() -> None:
+    (found,) = ambiguous_numbers(read(BLOCK + "    noise: [1e-9, 0.0, 1e-9]\n"))
+    assert [text for _, text in found.repairs] == ["1.0e-9", "1.0e-9"]
+
+
+def test_names_of_parameters_and_places() -> None:
+    file = read("# é\nns:\n  n:\n    ros__parameters:\n      a:\n        b.c: [1, 2]\n      'd': x\n")
+    (block,) = file.blocks
+    assert block.name == "ns/n"
+    assert [(p.name, file.source.slice(p.key.span)) for p in block.parameters] == [("a.b.c", "b.c"), ("d", "'d'")]
+
+
+def test_yaml_that_is_none_is_told_with_its_place() -> None:
+    with pytest.raises(UnreadableError) as error:
+        read(BLOCK + "    a: [1\n    b: 2\n")
+    assert error.value.unreadable.span.start > 20
+
+
+def test_depth_is_bounded() -> None:
+    with pytest.raises(UnreadableError, match="deeper"):
+        read("n: " + "{a: " * 500 + "1" + "}" * 500)
+
+
+@pytest.mark.parametrize(
+    "path, text",
+    [
+        ("config/other.yaml", "robot:\n  wheels: 4\n"),
+        ("test/params.yaml", "n:\n  ros_parameters: {}\n"),
+        ("config/template.yaml", "{{ name }}:\n  ros__parameters:\n    a: [1, 2.0]\n"),
+        ("config/comment.yaml", "# no ros__parameters: here\na: [1, x]\n"),
+    ],
+)
+def test_other_yaml_is_left_alone(path: str, text: str) -> None:
+    assert not lint_files({**BACKDROPS["config"], path: text}, ["PRM001", "PRM004", "RPK001"]).findings
+
+
+def test_names_that_launch_fills_in_are_left_alone() -> None:
+    assert not read("$(var name)_node:\n  ros__parameters:\n    a: [1.0, $(var x)]\n").faults
+
+
+def test_broken_yaml_with_parameters_is_unreadable() -> None:
+    files = {**BACKDROPS["config"], "config/robot.yaml": BLOCK + "    a: [1\n"}
+    assert [finding.code for finding in lint_files(files, ["RPK001", "PRM004"]).findings] == ["RPK001"]
