@@ -7,6 +7,8 @@ from typing import Any
 
 from .cmake.project import CMake, read_cmake, read_cmake_files
 from .cmake.read import CMakeFile
+from .cpp.file import CppFile
+from .cpp.read import read_cpp_files
 from .files import Reading
 from .install import InstallTable
 from .installed import read_install_table
@@ -31,6 +33,7 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     InstallTable: read_install_table,
     CMake: read_cmake,
     CMakeFile: read_cmake_files,
+    CppFile: read_cpp_files,
     Interface: read_interfaces,
     ParameterFile: read_parameter_files,
     PythonUse: read_python_use,

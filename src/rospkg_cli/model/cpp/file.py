@@ -1,0 +1,122 @@
+"""One C++ file: its includes, and the calls that other files of the package may have to agree with."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...source import Source, Span
+from .call import Argument, Call, arguments, template
+from .lexer import Token, tokens
+
+INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
+DEFINED = re.compile(r"\w+")
+VARIABLE = re.compile(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
+WANTED = re.compile(r"\w*(REGISTER|EXPORT)\w*|ClassLoader|declare_parameters?")
+BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
+
+
+@dataclass(frozen=True, slots=True)
+class Include:
+    path: str
+    span: Span
+    """Of the path, between its brackets or quotes."""
+    angled: bool
+    conditional: bool
+    """Whether an `#if` other than a header's guard decides about it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Define:
+    """A macro that the file defines."""
+
+    name: str
+    span: Span
+    body: str
+
+
+@dataclass(frozen=True)
+class CppFile:
+    source: Source
+    includes: tuple[Include, ...]
+    defines: tuple[Define, ...]
+    calls: tuple[Call, ...]
+    """Macros whose name says that they register or export something, `ClassLoader<…>`, `declare_parameter(s)`, and what
+    is given a string and the name of a class as two literals: `loader_("package", "ns::Base")`. In order."""
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    def called(self, *names: str) -> Iterator[Call]:
+        return (call for call in self.calls if call.name in names)
+
+    @cached_property
+    def defined(self) -> frozenset[str]:
+        return frozenset(each.name for each in self.defines)
+
+
+def read_cpp(source: Source) -> CppFile:
+    """Read one file; what it holds that is no C++ is passed over."""
+    includes: list[Include] = []
+    defines: list[Define] = []
+    calls: list[Call] = []
+    for token in tokens(source.text):
+        if token.kind == "directive":
+            if token.word == "include":
+                includes += included(source.text, token)
+            else:
+                defines += defined(source.text, token)
+        elif token.kind == "name":
+            if WANTED.fullmatch(source.text, token.start, token.end):
+                calls += called(source, token)
+        elif "::" in source.text[token.start : token.end]:
+            calls += initialised(source, token)
+    return CppFile(source, tuple(includes), tuple(defines), tuple(calls))
+
+
+def included(text: str, token: Token) -> Iterator[Include]:
+    found = INCLUDED.match(text, token.at, token.end)
+    if found is not None:
+        group = 1 if found.group(1) is not None else 2
+        yield Include(found.group(group).strip(), Span(*found.span(group)), group == 1, token.conditional)
+
+
+def defined(text: str, token: Token) -> Iterator[Define]:
+    found = DEFINED.match(text, token.at, token.end)
+    if found is not None:
+        yield Define(found.group(), Span(*found.span()), text[found.end() : token.end])
+
+
+def called(source: Source, token: Token) -> Iterator[Call]:
+    """Yield the call at a name; nothing where it is only named."""
+    text, at, kind = source.text, token.at, ""
+    if text[at] == "<":
+        end = template(text, at)
+        if end is None:
+            return
+        kind, at = " ".join(text[at + 1 : end - 1].split()), end
+    behind = VARIABLE.match(text, at) if kind else None
+    variable = (behind.group("variable") or "") if behind else ""
+    at = behind.end() if behind else at
+    name = text[token.start : token.end]
+    if text[at : at + 1] in ("(", "{") and (found := arguments(source, at)) is not None:
+        yield Call(name, kind, found[0], variable, Span(token.start, found[1]), token.conditional)
+    elif kind:
+        yield Call(name, kind, None, variable, Span(token.start, at), token.conditional)
+
+
+def initialised(source: Source, token: Token) -> Iterator[Call]:
+    """Yield `name("text", "ns::Class")` at its second literal, where these are all arguments."""
+    before = source.text[max(0, token.start - 200) : token.start]
+    found = BEFORE.search(before)
+    behind = source.text[token.end : token.end + 40].lstrip()
+    if found is None or behind[:1] not in (")", "}"):
+        return
+    base = token.start - len(before)
+    first = Argument(found.group(2), Span(base + found.start(2), base + found.end(2)))
+    second = Argument(source.text[token.start : token.end], Span(token.start, token.end))
+    end = source.text.index(behind[0], token.end) + 1
+    yield Call(found.group(1), "", (first, second), "", Span(base + found.start(1), end), token.conditional)
