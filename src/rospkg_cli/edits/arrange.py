@@ -51,12 +51,12 @@ def arrange(manifest: Manifest, key: Callable[[Element], Any]) -> list[Edit]:
 
 def schema_order(manifest: Manifest) -> Callable[[Element], Any]:
     """Return the key of the schema's order; a tag that it doesn't know stays behind the one before it."""
-    places: dict[int, int] = {}
+    places: dict[Element, int] = {}
     before = 0
     for child in manifest.root.children:
         before = place_of(child.tag) if place_of(child.tag) < len(ORDER) else before
-        places[id(child)] = before
-    return lambda element: places[id(element)]
+        places[child] = before
+    return lambda element: places[element]
 
 
 def canonical_order(manifest: Manifest) -> Callable[[Element], Any]:
@@ -69,6 +69,14 @@ def canonical_order(manifest: Manifest) -> Callable[[Element], Any]:
         return (place(element), DEPENDENCY_TAGS.index(element.tag), element.text, element.get("condition") or "")
 
     return key
+
+
+def sorted_in_place(manifest: Manifest, tag: str) -> Callable[[Element], Any]:
+    """Return the key that sorts the elements of one tag by name, among the places that they have."""
+    found = manifest.all(tag)
+    places = {child: index for index, child in enumerate(manifest.root.children)}
+    wanted = dict(zip(sorted(found, key=lambda e: (e.text, e.get("condition") or "")), found, strict=True))
+    return lambda element: places[wanted.get(element, element)]
 
 
 def items_of(manifest: Manifest) -> list[Item]:

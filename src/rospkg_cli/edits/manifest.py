@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..finding import Edit
 from ..model.manifest import Manifest
-from ..model.xml import Element
+from ..model.xml_tree import Comment, Element
 from ..ros.manifest import DEPENDENCY_TAGS, place_of
 from ..source import Span
 
@@ -27,6 +27,21 @@ def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit
         return Edit(manifest.path, Span(manifest.root.open.end, manifest.root.open.end), f"\n{indent}{text}")
     at = end_of_line(manifest, anchor)
     return Edit(manifest.path, Span(at, at), f"\n{indent}{text}")
+
+
+def add_export(manifest: Manifest, text: str) -> Edit:
+    """Put an element into <export>, which is made where there is none."""
+    export = manifest.first("export")
+    indent = indentation(manifest, export)
+    inner = f"\n{indent}{indent or '  '}{text}"
+    if export is None:
+        return add_element(manifest, "export", f"<export>{inner}\n{indent}</export>")
+    if export.self_closing or not export.nodes:
+        start_tag = manifest.source.slice(export.open).rstrip("/> ")
+        return Edit(manifest.path, export.span, f"{start_tag}>{inner}\n{indent}</export>")
+    last = export.nodes[-1]
+    at = last.span.end
+    return Edit(manifest.path, Span(at, at), f"\n{indentation(manifest, last)}{text}")
 
 
 def anchor_for(manifest: Manifest, tag: str, name: str) -> Element | None:
@@ -52,7 +67,7 @@ def rank(tag: str) -> tuple[int, int]:
     return place_of(tag), DEPENDENCY_TAGS.index(tag) if tag in DEPENDENCY_TAGS else 0
 
 
-def indentation(manifest: Manifest, sibling: Element | None) -> str:
+def indentation(manifest: Manifest, sibling: Element | Comment | None) -> str:
     """Return the blanks before a sibling, or before the first child, or two."""
     element = sibling or next(iter(manifest.root.children), None)
     if element is None:

@@ -45,7 +45,7 @@ class Shard:
     packages: dict[str, Package] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.packages = {f: Package(PackageFiles(self.tree.sub(f), f)) for f in self.folders}
+        self.packages = {f: Package(PackageFiles(self.tree.sub(f), f, self.tree)) for f in self.folders}
 
     def gather(self) -> list[PackageFacts]:
         return [gather(p, self.targets, folder, self.name) for folder, p in self.packages.items()]

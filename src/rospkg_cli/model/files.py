@@ -22,6 +22,8 @@ class PackageFiles:
 
     tree: Tree
     folder: str = ""
+    whole: Tree | None = None
+    """The tree of the run, for what may lie above the package."""
 
     def __post_init__(self) -> None:
         self._sources: dict[str, Source] = {}
@@ -52,6 +54,15 @@ class PackageFiles:
     def exists(self, path: str) -> bool:
         return path in self._set
 
+    def above(self, names: Iterable[str]) -> str | None:
+        """Return the first of some files that a folder above the package holds, nearest first; None where none does."""
+        wanted, parts = tuple(names), self.folder.split("/") if self.folder else []
+        for depth in range(len(parts) - 1, -1, -1):
+            for path in ("/".join([*parts[:depth], name]) for name in wanted):
+                if self.whole is not None and holds(self.whole, path):
+                    return path
+        return None
+
     def executable(self, path: str) -> bool:
         return self.tree.entry(path).executable
 
@@ -75,6 +86,15 @@ class PackageFiles:
                 raise UnreadableError(path, Span(0, 0), f"`{path}` can't be read: {error.strerror or error}") from None
             self._sources[path] = Source(path, text)
         return self._sources[path]
+
+
+def holds(tree: Tree, path: str) -> bool:
+    """Return whether a file is there, without listing the whole tree."""
+    try:
+        tree.entry(path)
+    except OSError:
+        return False
+    return True
 
 
 def unreadable_bytes(path: str, error: UnicodeError) -> str:

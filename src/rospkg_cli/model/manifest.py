@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..ros.distros import Targets
-from ..ros.manifest import DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
+from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span
 from .condition import possible
 from .files import Reading
@@ -80,6 +80,17 @@ class Manifest:
         return judge(self.document, self.schema_format)
 
     @cached_property
+    def features_of_3(self) -> tuple[tuple[Element, Attribute | None], ...]:
+        """What only format 3 has: the groups, and attributes with the element that carries them."""
+        groups = [(child, None) for child in self.all(*NEW_IN[3])]
+        attributes = [
+            (child, child.attributes[name])
+            for child in self.root.children
+            if (name := ATTRIBUTES_OF_3.get(child.tag, "")) in child.attributes
+        ]
+        return tuple(sorted([*groups, *attributes], key=lambda each: each[0].span.start))
+
+    @cached_property
     def xml_model(self) -> Instruction | None:
         """The first `<?xml-model …?>` line."""
         return next((each for each in self.document.instructions if each.target == "xml-model"), None)
@@ -128,6 +139,13 @@ class Manifest:
     @cached_property
     def exports(self) -> tuple[Element, ...]:
         return tuple(child for export in self.all("export") for child in export.children)
+
+    @cached_property
+    def conditions(self) -> tuple[Attribute, ...]:
+        """Every `condition` that tools evaluate: of dependencies, groups and build types."""
+        carriers = [*self.all(*CONDITIONAL_TAGS), *(e for e in self.exports if e.tag == "build_type")]
+        found = [each.attributes["condition"] for each in carriers if "condition" in each.attributes]
+        return tuple(sorted(found, key=lambda attribute: attribute.span))
 
     def build_types(self, targets: Targets) -> Iterator[Element]:
         """Yield the <build_type> elements that hold for one of the targets."""

@@ -34,8 +34,10 @@ class Instruction:
     span: Span
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Element:
+    """Two elements are equal only if they are the same one."""
+
     tag: str
     span: Span
     """From `<` to the last `>`."""

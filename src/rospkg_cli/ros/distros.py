@@ -56,4 +56,5 @@ class Targets:
 
     def environments(self) -> list[dict[str, str]]:
         """Return the variables in which REP-149 evaluates conditions, one for each target."""
-        return [{"ROS_VERSION": "2", "ROS_DISTRO": each.name, "ROS_PYTHON_VERSION": "3"} for each in self]
+        same = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "DISABLE_GROUPS_WORKAROUND": "1"}
+        return [{**same, "ROS_DISTRO": each.name} for each in self]

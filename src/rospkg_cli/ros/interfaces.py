@@ -84,3 +84,12 @@ def valid_interface_name(name: str) -> bool:
     for suffix in GENERATED_SUFFIXES:
         name = name.removesuffix(suffix)
     return INTERFACE_NAME.fullmatch(name) is not None
+
+
+GROUP = "rosidl_interface_packages"
+"""The group that every package with interfaces is a member of."""
+
+GENERATORS = ("rosidl_default_generators", "rosidl_core_generators")
+"""What such a package builds with: the first for all, the second for those that the first is built on."""
+
+RUNTIMES = ("rosidl_default_runtime", "rosidl_core_runtime")

@@ -18,6 +18,9 @@ DEPENDENCY_TAGS = (
     "replace",
 )
 
+RELATIONS = ("conflict", "replace")
+"""Tags among them that make no package a dependency."""
+
 ORDER = (
     "name",
     "version",
@@ -42,6 +45,9 @@ ONCE = ("name", "version", "description", "export")
 CONDITIONAL_TAGS = (*DEPENDENCY_TAGS, "group_depend", "member_of_group")
 """Children of <package> that may carry a condition in format 3; in <export> it is build_type."""
 
+PART_OF_DEPEND = ("build_depend", "build_export_depend", "exec_depend")
+"""What <depend> means all at once."""
+
 FORMATS = (1, 2, 3)
 
 NEW_IN: dict[int, tuple[str, ...]] = {
@@ -53,15 +59,28 @@ NEW_IN: dict[int, tuple[str, ...]] = {
 ATTRIBUTES_OF_3 = {"version": "compatibility", "license": "file"} | dict.fromkeys(DEPENDENCY_TAGS, "condition")
 """The attribute that format 3 added to a tag."""
 
+INSIDE_EXPORT = ("build_type", "metapackage", "architecture_independent", "deprecated", "message_generator")
+"""Tags that REP-149 knows inside <export>, and nowhere else."""
+
 VERSION_LIMITS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 
 URL_TYPES = ("website", "bugtracker", "repository")
+
+URL_MEANT = {
+    **dict.fromkeys(("home", "homepage", "wiki", "web", "doc", "docs", "documentation", "url"), "website"),
+    **dict.fromkeys(("issues", "issue", "bug", "bugs", "issuetracker", "issue_tracker", "tracker"), "bugtracker"),
+    **dict.fromkeys(("repo", "source", "github", "git", "code", "vcs", "sourcecode"), "repository"),
+}
+"""What people write for them."""
 
 BUILD_TYPES = ("ament_python", "ament_cmake", "cmake", "catkin")
 """The build types that we know how to check."""
 
 OTHER_BUILD_TYPES = ("ament_cargo", "ament_gradle", "ament_nodejs", "bazel", "meson")
 """Build types of colcon's extensions."""
+
+BUILD_FILES = {"ament_python": "setup.py", "ament_cmake": "CMakeLists.txt", "cmake": "CMakeLists.txt"}
+"""What each build type is built by."""
 
 PACKAGE_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 """REP-144 and the schemas: lower case, no `__`, no `_` at the end."""
@@ -72,6 +91,9 @@ VERSION_LIMIT = re.compile(rf"{NUMBER}(\.{NUMBER}(\.{NUMBER})?)?")
 
 EMAIL = re.compile(r"[\w%+-]+(\.[\w%+-]+)*@([A-Za-z0-9%-]+\.)+[A-Za-z]{2,}", re.ASCII)
 """What the schemas and every release tool take for an e-mail address."""
+
+ENVIRONMENT = ("ROS_VERSION", "ROS_DISTRO", "ROS_PYTHON_VERSION", "DISABLE_GROUPS_WORKAROUND")
+"""The variables that conditions may ask for: those of a ROS environment, and the one that colcon sets."""
 
 SCHEMA_URL = "http://download.ros.org/schema/package_format{}.xsd"
 XML_MODEL = f'<?xml-model href="{SCHEMA_URL}" schematypens="http://www.w3.org/2001/XMLSchema"?>'

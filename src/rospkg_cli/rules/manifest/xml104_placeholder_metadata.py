@@ -9,10 +9,14 @@ from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...model.manifest import Manifest
 from ...rule import rule
+from ...source import Span
 
 GOOD = manifest()
-NOTHING = "describe what the package does in one sentence"
-BOILERPLATE = re.compile(r"TODO\b.*|(The )?[\w-]+ package|(Package )?description", re.IGNORECASE | re.DOTALL)
+TODO = re.compile(
+    r"\W*(?i:TODO|TBD|FIXME|XXX|none|description|(a )?package description)\W*|\W*TODO\b.*|(?i:todo:).*", re.DOTALL
+)
+EMAIL = re.compile(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
+WANTED = "say in one sentence what the package does"
 
 
 @rule(
@@ -20,6 +24,7 @@ BOILERPLATE = re.compile(r"TODO\b.*|(The )?[\w-]+ package|(Package )?description
     "placeholder-metadata",
     over=Manifest,
     severity=Severity.WARNING,
+    levels={Severity.ERROR: "the description is empty: colcon refuses the manifest"},
     examples=(
         Example(
             bad={"package.xml": GOOD.replace("Drives my robot", "«TODO: Package description»")},
@@ -33,6 +38,10 @@ BOILERPLATE = re.compile(r"TODO\b.*|(The )?[\w-]+ package|(Package )?description
             bad={"package.xml": GOOD.replace("ada@example.org", "«ada@todo.todo»")},
             good={"package.xml": GOOD},
         ),
+        Example(
+            bad={"package.xml": GOOD.replace("Drives my robot", "«The my_pkg package»")},
+            good={"package.xml": GOOD},
+        ),
     ),
 )
 def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
@@ -42,18 +51,34 @@ def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
     description that is empty or only repeats the name.
 
     ## Why is this bad?
-    `ros2 pkg list`, the package index and lawyers read these lines. A release with them is refused in review.
+    `ros2 pkg list`, the package index and lawyers read these lines. A release with them is refused in review. An empty
+    description is refused by colcon itself.
     """
     for element in manifest.all("description"):
-        if not element.children and (not element.text or BOILERPLATE.fullmatch(element.text)):
-            shown = element.text or "nothing"
-            yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {NOTHING}")
+        shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
+        if not shown and not element.children:
+            message = "the description is empty: colcon refuses the manifest and builds the folder as a plain package"
+            yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
+        elif TODO.fullmatch(shown) or repeats(manifest.name, shown):
+            yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}")
     for element in manifest.all("license"):
-        if element.text.upper().startswith("TODO"):
+        if TODO.fullmatch(element.text):
             message = f"the license is `{element.text}`: nobody may use this package; name one by its SPDX id"
             yield Hit(manifest.path, manifest.span(element), message)
+    yield from people(manifest)
+
+
+def repeats(name: str, text: str) -> bool:
+    """Return whether a description is the template's `The my_pkg package`, or the name and nothing else."""
+    return re.fullmatch(rf"(the )?{re.escape(name)}( package)?\.?", text, re.IGNORECASE) is not None
+
+
+def people(manifest: Manifest) -> Iterator[Hit]:
     for element in manifest.all("maintainer", "author"):
         email = element.attributes.get("email")
-        if email and email.value.lower().endswith(("@todo.todo", "@todo.com")):
+        if email and EMAIL.fullmatch(email.value):
             message = f"`{email.value}` is a template's address; write the {element.tag}'s own"
             yield Hit(manifest.path, email.value_span, message)
+        elif element.text.upper() in ("TODO", "YOUR NAME", "YOUR_NAME"):
+            span: Span = manifest.span(element)
+            yield Hit(manifest.path, span, f"the {element.tag} is called `{element.text}`; write a name")

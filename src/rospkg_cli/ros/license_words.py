@@ -1,0 +1,41 @@
+"""Read what people write into a <license>: one name, several, or a story."""
+
+from __future__ import annotations
+
+import re
+
+from .licenses import spdx_id
+
+FAMILY = re.compile(
+    r"(the |gnu )*(apache|apl|asl|bsd|mit|boost|bsl|[al]?gpl|lesser|general public|affero|mozilla|mpl|eclipse|epl|edl|"
+    r"cc|creative commons|isc|zlib|proprietary|public domain|unlicense|[0-9]-clause bsd|cddl|qpl|artistic|python|psf)"
+    r"(?![a-z])",
+    re.IGNORECASE,
+)
+PARTED = re.compile(r"\s*(?:[,;/&]|\+\s|\band\b|\bor\b)\s*", re.IGNORECASE)
+SPDX_CHOICE = re.compile(r"[\w.+-]+( (OR|WITH) [\w.+-]+)+")
+STORY = re.compile(r"\b(see|refer|licen[cs]ed under|copyright|distributed|this (package|software|file))\b|://", re.I)
+MAX_WORDS = 12
+"""`GNU Library or "Lesser" General Public License version 2.1 or any later version` has eleven."""
+
+
+def licenses_in(text: str) -> list[str]:
+    """Return the licenses that a text names, by SPDX id where it is known; one for a name that can't be parted.
+
+    >>> licenses_in("BSD, MIT"), licenses_in("Apache License, Version 2.0"), licenses_in("GPLv2 or later")
+    (['BSD', 'MIT'], ['Apache-2.0'], ['GPLv2 or later'])
+    """
+    known = spdx_id(text)
+    parts = [part for part in PARTED.split(text) if part]
+    if known or SPDX_CHOICE.fullmatch(text) or len(parts) < 2 or not all(map(names_one, parts)):
+        return [known or text]
+    return [spdx_id(part) or part for part in parts]
+
+
+def names_one(text: str) -> bool:
+    return spdx_id(text) is not None or FAMILY.match(text) is not None
+
+
+def is_prose(text: str) -> bool:
+    """Return whether a text tells where to look, or what one may do, instead of naming a license."""
+    return spdx_id(text) is None and (STORY.search(text) is not None or len(text.split()) > MAX_WORDS)

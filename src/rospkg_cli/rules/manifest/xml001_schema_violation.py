@@ -1,0 +1,125 @@
+"""XML001 schema-violation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest import Manifest
+from ...model.violation import Kind, Violation
+from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED
+from ...rule import rule
+from ...source import Span
+from ...suggest import did_you_mean
+
+LOST = "colcon does not stop: it builds the folder as a plain package, without its dependencies, and ROS won't find it"
+ONLY_THE_SCHEMA = "colcon reads over it, the schema does not: ament_xmllint fails in `colcon test`"
+ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
+"""Values that other rules judge; an attribute of any other tag is theirs as well."""
+
+GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
+
+
+@rule(
+    "XML001",
+    "schema-violation",
+    over=Manifest,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "only the schema forbids it, while colcon reads over it"},
+    examples=(
+        Example(
+            bad={"package.xml": manifest("  «<run_depend>rclpy</run_depend>»\n")},
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={
+                "package.xml": GOOD.replace("  <license>Apache-2.0</license>\n", "")
+                .replace("<package f", "«<package f")
+                .replace('"3">', '"3">»')
+            },
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={"package.xml": manifest('  <exec_depend «type="ros"»>rclpy</exec_depend>\n')},
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def schema_violation(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds what the schema of the manifest's own format (1, 2 or 3; they ship with rospkg) forbids: tags and attributes
+    that it does not know, children where text belongs, required tags that are missing or stand twice. Values, such as
+    a version or an e-mail address, have rules of their own.
+
+    ## Why is this bad?
+    colcon, rosdep and bloom refuse such a package.xml. colcon does not stop at it: it takes the folder for a plain
+    Python or CMake package, forgets the dependencies, builds in any order, and `ros2 run` does not find the package.
+
+    ## References
+    - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
+      [REP-127](https://ros.org/reps/rep-0127.html)
+    """
+    newer = {each for each, _ in manifest.features_of_3} if manifest.schema_format < 3 else set()
+    for violation in manifest.verdict.violations:
+        told = describe(manifest, violation)
+        if told is not None and not (violation.element in newer and violation.kind in (Kind.CHILD, Kind.ATTRIBUTE)):
+            span, what, lost = told
+            level = None if lost else Severity.WARNING
+            yield Hit(manifest.path, span, f"{what}; {LOST if lost else ONLY_THE_SCHEMA}", level)
+
+
+def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool] | None:
+    """Return where a violation stands, what is wrong, and whether colcon refuses it too; None where others tell it."""
+    element, name = violation.element, violation.name
+    match violation.kind:
+        case Kind.MISSING:
+            return element.open, f"`<{name}>` is missing; add it below `<{before(name)}>`", True
+        case Kind.REPEATED:
+            return element.span, f"`<{name}>` stands here again, and may stand only once; remove one", True
+        case Kind.CHILD:
+            return element.span, stranger(manifest, element.tag, element in manifest.root.children), True
+        case Kind.ATTRIBUTE:
+            span = element.attributes[name].span if name in element.attributes else element.open
+            what = f"`<{element.tag}>` has no attribute `{name}` in format {manifest.schema_format}; remove it"
+            return span, what, ":" not in name and name != "xmlns"
+        case Kind.TEXT:
+            return (
+                element.open,
+                f"`<{element.tag}>` holds text between its elements; remove it or comment it out",
+                False,
+            )
+        case Kind.VALUE if not name and (element.tag, name) not in ELSEWHERE:
+            return manifest.span(element), *value(manifest, element.tag, element.text)
+        case _:
+            return None
+
+
+def value(manifest: Manifest, tag: str, text: str) -> tuple[str, bool]:
+    if tag == "license":
+        return "`<license>` is empty; name the license by its SPDX id, such as `Apache-2.0`", True
+    if tag == "url":
+        return f"`{text}` is no URL", False
+    return f"`{text}` is no name of a group: lower case letters, digits and single `_`, as for packages", False
+
+
+def stranger(manifest: Manifest, tag: str, top: bool) -> str:
+    """Say what is wrong with a tag that may not stand where it stands, and what to write instead."""
+    known = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
+    format = manifest.schema_format
+    if not top:
+        return f"`<{tag}>` stands where only text may stand; remove it"
+    if tag in INSIDE_EXPORT:
+        return f"`<{tag}>` belongs inside `<export>`; move it there"
+    if tag == "run_depend":
+        return f"`<run_depend>` is gone since format 2, and this is format {format}; write `<exec_depend>`"
+    if tag in NEW_IN[2]:
+        return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
+    return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, known)}; tools' own tags belong inside `<export>`"
+
+
+def before(tag: str) -> str:
+    """Return the required tag that stands above one, in the schema's order."""
+    place = REQUIRED.index(tag)
+    return REQUIRED[place - 1] if place else "package"

@@ -1,0 +1,66 @@
+"""XML002 element-order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.arrange import arrange, schema_order
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...model.schema import misplaced
+from ...model.xml_tree import Element
+from ...ros.manifest import place_of
+from ...rule import rule
+
+GOOD = manifest().replace(
+    "</license>\n", "</license>\n  <url>https://example.org</url>\n  <!-- she began it -->\n  <author>Bob</author>\n"
+)
+BAD = (
+    manifest()
+    .replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</author>»\n  <license>")
+    .replace("</license>\n", "</license>\n  <url>https://example.org</url>\n")
+)
+
+
+@rule(
+    "XML002",
+    "element-order",
+    over=Manifest,
+    severity=Severity.WARNING,
+    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
+)
+def element_order(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds children of `<package>` that stand out of the schema's order: name, version, description, maintainer,
+    license, url, author, dependencies (in any order), group_depend, member_of_group, export.
+
+    ## Why is this bad?
+    colcon does not mind. `ament_xmllint`, which the tests of every package made by `ros2 pkg create` run, fails on it,
+    and so does every editor that checks against the schema.
+
+    ## References
+    - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
+    """
+    if manifest.verdict.ordered:
+        return
+    edits = tuple(arrange(manifest, schema_order(manifest)))
+    fix = Fix("Put the elements of package.xml in order", edits) if edits else None
+    moving = misplaced(manifest.root.children)
+    moved = set(moving)
+    staying = [child for child in manifest.root.children if child not in moved]
+    for element in moving:
+        where = neighbour(staying, element)
+        message = f"`<{element.tag}>` must stand {where}; `colcon test` fails on it where ament_xmllint is run"
+        yield Hit(manifest.path, element.open if element.children else element.span, message, fix=fix)
+
+
+def neighbour(staying: list[Element], element: Element) -> str:
+    """Return where an element belongs, by the one that it should stand behind or before."""
+    place = place_of(element.tag)
+    above = [each for each in staying if place_of(each.tag) <= place]
+    below = [each for each in staying if place_of(each.tag) > place]
+    if above and above[-1].span.start > element.span.start:
+        return f"behind `<{above[-1].tag}>`"
+    return f"before `<{below[0].tag}>`" if below else f"behind `<{above[-1].tag}>`"

@@ -1,0 +1,63 @@
+"""XML003 unsupported-format."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.upgrade import to_format_3
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...ros.manifest import FORMATS, NEW_IN
+from ...rule import rule
+
+GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
+
+
+@rule(
+    "XML003",
+    "unsupported-format",
+    over=Manifest,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "no format is named, and tags of format 2 or 3 are used"},
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace('format="3"', 'format="«4»"')},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace('<package format="3">', "«<package>»")},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a `format` that is none of 1, 2 and 3, and a `<package>` without a format that uses tags of format 2 or 3:
+    without one it is format 1.
+
+    ## Why is this bad?
+    colcon can't read the manifest: it takes the folder for a plain package, forgets its dependencies, and `ros2 run`
+    does not find it.
+
+    ## References
+    - [REP-149, package](https://ros.org/reps/rep-0149.html#package-format-3)
+    """
+    fix = Fix('Write format="3"', to_format_3(manifest))
+    declared = manifest.declared_format
+    if declared is not None and manifest.format not in FORMATS:
+        message = (
+            f"there is no format `{declared.value}` of package.xml: colcon can't read it and builds the folder as a "
+            f'plain package; write `format="3"`'
+        )
+        yield Hit(manifest.path, declared.value_span if declared.value else declared.span, message, fix=fix)
+    newer = manifest.all(*(tag for tags in NEW_IN.values() for tag in tags))
+    if declared is None and newer:
+        message = (
+            f"`<package>` names no format, so it is format 1, which has no `<{newer[0].tag}>`: colcon refuses the "
+            f'manifest and builds the folder as a plain package; write `<package format="3">`'
+        )
+        yield Hit(manifest.path, manifest.root.open, message, Severity.WARNING, fix=fix)

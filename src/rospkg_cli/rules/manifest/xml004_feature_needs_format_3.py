@@ -1,0 +1,55 @@
+"""XML004 feature-needs-format-3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.upgrade import to_format_3
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...rule import rule
+
+GOOD = manifest('  <exec_depend condition="$ROS_VERSION == 2">rclpy</exec_depend>\n')
+BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.xsd")
+
+
+@rule(
+    "XML004",
+    "feature-needs-format-3",
+    over=Manifest,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": BAD.replace('condition="$ROS_VERSION == 2"', '«condition="$ROS_VERSION == 2"»')},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds what came with format 3 in a manifest of format 1 or 2: `condition` on a dependency, `group_depend` and
+    `member_of_group`, `compatibility` of a version, `file` of a license.
+
+    ## Why is this bad?
+    colcon refuses the manifest: it takes the folder for a plain package, without its dependencies. A package with
+    interfaces that is `member_of_group` in format 2 is built before what generates its code.
+
+    ## Fix safety
+    Format 3 only adds to format 2: nothing else changes its meaning.
+
+    ## References
+    - [REP-149](https://ros.org/reps/rep-0149.html)
+    """
+    if manifest.schema_format == 3:
+        return
+    fix = Fix('Write format="3"', to_format_3(manifest))
+    for element, attribute in manifest.features_of_3:
+        what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
+        message = (
+            f"{what} came with format 3, and this is format {manifest.schema_format}: colcon refuses the manifest and "
+            f'builds the folder as a plain package; write `<package format="3">`'
+        )
+        yield Hit(manifest.path, attribute.span if attribute else element.span, message, fix=fix)

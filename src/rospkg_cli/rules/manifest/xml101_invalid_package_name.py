@@ -1,0 +1,70 @@
+"""XML101 invalid-package-name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest_slices import ManifestAndFiles
+from ...ros.manifest import PACKAGE_NAME
+from ...rule import rule
+
+CMAKE = "cmake_minimum_required(VERSION 3.20)\nproject({0})\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+GOOD = manifest(build_type="ament_cmake")
+TOLERATED = re.compile(r"[a-zA-Z][a-zA-Z0-9_-]*")
+
+
+def named(name: str) -> dict[str, str]:
+    return {"package.xml": GOOD.replace("my_pkg", f"«{name}»"), "CMakeLists.txt": CMAKE.format(name)}
+
+
+@rule(
+    "XML101",
+    "invalid-package-name",
+    over=ManifestAndFiles,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "a dash or an upper case letter, in a package without interfaces"},
+    examples=(
+        Example(
+            on="ament_cmake", bad=named("my__pkg"), good={"package.xml": GOOD, "CMakeLists.txt": CMAKE.format("my_pkg")}
+        ),
+        Example(
+            on="ament_cmake", bad=named("My-Pkg"), good={"package.xml": GOOD, "CMakeLists.txt": CMAKE.format("my_pkg")}
+        ),
+    ),
+)
+def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that are not made of lower case letters, digits and single underscores, begun with a letter, not ended
+    with an underscore, of two characters or more.
+
+    ## Why is this bad?
+    Other names are refused by the schema, and most by colcon or bloom: a `__` parts the names in generated code, Debian
+    has no underscores at the end. A dash or an upper case letter builds, but can't be the name of a Python package,
+    and rosidl refuses it: no interfaces can be generated.
+
+    ## References
+    - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)
+    """
+    manifest = package.manifest
+    element = manifest.first("name")
+    name = manifest.name
+    if element is None or (PACKAGE_NAME.fullmatch(name) and len(name) > 1):
+        return
+    better = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789")
+    hint = f"; call it `{better}`" if PACKAGE_NAME.fullmatch(better) and len(better) > 1 else ""
+    level = None
+    if not name:
+        what = "the package has no name: colcon refuses the manifest"
+    elif len(name) == 1:
+        what = f"the name `{name}` is one character long, REP-144 wants two or more: it can't be released"
+    elif TOLERATED.fullmatch(name) and not re.search(r"__|_$", name):
+        level = None if package.interface_files else Severity.WARNING
+        harm = "rosidl refuses it, and the interfaces can't be generated" if level is None else "Python can't import it"
+        what = f"the name `{name}` holds a dash or an upper case letter: {harm}"
+    else:
+        what = f"`{name}` is no package name (lower case letters, digits, single `_`): the schema and bloom refuse it"
+    yield Hit(manifest.path, manifest.span(element), what + hint, level)

@@ -1,0 +1,75 @@
+"""XML103 invalid-version."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import SETUP_PY, Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest import Manifest
+from ...ros.manifest import VERSION
+from ...rule import rule
+
+GOOD = manifest()
+CMAKE = manifest(build_type="ament_cmake")
+
+
+@rule(
+    "XML103",
+    "invalid-version",
+    over=Manifest,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={
+                "package.xml": GOOD.replace("1.0.0", "«1.0»"),
+                "setup.py": SETUP_PY.replace("1.0.0", "1.0"),
+            },
+            good={"package.xml": GOOD, "setup.py": SETUP_PY},
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": CMAKE.replace("<version>", '<version compatibility="«1.2.0»">')},
+            good={"package.xml": CMAKE.replace("<version>", '<version compatibility="0.9.0">')},
+        ),
+    ),
+)
+def invalid_version(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds versions that are not three numbers, MAJOR.MINOR.PATCH, without leading zeros; and a `compatibility` that is
+    no such version, or a later one than the package itself.
+
+    ## Why is this bad?
+    colcon refuses a manifest with `1.0` or `1.2.3-rc1`, and builds the folder as a plain package. bloom and
+    catkin_prepare_release read nothing else either.
+
+    ## References
+    - [REP-149, version](https://ros.org/reps/rep-0149.html)
+    """
+    element = manifest.first("version")
+    if element is None:
+        return
+    version = element.text
+    if not VERSION.fullmatch(version):
+        message = (
+            f"the version is `{version}`, and must be three numbers without leading zeros, such as `1.0.0`: colcon "
+            f"refuses the manifest and builds the folder as a plain package"
+        )
+        yield Hit(manifest.path, manifest.span(element), message)
+    compatible = element.attributes.get("compatibility")
+    if compatible is None or manifest.schema_format < 3:
+        return
+    if not VERSION.fullmatch(compatible.value):
+        message = f"`compatibility` is `{compatible.value}`, and must be a version such as `1.0.0`: colcon refuses it"
+        yield Hit(manifest.path, compatible.value_span, message)
+    elif VERSION.fullmatch(version) and numbers(compatible.value) > numbers(version):
+        message = (
+            f"`compatibility` names `{compatible.value}`, which is later than the version `{version}`; it names the "
+            f"oldest version that this one can stand in for"
+        )
+        yield Hit(manifest.path, compatible.value_span, message)
+
+
+def numbers(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))

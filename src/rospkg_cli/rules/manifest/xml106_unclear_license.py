@@ -1,0 +1,59 @@
+"""XML106 unclear-license."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest import Manifest
+from ...ros.license_words import is_prose, licenses_in
+from ...rule import rule
+
+CMAKE = manifest(build_type="ament_cmake")
+TWO = CMAKE.replace("<license>Apache-2.0</license>", "<license>BSD-3-Clause</license>\n  <license>MIT</license>")
+
+
+@rule(
+    "XML106",
+    "unclear-license",
+    over=Manifest,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": CMAKE.replace("Apache-2.0", "«BSD-3-Clause and MIT»")},
+            good={"package.xml": TWO},
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": CMAKE.replace("Apache-2.0", "«See the LICENSE file»")},
+            good={"package.xml": CMAKE},
+        ),
+    ),
+)
+def unclear_license(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a `<license>` that names several licenses, or that tells a story instead of naming one. Expressions of SPDX
+    that leave a choice or make an exception (`MIT OR Apache-2.0`, `GPL-2.0-only WITH …`) are left alone.
+
+    ## Why is this bad?
+    Tools that collect licenses read one name a tag: what stands there is no license that they know, and the package
+    counts as unlicensed.
+
+    ## References
+    - [REP-149, license](https://ros.org/reps/rep-0149.html): "only include the license name in this tag. For multiple
+      licenses multiple separate tags must be used."
+    """
+    for element in manifest.all("license"):
+        text = " ".join(element.text.split())
+        several = licenses_in(text)
+        if len(several) > 1:
+            tags = "".join(f"<license>{each}</license>" for each in several)
+            message = f"`{text}` names {len(several)} licenses in one tag, which tools read as one; write `{tags}`"
+            yield Hit(manifest.path, manifest.span(element), message)
+        elif is_prose(text):
+            shown = text if len(text) < 60 else text[:57] + "…"
+            message = f"`{shown}` names no license: tools read a name here, such as `Apache-2.0`; write its SPDX id"
+            yield Hit(manifest.path, manifest.span(element), message)

@@ -1,0 +1,59 @@
+"""XML107 missing-license-file."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest_slices import ManifestAndFiles
+from ...rule import rule
+from ...suggest import did_you_mean
+
+GOOD = manifest().replace("<license>", '<license file="LICENSE">')
+
+
+@rule(
+    "XML107",
+    "missing-license-file",
+    over=ManifestAndFiles,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace('"LICENSE"', '"«LICENCE»"')},
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace('"LICENSE"', '"«../LICENSE»"')},
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a license whose `file` is not there, is an absolute path, or lies outside of the package.
+
+    ## Why is this bad?
+    bloom refuses to release the package: what it packs is the package's folder, and the license text is not in it.
+
+    ## References
+    - [REP-149, license](https://ros.org/reps/rep-0149.html): "A path relative to the package.xml file"
+    """
+    manifest = package.manifest
+    for element in manifest.all("license"):
+        attribute = element.attributes.get("file")
+        if attribute is None or manifest.schema_format < 3:
+            continue
+        path = posixpath.normpath(attribute.value.strip())
+        if not attribute.value.strip():
+            why = "`file` names no file; name the license text, or remove the attribute"
+        elif path.startswith(("/", "..")):
+            why = f"`{attribute.value}` lies outside of the package, and is left out of what is released; copy it in"
+        elif package.files.exists(path):
+            continue
+        else:
+            near = did_you_mean(path, package.files.paths)
+            why = f"`{attribute.value}` is not there{near}: bloom refuses to release the package; add the license text"
+        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, why)

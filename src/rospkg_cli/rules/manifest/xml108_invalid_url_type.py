@@ -1,0 +1,61 @@
+"""XML108 invalid-url-type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.tags import remove_attribute, set_attribute
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...ros.manifest import URL_MEANT, URL_TYPES
+from ...rule import rule
+from ...suggest import nearest
+
+URL = '</license>\n  <url type="{0}">https://example.org</url>'
+GOOD = manifest().replace("</license>", URL.format("bugtracker"))
+
+
+@rule(
+    "XML108",
+    "invalid-url-type",
+    over=Manifest,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace("bugtracker", "«issues»")},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace("bugtracker", "«blog»")},
+            good={"package.xml": GOOD.replace(' type="bugtracker"', "")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a `type` of a `<url>` that is none of website, bugtracker and repository. What is meant is put in its place
+    where that can be told; else the attribute goes, which means a website.
+
+    ## Why is this bad?
+    The schema refuses it (`ament_xmllint` fails), and the package index shows no link.
+
+    ## References
+    - [REP-149, url](https://ros.org/reps/rep-0149.html)
+    """
+    for element in manifest.all("url"):
+        attribute = element.attributes.get("type")
+        if attribute is None or attribute.value.strip() in URL_TYPES:
+            continue
+        word = attribute.value.strip().lower()
+        meant = word if word in URL_TYPES else URL_MEANT.get(word) or nearest(word, URL_TYPES)
+        if meant:
+            fix = Fix(f"Write `{meant}`", (set_attribute(manifest, element, "type", meant),))
+        else:
+            fix = Fix("Remove the type", (remove_attribute(manifest, element, "type"),))
+        hint = f"write `{meant}`" if meant else "remove the attribute"
+        message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): ament_xmllint fails; {hint}"
+        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, message, fix=fix)

@@ -1,0 +1,85 @@
+"""XML202 redundant-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import remove_element
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.condition import together
+from ...model.manifest import Dependency, Manifest
+from ...model.manifest_slices import ManifestForTargets
+from ...ros.manifest import PART_OF_DEPEND
+from ...rule import rule
+
+GOOD = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
+
+
+@rule(
+    "XML202",
+    "redundant-dependency",
+    over=ManifestForTargets,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": GOOD.replace("</depend>\n", "</depend>\n  «<exec_depend>rclcpp</exec_depend>»\n")},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": GOOD.replace(
+                    "</depend>\n", '</depend>\n  «<build_depend version_gte="9">rclcpp</build_depend>»\n'
+                )
+            },
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a `build_depend`, `build_export_depend` or `exec_depend` of a name that a `depend` names as well, unless their
+    conditions exclude each other; in format 1 a `test_depend` of a name that is built or run with anyway.
+
+    ## Why is this bad?
+    `<depend>` means all three. Where the attributes are equal too, colcon refuses the manifest and builds the folder as
+    a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten.
+
+    ## References
+    - [REP-149, depend](https://ros.org/reps/rep-0149.html): "cannot be used in combination with any of the three
+      equivalent tags for the same package or key name"; [REP-127, test_depend](https://ros.org/reps/rep-0127.html)
+    """
+    manifest = package.manifest
+    newer = manifest.schema_format > 1
+    for each in manifest.dependencies:
+        if each.tag not in (PART_OF_DEPEND if newer else ("test_depend",)) or not each.name:
+            continue
+        wholes = ("depend",) if newer else ("build_depend", "run_depend")
+        for whole in manifest.dependencies:
+            if whole.name != each.name or whole.tag not in wholes:
+                continue
+            refused = whole.key == each.key
+            if refused or (newer and together(each.condition, whole.condition, package.targets.environments())):
+                yield hit(manifest, each, whole, refused)
+                break
+
+
+def hit(manifest: Manifest, each: Dependency, whole: Dependency, refused: bool) -> Hit:
+    why = (
+        "colcon refuses the manifest and builds the folder as a plain package"
+        if refused
+        else f"REP-149 forbids it, as `<{whole.tag}>` includes it"
+    )
+    covered = refused or (not each.limits and whole.condition in (None, each.condition))
+    fix = Fix(f"Remove `{each.name}` from `<{each.tag}>`", (remove_element(manifest, each.element),))
+    return Hit(
+        manifest.path,
+        each.element.span,
+        f"`{each.name}` stands in `<{each.tag}>` and in `<{whole.tag}>`: {why}; remove this line",
+        related=(Related(manifest.path, whole.element.span, f"the `<{whole.tag}>`"),),
+        fix=fix if covered else None,
+    )

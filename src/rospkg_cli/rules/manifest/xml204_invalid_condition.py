@@ -1,0 +1,100 @@
+"""XML204 invalid-condition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.condition import Comparison, ConditionError, parse_condition
+from ...model.manifest import Manifest
+from ...model.xml_tree import Attribute
+from ...ros.manifest import ENVIRONMENT
+from ...rule import rule
+from ...source import Span
+from ...suggest import did_you_mean
+
+GOOD = manifest('  <exec_depend condition="$ROS_DISTRO == jazzy">tf2_ros</exec_depend>\n')
+
+
+@rule(
+    "XML204",
+    "invalid-condition",
+    over=Manifest,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the condition can be read, and does not mean what it seems to"},
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace("== jazzy", "«=» jazzy")},
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace("$ROS_DISTRO ==", "«ROS_DISTRO» ==")},
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace("$ROS_DISTRO ==", "«$ROS_DISTR» ==")},
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reads each `condition` by the grammar of REP-149: comparisons (`==`, `!=`, `<`, `<=`, `>`, `>=`) of `$VARIABLE`s and
+    values, `and`, `or`, parentheses. Warns of a variable without `$`, of variables that no ROS environment has, and of
+    numbers compared by size.
+
+    ## Why is this bad?
+    colcon prints a traceback for a condition that it can't read, then builds the folder as a plain package and ends
+    with success. A name without `$` is a text like any other and never equal to `jazzy`; all comparisons are of texts,
+    so that `10` is less than `9`.
+
+    ## References
+    - [REP-149, condition](https://ros.org/reps/rep-0149.html)
+    """
+    for attribute in manifest.conditions:
+        try:
+            condition = parse_condition(attribute.value)
+        except ConditionError as error:
+            message = (
+                f"`{attribute.value}` is no condition: {error}; colcon prints a traceback and builds the folder as a "
+                f'plain package; write it as in `condition="$ROS_VERSION == 2"`'
+            )
+            yield Hit(manifest.path, place(manifest, attribute, error.at), message)
+            continue
+        for comparison in condition.comparisons():
+            if told := doubt(comparison):
+                at, length, message = told
+                span = place(manifest, attribute, at, length)
+                yield Hit(manifest.path, span, message, Severity.WARNING)
+
+
+def place(manifest: Manifest, attribute: Attribute, at: int, length: int = 0) -> Span:
+    """Return the span of a part of an attribute's value; all of it where references make the value another one."""
+    if not attribute.value or manifest.source.slice(attribute.value_span) != attribute.value:
+        return attribute.value_span if attribute.value else attribute.span
+    at = min(at, len(attribute.value) - 1)
+    length = length or len(attribute.value[at:].split()[0] if attribute.value[at:].strip() else " ")
+    start = attribute.value_span.start + at
+    return Span(start, start + length)
+
+
+def doubt(comparison: Comparison) -> tuple[int, int, str] | None:
+    """Return where a comparison is not what it seems, how long that is, and why; None where it is fine."""
+    operands = (comparison.left, comparison.right)
+    for each in operands:
+        if not each.variable and not each.quoted and each.text in ENVIRONMENT:
+            why = f"`{each.text}` is a plain text here, not the variable; write `${each.text}`"
+            return each.at, len(each.text), why
+        if each.variable and each.text not in ENVIRONMENT:
+            why = f"`${each.text}` is no variable of a ROS environment{did_you_mean(each.text, ENVIRONMENT)}"
+            return each.at, len(each.text) + 1, f"{why}; where it is not set, the condition compares with nothing"
+    numbers = [each for each in operands if not each.variable and each.text.replace(".", "").isdecimal()]
+    if numbers and "<" not in comparison.operator and ">" not in comparison.operator:
+        return None
+    for each in numbers:
+        if len(each.text) > 1:
+            why = f"`{comparison.operator}` compares texts, not numbers: `10` comes before `9`; compare with `==`"
+            return each.at, len(each.text), why
+    return None

@@ -1,0 +1,80 @@
+"""XML205 impossible-version-limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest import Dependency, Manifest
+from ...model.version_range import is_empty
+from ...ros.manifest import VERSION_LIMIT
+from ...rule import rule
+
+GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</exec_depend>\n')
+
+
+@rule(
+    "XML205",
+    "impossible-version-limit",
+    over=Manifest,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "more limits than a range has: one of them says nothing"},
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace('"1.2"', '"«1.2-beta»"')},
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={
+                "package.xml": GOOD.replace('<exec_depend version_gte="1.2"', '«<exec_depend version_gte="3"').replace(
+                    '2.0.0">', '2.0.0">»'
+                )
+            },
+            good={"package.xml": GOOD},
+        ),
+        Example(
+            bad={
+                "package.xml": GOOD.replace(
+                    '<exec_depend version_gte="1.2" version_lt="2.0.0">',
+                    '«<exec_depend version_eq="1.2" version_gte="1.0">»',
+                )
+            },
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds version limits that are no version (`1`, `1.2`, `1.2.3`), that no version can meet, or of which some say
+    nothing: three and more, or others beside `version_eq`.
+
+    ## Why is this bad?
+    colcon reads over them. The schema refuses the first kind, and a Debian package made by bloom can't be installed
+    where no version fits.
+
+    ## References
+    - [REP-149, build_depend](https://ros.org/reps/rep-0149.html): "Two of these attributes can be used together to
+      describe a version range."
+    """
+    for each in manifest.dependencies:
+        wrong = [limit for limit in each.limits.values() if not VERSION_LIMIT.fullmatch(limit.value.strip())]
+        for limit in wrong:
+            message = f"`{limit.name}` is `{limit.value}`, not one to three numbers such as `1.2`; ament_xmllint fails"
+            yield Hit(manifest.path, limit.value_span if limit.value else limit.span, message)
+        if wrong or len(each.limits) < 2:
+            continue
+        shown = " ".join(f'{name}="{limit.value}"' for name, limit in each.limits.items())
+        if is_empty({name: limit.value.strip() for name, limit in each.limits.items()}):
+            message = f"no version of `{each.name}` can meet {shown}: a package made by bloom can't be installed"
+            yield Hit(manifest.path, each.element.open, message)
+        elif surplus(each):
+            message = f"{shown} says more than a range: {surplus(each)}"
+            yield Hit(manifest.path, each.element.open, message, Severity.WARNING)
+
+
+def surplus(dependency: Dependency) -> str:
+    if "version_eq" in dependency.limits:
+        return "`version_eq` allows one version alone; remove the others"
+    return "one lower and one upper limit are enough; remove the others" if len(dependency.limits) > 2 else ""

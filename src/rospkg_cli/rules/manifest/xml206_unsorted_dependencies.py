@@ -1,0 +1,44 @@
+"""XML206 unsorted-dependencies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from ...edits.arrange import arrange, sorted_in_place
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...ros.manifest import DEPENDENCY_TAGS
+from ...rule import Profile, rule
+
+GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n  <!-- frames -->\n  <exec_depend>tf2_ros</exec_depend>\n")
+BAD = manifest("  <!-- frames -->\n  <exec_depend>tf2_ros</exec_depend>\n  <exec_depend>«rclpy»</exec_depend>\n")
+
+
+@rule(
+    "XML206",
+    "unsorted-dependencies",
+    over=Manifest,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
+)
+def unsorted_dependencies(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds dependencies of one tag that do not stand in the order of the alphabet. The fix sorts each tag in the places
+    that it has; `rospkg format` also brings the tags together.
+
+    ## Why is this bad?
+    It is a matter of taste: in a sorted list duplicates are seen, and two people's additions rarely conflict.
+    """
+    for tag in DEPENDENCY_TAGS:
+        found = manifest.all(tag)
+        late = next((b for a, b in pairwise(found) if b.text < a.text), None)
+        if late is None:
+            continue
+        edits = tuple(arrange(manifest, sorted_in_place(manifest, tag)))
+        message = f"`<{tag}>{late.text}</{tag}>` stands behind names that come later in the alphabet; sort them"
+        fix = Fix(f"Sort the `<{tag}>` lines", edits) if edits else None
+        yield Hit(manifest.path, manifest.span(late), message, fix=fix)

@@ -1,0 +1,63 @@
+"""XML208 missing-buildtool."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest_slices import ManifestAndCMake
+from ...rule import rule
+
+GOOD = manifest(build_type="ament_cmake")
+BAD = GOOD.replace("  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")
+FAMILY = re.compile(r"(.*_)?cmake(_.*)?")
+"""ament_cmake and its parts, and what wraps it, such as autoware_cmake."""
+
+
+@rule(
+    "XML208",
+    "missing-buildtool",
+    over=ManifestAndCMake,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": BAD.replace("<build_type>ament_cmake", "<build_type>«ament_cmake»")},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages of build type ament_cmake that declare no dependency on ament_cmake, on one of its parts
+    (ament_cmake_auto, ament_cmake_ros, …) or on a package that wraps it.
+
+    ## Why is this bad?
+    It builds where ament_cmake happens to be sourced. In a workspace that builds ament_cmake itself the order is left
+    to chance, and on the build farm CMake ends with `Could not find a package configuration file provided by
+    "ament_cmake"`.
+
+    ## References
+    - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
+    """
+    manifest = package.manifest
+    if not package.cmake or any(FAMILY.fullmatch(each.name) for each in manifest.dependencies):
+        return
+    asked = sorted(name for name in package.found if name.startswith("ament_cmake"))
+    if not asked and not package.calls("ament_package"):
+        return
+    name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
+    for element in manifest.build_types(package.targets):
+        if element.text == "ament_cmake":
+            message = (
+                f"package.xml does not declare `{name}`, which CMakeLists.txt needs: on the build farm `find_package` "
+                f"fails; add `<buildtool_depend>{name}</buildtool_depend>`"
+            )
+            fix = Fix(f"Add `{name}`", (add_dependency(manifest, "buildtool_depend", name),))
+            yield Hit(manifest.path, manifest.span(element), message, fix=fix)
+            return

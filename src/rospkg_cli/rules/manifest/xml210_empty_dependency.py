@@ -1,0 +1,43 @@
+"""XML210 empty-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import remove_element
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest import Manifest
+from ...ros.manifest import NEW_IN
+from ...rule import rule
+
+
+@rule(
+    "XML210",
+    "empty-dependency",
+    over=Manifest,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": manifest("  «<exec_depend/>»\n")},
+            good={"package.xml": manifest()},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def empty_dependency(manifest: Manifest) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds dependencies and groups without a name.
+
+    ## Why is this bad?
+    colcon reads over them. `rosdep install` asks for a key without a name and fails, and bloom writes a Debian control
+    file that can't be read.
+    """
+    for element in [*(each.element for each in manifest.dependencies), *manifest.all(*NEW_IN[3])]:
+        if not element.text and not element.children:
+            fix = Fix(f"Remove the empty `<{element.tag}>`", (remove_element(manifest, element),))
+            message = (
+                f"`<{element.tag}>` names nothing: `rosdep install` fails on it; name the dependency or remove the line"
+            )
+            yield Hit(manifest.path, element.span, message, fix=fix)

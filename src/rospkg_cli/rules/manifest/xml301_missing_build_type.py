@@ -1,0 +1,69 @@
+"""XML301 missing-build-type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_export
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest_slices import ManifestAndCMake
+from ...rule import rule
+
+GOOD = manifest()
+EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
+
+
+@rule(
+    "XML301",
+    "missing-build-type",
+    over=ManifestAndCMake,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace(EXPORT, "").replace('<package format="3">', '«<package format="3">»')},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": manifest(build_type="ament_cmake")
+                .replace("<build_type>ament_cmake</build_type>", "<x/>")
+                .replace("<export>", "«<export>»")
+            },
+            good={
+                "package.xml": manifest(build_type="ament_cmake").replace(
+                    "<build_type>ament", "<x/>\n    <build_type>ament"
+                )
+            },
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds manifests without a `<build_type>` (in `<export>`) that holds in ROS 2. Packages that depend on catkin and on
+    no ament_cmake are ROS 1's, and left alone.
+
+    ## Why is this bad?
+    Without one the package counts as a catkin package: colcon looks for a CMakeLists.txt with catkin in it, and a
+    package of Python fails with "does not appear to contain CMakeLists.txt".
+
+    ## References
+    - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
+    """
+    manifest = package.manifest
+    if any(manifest.build_types(package.targets)) or package.is_catkin:
+        return
+    export = manifest.first("export")
+    span = export.open if export else manifest.root.open
+    guess = package.likely_build_type
+    advice = f"add `<build_type>{guess}</build_type>` to `<export>`" if guess else "name one in `<export>`"
+    message = f"no `<build_type>` is named, so colcon takes this for a catkin package and fails to build it; {advice}"
+    fix = None
+    if guess:
+        edit = add_export(manifest, f"<build_type>{guess}</build_type>")
+        fix = Fix(f"Add the build type {guess}", (edit,))
+    yield Hit(manifest.path, span, message, fix=fix)

@@ -1,0 +1,65 @@
+"""XML302 unknown-build-type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.tags import set_text
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.manifest_slices import ManifestAndFiles
+from ...rule import rule
+from ...suggest import near
+
+GOOD = manifest()
+
+
+@rule(
+    "XML302",
+    "unknown-build-type",
+    over=ManifestAndFiles,
+    severity=Severity.ERROR,
+    levels={Severity.INFO: "it is near to no build type that is known here: an extension of colcon may know it"},
+    examples=(
+        Example(
+            bad={"package.xml": GOOD.replace("ament_python", "«ament_pyton»")},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"package.xml": GOOD.replace("ament_python", "«zig»")},
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def unknown_build_type(package: ManifestAndFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds build types that neither ROS 2 nor an extension of colcon that we know of has (ament_cargo, ament_gradle,
+    bazel, …). More are named in the config: `build-types = ["ours"]`.
+
+    ## Why is this bad?
+    colcon warns in one line that it doesn't know how to build the package, builds nothing, and ends with success.
+
+    ## References
+    - [REP-149, build_type](https://ros.org/reps/rep-0149.html)
+    """
+    manifest = package.manifest
+    for element in manifest.build_types(package.targets):
+        if element.text in package.known_build_types:
+            continue
+        alike = near(element.text, package.known_build_types)
+        meant = alike[0] if alike else ""
+        if meant:
+            told = f"; did you mean `{meant}`?"
+            fix = Fix(f"Write `{meant}`", (set_text(manifest, element, meant),))
+            yield Hit(manifest.path, manifest.span(element), describe(element.text) + told, fix=fix)
+        else:
+            level = Severity.INFO if element.text else None
+            told = "; if an extension of colcon knows it, name it in the config: `build-types`"
+            yield Hit(manifest.path, manifest.span(element), describe(element.text) + told, level)
+
+
+def describe(text: str) -> str:
+    what = f"the build type `{text}` is not known" if text else "the build type is empty"
+    return f"{what}: colcon builds nothing, and ends with success"

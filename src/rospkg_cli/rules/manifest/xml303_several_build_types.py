@@ -1,0 +1,56 @@
+"""XML303 several-build-types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Related, Severity
+from ...model.condition import together
+from ...model.manifest_slices import ManifestForTargets
+from ...rule import rule
+
+GOOD = manifest()
+
+
+@rule(
+    "XML303",
+    "several-build-types",
+    over=ManifestForTargets,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={
+                "package.xml": GOOD.replace(
+                    "</build_type>\n", "</build_type>\n    <build_type>«ament_python»</build_type>\n"
+                )
+            },
+            good={"package.xml": GOOD},
+        ),
+    ),
+)
+def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a second `<build_type>` that holds at the same time as the first, once the conditions are evaluated.
+
+    ## Why is this bad?
+    REP-149 says that the last one counts. colcon does not think so: it warns, builds the folder as a plain package,
+    forgets its dependencies, and `ros2 run` does not find it.
+
+    ## References
+    - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "Only one build type should be active after conditions
+      are evaluated."
+    """
+    manifest, environments = package.manifest, package.targets.environments()
+    found = list(manifest.build_types(package.targets))
+    for index, element in enumerate(found):
+        for other in found[:index]:
+            if together(other.get("condition"), element.get("condition"), environments):
+                message = (
+                    f"`{element.text}` is a second build type that holds beside `{other.text}`: colcon builds "
+                    f"the folder as a plain package; keep one, or give each a condition such as `$ROS_VERSION == 2`"
+                )
+                related = (Related(manifest.path, manifest.span(other), "the first"),)
+                yield Hit(manifest.path, manifest.span(element), message, related=related)
+                break

@@ -1,0 +1,61 @@
+"""XML304 build-type-mismatch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest_slices import ManifestAndFiles
+from ...ros.manifest import BUILD_FILES
+from ...rule import rule
+
+GOOD = manifest(build_type="ament_cmake")
+
+
+@rule(
+    "XML304",
+    "build-type-mismatch",
+    over=ManifestAndFiles,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": GOOD.replace("<build_type>ament_cmake", "<build_type>«ament_cmake»"),
+                "CMakeLists.txt": None,
+            },
+            good={"package.xml": GOOD, "CMakeLists.txt": CMAKE},
+        ),
+        Example(
+            on="",
+            bad={
+                "package.xml": manifest().replace("<build_type>ament_python", "<build_type>«ament_python»"),
+                "LICENSE": "MIT\n",
+            },
+            good={"package.xml": manifest(), "setup.py": "from setuptools import setup\n"},
+        ),
+    ),
+)
+def build_type_mismatch(package: ManifestAndFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages of build type ament_python without a setup.py, and of ament_cmake or cmake without a CMakeLists.txt.
+
+    ## Why is this bad?
+    `colcon build` fails: "setup.py not found", or CMake's "does not appear to contain CMakeLists.txt".
+
+    ## References
+    - [REP-149, build_type](https://ros.org/reps/rep-0149.html)
+    """
+    manifest, files = package.manifest, package.files
+    for element in manifest.build_types(package.targets):
+        wanted = BUILD_FILES.get(element.text)
+        if wanted is None or files.exists(wanted):
+            continue
+        if wanted == "setup.py" and files.exists("pyproject.toml"):
+            continue  # said by SET307, which knows what to do
+        others = [name for name, path in BUILD_FILES.items() if path != wanted and files.exists(path)]
+        advice = f"add it, or write `<build_type>{others[0]}</build_type>`" if others else "add it"
+        message = f"the build type is `{element.text}`, and there is no `{wanted}`: `colcon build` fails; {advice}"
+        yield Hit(manifest.path, manifest.span(element), message)

@@ -1,0 +1,80 @@
+"""XML305 missing-interface-group."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency, add_element
+from ...edits.upgrade import to_format_3
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Operation, Safety, Severity
+from ...model.interface_package import InterfacePackage
+from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES
+from ...rule import rule
+
+GOOD = manifest(
+    "  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"
+    "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
+    "  <member_of_group>rosidl_interface_packages</member_of_group>\n",
+    build_type="ament_cmake",
+)
+MARKED = GOOD.replace("<name>my_pkg", "<name>«my_pkg»")
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Battery.msg")
+ament_export_dependencies(rosidl_default_runtime)
+ament_package()
+"""
+
+
+def without(line: str) -> Example:
+    files = {"CMakeLists.txt": CMAKE, "msg/Battery.msg": "float32 level\n"}
+    bad = {"package.xml": MARKED.replace(line, ""), **files}
+    return Example(on="ament_cmake", bad=bad, good={"package.xml": GOOD}, fix=Safety.SAFE)
+
+
+@rule(
+    "XML305",
+    "missing-interface-group",
+    over=InterfacePackage,
+    severity=Severity.ERROR,
+    examples=(
+        without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
+        without("  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"),
+        without("  <exec_depend>rosidl_default_runtime</exec_depend>\n"),
+    ),
+)
+def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages whose CMakeLists.txt calls `rosidl_generate_interfaces` and whose package.xml lacks one of the three
+    things that go with it: the membership in the group `rosidl_interface_packages`, the generators to build with, the
+    runtime to run with.
+
+    ## Why is this bad?
+    Without the group, CMake stops: "Packages installing interfaces must include `<member_of_group>…` in their
+    package.xml". Without the generators the build fails on a clean machine, without the runtime whoever installs the
+    package can't import its messages.
+
+    ## References
+    - [Interfaces, package.xml](https://docs.ros.org/en/rolling/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html)
+    """
+    manifest = package.manifest
+    upgrade: tuple[Operation, ...] = () if manifest.schema_format == 3 else to_format_3(manifest)
+    line = f"<member_of_group>{GROUP}</member_of_group>"
+    if package.checks_group and not package.is_member:
+        message = f"interfaces are generated and the group is missing: CMake stops at the first of them; add `{line}`"
+        edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
+        yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
+    for tag, names, harm in (
+        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails"),
+        ("exec_depend", RUNTIMES, "who installs the package can't use its messages"),
+    ):
+        if not package.installs or any(manifest.depends_on(name) for name in names):
+            continue
+        message = f"interfaces are generated and `{names[0]}` is not declared: {harm}; add `<{tag}>{names[0]}</{tag}>`"
+        fix = Fix(f"Add `{names[0]}`", (add_dependency(manifest, tag, names[0]),))
+        yield Hit(manifest.path, manifest.name_span, message, fix=fix)

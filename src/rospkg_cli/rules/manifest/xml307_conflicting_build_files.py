@@ -1,0 +1,50 @@
+"""XML307 conflicting-build-files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, SETUP_PY, Example, manifest
+from ...finding import Hit, Severity
+from ...model.manifest_slices import ManifestAndCMake
+from ...rule import rule
+
+PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")
+MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<build_type>«ament_cmake»")
+
+
+@rule(
+    "XML307",
+    "conflicting-build-files",
+    over=ManifestAndCMake,
+    severity=Severity.WARNING,
+    examples=(
+        Example(bad={"package.xml": PYTHON, "CMakeLists.txt": CMAKE}, good={"CMakeLists.txt": None}),
+        Example(on="ament_cmake", bad={"package.xml": MIXED, "setup.py": SETUP_PY}, good={"setup.py": None}),
+    ),
+)
+def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a CMakeLists.txt in a package of build type ament_python, and a setup.py in one of ament_cmake that uses
+    nothing of ament_cmake_python. Packages for ROS 1 and 2 (catkin, conditions) are left alone.
+
+    ## Why is this bad?
+    colcon reads one of the two and ignores the other. What the ignored one would install is not there, and everybody
+    who reads the package believes that it is.
+
+    ## References
+    - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
+    """
+    manifest, files = package.manifest, package.files
+    types = list(manifest.build_types(package.targets))
+    if len(types) != 1 or manifest.depends_on("catkin") or any("condition" in each.attributes for each in types):
+        return
+    used, other = types[0].text, ""
+    if used == "ament_python" and files.exists("CMakeLists.txt"):
+        other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
+    elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
+        other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
+    if other:
+        message = f"the build type is `{used}`, so colcon ignores `{other}` and installs nothing of it; {advice}"
+        yield Hit(manifest.path, manifest.span(types[0]), message)
