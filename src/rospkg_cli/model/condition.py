@@ -171,7 +171,7 @@ class Parser:
         return Comparison(left, sign, self.operand())
 
     def operand(self) -> Operand:
-        if self.kind not in ("variable", "quoted", "literal"):
+        if self.kind not in ("variable", "quoted", "literal", "word"):  # `and` is a value where one is wanted
             raise ConditionError("a `$VARIABLE` or a value is missing", self.at)
         text = {"variable": self.token[1:], "quoted": self.token[1:-1]}.get(self.kind, self.token)
         found = Operand(text, self.kind == "variable", self.kind == "quoted", self.at)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import Example, manifest
+from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...model.workspace import Workspace
 from ...rule import rule
+
+MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_pkg»")
 
 
 @rule(
@@ -19,10 +21,13 @@ from ...rule import rule
         Example(
             on="",
             bad={
-                "arm/package.xml": manifest(build_type="cmake").replace("my_pkg", "«my_pkg»"),
-                "arm_copy/package.xml": manifest(build_type="cmake").replace("my_pkg", "«my_pkg»"),
+                "arm/my_pkg/package.xml": MARKED,
+                "arm/my_pkg/CMakeLists.txt": CMAKE,
+                "copy/my_pkg/package.xml": MARKED,
+                "copy/my_pkg/CMakeLists.txt": CMAKE,
+                "LICENSE": "Apache License\n",
             },
-            good={"arm_copy/package.xml": manifest(build_type="cmake", name="my_copy")},
+            good={"copy/my_pkg/package.xml": manifest(build_type="ament_cmake", name="my_copy")},
         ),
     ),
 )
