@@ -14,6 +14,8 @@ from .install import InstallTable
 from .installed import read_install_table
 from .interface.declared import Interface
 from .interface.reader import read_interfaces
+from .launch.file import LaunchFile
+from .launch.reader import read_launch_files
 from .manifest import Manifest, read_manifest
 from .modules import Modules, read_installed_modules, read_modules
 from .params.file import ParameterFile
@@ -37,5 +39,6 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Interface: read_interfaces,
     ParameterFile: read_parameter_files,
     PythonUse: read_python_use,
+    LaunchFile: read_launch_files,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

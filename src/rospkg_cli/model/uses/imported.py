@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...ros.imports import may_serve
 from ...source import Span
-from ..python import Import
 from .declared import Declared
 from .python import PythonUse
 from .roles import Role
-
-GENERATED = frozenset({"msg", "srv", "action"})
-"""Modules that only rosidl makes: whose import they are is a ROS package for certain."""
+from .serving import serving_import
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,25 +42,8 @@ class Imported:
         for file in self.python.files:
             if file.role in roles:
                 for each in file.imports:
-                    name = self.needed(each)
+                    name = serving_import(self.declared, each)
                     if name:
                         found.setdefault(name, []).append(Place(file.path, each.span, each.module))
         for name, places in found.items():
             yield Missing(name, tuple(places))
-
-    def needed(self, what: Import) -> str | None:
-        """Return what to declare for an import; None where nothing is missing or nobody can tell."""
-        if what.optional or what.typing:
-            return None
-        names = self.serving(what)
-        declared = self.declared
-        if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
-            return None
-        return names[0]
-
-    def serving(self, what: Import) -> tuple[str, ...]:
-        found = self.declared.workspace.serving(what.module)
-        top, _, rest = what.module.partition(".")
-        if not found and rest.partition(".")[0] in GENERATED and any(name[:1].isupper() for name in what.names):
-            return (top,)
-        return found

@@ -1,0 +1,114 @@
+"""A launch file as rules see it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from ...source import Source, Span
+from ..python import Import
+from .text import LaunchText, Substitution
+
+Frontend = Literal["python", "xml", "yaml"]
+NodeKind = Literal["node", "lifecycle_node", "node_container", "composable_node"]
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """One entry of a node's parameters: a file, or values by name."""
+
+    span: Span
+    file: LaunchText | None = None
+    values: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    complete: bool = True
+    """False where there may be other values."""
+
+
+@dataclass(frozen=True)
+class LaunchedNode:
+    """A process or a component that the file starts."""
+
+    kind: NodeKind
+    span: Span
+    package: LaunchText | None = None
+    executable: LaunchText | None = None
+    plugin: LaunchText | None = None
+    """The class of a component."""
+    name: LaunchText | None = None
+    namespace: LaunchText | None = None
+    parameters: tuple[Parameters, ...] = ()
+    remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    arguments: tuple[LaunchText, ...] = ()
+    certain: bool = True
+    """False under a condition that can't be told."""
+    complete: bool = True
+    """False where other arguments may be passed."""
+
+
+@dataclass(frozen=True)
+class Include:
+    span: Span
+    file: LaunchText
+    arguments: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    certain: bool = True
+    complete: bool = True
+    """False where it may be given other arguments."""
+
+
+@dataclass(frozen=True)
+class DeclaredArgument:
+    span: Span
+    name: LaunchText
+    default: LaunchText | None = None
+    choices: tuple[str, ...] = ()
+    certain: bool = True
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command that the file runs: a process of its own, or one whose output it takes."""
+
+    span: Span
+    words: tuple[LaunchText, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that the frontend refuses, or that fails for certain when the file runs."""
+
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True)
+class LaunchFile:
+    source: Source
+    frontend: Frontend
+    nodes: tuple[LaunchedNode, ...] = ()
+    includes: tuple[Include, ...] = ()
+    arguments: tuple[DeclaredArgument, ...] = ()
+    commands: tuple[Command, ...] = ()
+    substitutions: tuple[Substitution, ...] = ()
+    """Every substitution, also those inside of others."""
+    assigned: tuple[LaunchText, ...] = ()
+    """Names of launch configurations that the file sets itself."""
+    faults: tuple[Fault, ...] = ()
+    complete: bool = True
+    """False where parts of the file could not be evaluated: there may be more of everything."""
+    ros1: bool = False
+    """Whether it is written for ROS 1."""
+    entry: bool = True
+    """Whether it has what launch asks of it: in Python, `generate_launch_description`."""
+    imports: tuple[Import, ...] = ()
+    """What a Python file imports."""
+    guarded: tuple[Span, ...] = ()
+    """Where a missing package is caught."""
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    def configurations(self) -> Iterator[Substitution]:
+        """Yield the uses of launch configurations: `$(var x)`."""
+        return (found for found in self.substitutions if found.name == "var")

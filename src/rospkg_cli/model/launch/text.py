@@ -1,0 +1,73 @@
+"""What stands where a launch file takes text: literal pieces and substitutions, whatever the frontend."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...source import Span
+
+UNKNOWN = "?"
+"""The name of a substitution that can't be told."""
+
+
+@dataclass(frozen=True, slots=True)
+class Literal:
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Substitution:
+    """`$(name argument …)`; those of Python go by the names that XML gives them."""
+
+    name: str
+    arguments: tuple[LaunchText, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class LaunchText:
+    """Pieces that make one text when the launch file runs."""
+
+    span: Span
+    """Of the text as it is written: between the quotes where there are any."""
+    parts: tuple[Literal | Substitution, ...] = ()
+
+    @property
+    def literal(self) -> str | None:
+        """The whole text, where no substitution stands in it."""
+        if any(isinstance(part, Substitution) for part in self.parts):
+            return None
+        return "".join(part.text for part in self.parts if isinstance(part, Literal))
+
+    @property
+    def unknown(self) -> bool:
+        """Whether nothing at all is known of it."""
+        return len(self.parts) == 1 and isinstance(self.parts[0], Substitution) and self.parts[0].name == UNKNOWN
+
+    def substitutions(self, *names: str) -> Iterator[Substitution]:
+        """Yield the substitutions of these names (all, if none is given), also those inside of others' arguments."""
+        for part in self.parts:
+            if isinstance(part, Substitution):
+                if not names or part.name in names:
+                    yield part
+                for argument in part.arguments:
+                    yield from argument.substitutions(*names)
+
+    def in_share(self) -> tuple[LaunchText, str] | None:
+        """Return the package and the literal path of `$(find-pkg-share package)/path`; None for anything else."""
+        match self.parts:
+            case (Substitution(name="find-pkg-share", arguments=(package,)), *rest):
+                if all(isinstance(part, Literal) for part in rest):
+                    path = "".join(part.text for part in rest if isinstance(part, Literal))
+                    return package, path.lstrip("/")
+        return None
+
+
+def plain_text(text: str, span: Span) -> LaunchText:
+    return LaunchText(span, (Literal(text, span),) if text else ())
+
+
+def unknown_text(span: Span) -> LaunchText:
+    return LaunchText(span, (Substitution(UNKNOWN, (), span),))
