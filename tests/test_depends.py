@@ -132,3 +132,173 @@ def test_a_metapackage_stands_for_what_it_names() -> None:
     assert [f.message.split("`")[1] for f in lint_files(files, ["DEP101"]).findings] == ["python3-opencv"]
     files["b/src/node.cpp"] = "int main() {}\n"
     assert {f.message.split("`")[1] for f in lint_files(files, ["DEP101"]).findings} == {"python3-opencv", "rclpy"}
+
+
+def in_tests(body: str, files: dict[str, str | None]) -> list[str]:
+    return said("DEP102", {"package.xml": manifest(body), **files})
+
+
+def test_tests_ask_for_test_dependencies() -> None:
+    files: dict[str, str | None] = {"test/test_a.py": "import pytest\nimport numpy\n"}
+    assert in_tests("", files) == ["python3-pytest", "python3-numpy"]
+    assert in_tests("  <depend>python3-numpy</depend>\n  <test_depend>python3-pytest</test_depend>\n", files) == []
+
+
+@pytest.mark.parametrize(
+    "declared, text",
+    [
+        ("launch_testing", "import launch\nimport launch_testing\nimport pytest\n"),
+        ("launch_testing_ament_cmake", "import launch\nimport launch_testing.actions\nimport ament_index_python\n"),
+        ("launch_testing_ros", "import launch_ros\nimport launch_testing\nimport rclpy\n"),
+        ("ros_testing", "import launch_ros\nimport launch_testing_ros\n"),
+        ("ament_cmake_pytest", "import pytest\n"),
+        ("ament_lint_common", "from ament_flake8.main import main\nfrom ament_copyright.main import main\n"),
+    ],
+)
+def test_what_stands_for_others_in_tests(declared: str, text: str) -> None:
+    assert in_tests(f"  <test_depend>{declared}</test_depend>\n", {"test/test_a.py": text}) == []
+
+
+def test_one_test_dependency_may_bring_the_others() -> None:
+    files: dict[str, str | None] = {"test/test_a.py": "import launch\nimport launch_testing\nimport pytest\n"}
+    assert in_tests("", files) == ["launch_testing"]
+
+
+def test_what_is_imported_when_it_runs_is_said_once() -> None:
+    assert in_tests("", {"test/test_a.py": "import cv2\n", "my_pkg/a.py": "import cv2\n"}) == []
+
+
+def test_helpers_among_the_tests_that_nothing_runs_do_not_count() -> None:
+    assert in_tests("", {"test/record_bag.py": "import cv2\n"}) == []
+
+
+LAUNCH = "  <exec_depend>ros2launch</exec_depend>\n"
+
+
+def launches(text: str, body: str = LAUNCH, path: str = "launch/a.launch.xml") -> list[str]:
+    return said("DEP103", {path: text, "package.xml": manifest(body)})
+
+
+def xml(inside: str) -> str:
+    return f"<launch>{inside}</launch>"
+
+
+def test_launch_files_name_packages() -> None:
+    text = xml('<node pkg="a" exec="x"/><include file="$(find-pkg-share b)/x"/><executable cmd="xacro x"/>')
+    assert launches(text) == ["a", "b", "xacro"]
+    body = LAUNCH + "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("a", "b", "xacro"))
+    assert launches(text, body) == []
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<node pkg="my_pkg" exec="x"/>',
+        '<node pkg="$(var robot)_bringup" exec="x"/>',
+        '<!-- <node pkg="old" exec="x"/> -->',
+        '<include file="$(find-pkg-share $(var p))/x"/>',
+        '<include file="$(dirname)/x.launch.xml"/>',
+        '<node pkg="ros1" type="x" name="y"/>',
+    ],
+)
+def test_launch_files_that_need_nothing(inside: str) -> None:
+    assert launches(xml(inside)) == []
+
+
+IMPORTS = "import launch\nimport launch_ros\nimport ament_index_python\ndef generate_launch_description(): pass\n"
+
+
+@pytest.mark.parametrize("declared", ["ros2launch", "launch_ros"])
+def test_what_stands_for_launch(declared: str) -> None:
+    assert launches(IMPORTS, f"  <exec_depend>{declared}</exec_depend>\n", "launch/a.launch.py") == []
+
+
+def test_launch_itself_is_asked_for_once_and_mildly() -> None:
+    files = {**PYTHON, "launch/a.launch.py": IMPORTS, "launch/b.launch.py": IMPORTS}
+    (finding,) = lint_files(files, ["DEP103"]).findings
+    assert finding.severity.value == "info"
+    assert "ros2launch" in finding.message
+
+
+def test_a_package_that_is_expected_to_be_missing_is_optional() -> None:
+    text = (
+        "from ament_index_python.packages import PackageNotFoundError, get_package_share_directory\n"
+        "try:\n    get_package_share_directory('nice_to_have')\nexcept PackageNotFoundError:\n    pass\n"
+    )
+    assert launches(text, LAUNCH, "launch/a.launch.py") == []
+
+
+def test_launch_files_of_tests_ask_for_test_dependencies() -> None:
+    files: dict[str, str | None] = {**PYTHON, "test/a.launch.xml": xml('<node pkg="a" exec="x"/>')}
+    (finding,) = lint_files(present(files), ["DEP103"]).findings
+    assert "<test_depend>a</test_depend>" in finding.message
+
+
+def test_a_dependency_in_a_comment_was_thought_about() -> None:
+    body = LAUNCH + "  <!-- not released yet: <exec_depend>a</exec_depend> -->\n"
+    assert launches(xml('<node pkg="a" exec="x"/>'), body) == []
+
+
+def test_a_dependency_that_would_close_a_circle_is_not_asked_for() -> None:
+    files = {f"a/{path}": text for path, text in PYTHON.items()}
+    files["a/launch/x.launch.xml"] = xml('<node pkg="b" exec="x"/>')
+    files["b/package.xml"] = manifest("  <exec_depend>US</exec_depend>\n", "cmake", "b").replace("US", "my_pkg")
+    assert [f.message for f in lint_files(files, ["DEP103"]).findings] == []
+
+
+def test_a_name_near_one_of_the_workspace_is_hinted_at_and_not_written() -> None:
+    files = {f"a/{path}": text for path, text in PYTHON.items()}
+    files["a/launch/x.launch.xml"] = xml('<node pkg="acme_drivr" exec="x"/>')
+    files["b/package.xml"] = manifest("", "cmake", "acme_driver")
+    (finding,) = lint_files(files, ["DEP103"]).findings
+    assert "did you mean `acme_driver`?" in finding.message
+    assert finding.fix is None
+
+
+SCRIPT = PYTHON["setup.py"].replace(
+    "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
+)
+
+
+def starts(inside: str, **more: str | None) -> list[str]:
+    files = {**PYTHON, "setup.py": SCRIPT, "my_pkg/talker.py": "", "launch/a.launch.xml": xml(inside), **more}
+    return [f.place.path for f in lint_files(present(files), ["LCH002"]).findings]
+
+
+def test_executables_of_the_own_package() -> None:
+    assert starts('<node pkg="my_pkg" exec="talker"/>') == []
+    assert starts('<node pkg="my_pkg" exec="listener"/>') == ["launch/a.launch.xml"]
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<node pkg="elsewhere" exec="listener"/>',
+        '<node pkg="my_pkg" exec="$(var which)"/>',
+        '<node pkg="my_pkg" type="listener" name="x"/>',
+    ],
+)
+def test_executables_that_nobody_can_tell(inside: str) -> None:
+    assert starts(inside) == []
+
+
+def test_executables_that_are_computed_keep_the_rule_quiet() -> None:
+    computed = SCRIPT.replace("['talker = my_pkg.talker:main']", "[line for line in open('/etc/nodes')]")
+    assert starts('<node pkg="my_pkg" exec="listener"/>', **{"setup.py": computed}) == []
+
+
+@pytest.mark.parametrize(
+    "text, fires",
+    [
+        ("from .base import generate_launch_description\n", False),
+        ("from base import *\n", False),
+        ("generate_launch_description = make('x')\n", False),
+        ("def generate_test_description():\n    pass\n", False),
+        ("def main():\n    pass\n\n\nif __name__ == '__main__':\n    main()\n", False),
+        ("def generate_launch_descripton():\n    pass\n", True),
+        ("", True),
+    ],
+)
+def test_launch_files_that_launch_can_load(text: str, fires: bool) -> None:
+    files = {**PYTHON, "launch/a.launch.py": text, "launch/helpers.py": "", "test/b_launch.py": ""}
+    assert bool(lint_files(files, ["LCH001"]).findings) is fires

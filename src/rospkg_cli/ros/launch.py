@@ -117,6 +117,3 @@ SUBSTITUTIONS: Mapping[str, tuple[int, int]] = {
     "param": (1, 1),
 }
 """Substitutions and how many arguments they take, at least and at most."""
-
-LAUNCH_PACKAGES = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python", "ros2launch"})
-"""What `ros2launch` brings, so that a launch file can run at all."""

@@ -19,7 +19,7 @@ class Entity:
     name_span: Span
     attributes: dict[str, Written] = field(default_factory=dict)
     attribute_spans: dict[str, Span] = field(default_factory=dict)
-    """From the name to the end of the value."""
+    """Of the names."""
     lists: dict[str, tuple[Written, ...]] = field(default_factory=dict)
     """Attributes that are a list of plain values, which YAML knows."""
     children: tuple[Entity, ...] = ()
@@ -49,7 +49,7 @@ def xml_entity(document: Document, element: Element) -> Entity:
             a.name: Written(a.value, a.value_span, text[a.value_span.start : a.value_span.end] == a.value)
             for a in element.attributes.values()
         },
-        {a.name: a.span for a in element.attributes.values()},
+        {a.name: Span(a.span.start, a.span.start + len(a.name)) for a in element.attributes.values()},
         children=tuple(xml_entity(document, child) for child in element.children),
     )
 
@@ -75,7 +75,7 @@ def yaml_entity(name: str, name_span: Span, value: Tree, faults: list[Fault]) ->
         return with_children(found, list(children_of(value, faults)))
     children: list[Entity] = []
     for key, item in value.items:
-        found.attribute_spans[key.text] = Span(key.span.start, item.span.end)
+        found.attribute_spans[key.text] = key.span
         if not isinstance(item, Branch):
             found.attributes[key.text] = item.written
         elif key.text == "children":

@@ -106,8 +106,9 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
 
 
 def has_name(file: PythonFile, evaluator: Evaluator, name: str) -> bool:
-    """Return whether a file defines a name, or may have it from elsewhere."""
-    return name in file.definitions or bool(file.stars) or file.dynamic or evaluator.get(name) is not None
+    """Return whether a file defines a name, may have it from elsewhere, or is a program that needs none."""
+    told = not (file.stars or file.dynamic or "__main__" in file.source.text)
+    return not told or name in file.definitions or evaluator.get(name) is not None
 
 
 def guarded_in(file: PythonFile) -> Iterator[Span]:

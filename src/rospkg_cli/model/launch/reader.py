@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ..evaluate.folder import Folder
 from ..files import PackageFiles, Reading
-from ..python import parse_python
+from ..modules import Modules
 from ..unreadable import Unreadable, UnreadableError
 from ..uses.roles import role_of
 from .file import LaunchFile
@@ -22,7 +22,9 @@ ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
 
 def read_launch_files(reading: Reading) -> Iterator[LaunchFile | Unreadable]:
     """Read every launch file; those of tests are left out where they are broken."""
-    reader = Reader(reading.files)
+    modules = reading.parts(Modules).only
+    assert modules is not None
+    reader = Reader(reading.files, modules)
     for path in reading.files.paths:
         role = role_of(path)
         if role == "aside" or path == "package.xml":
@@ -38,8 +40,8 @@ def read_launch_files(reading: Reading) -> Iterator[LaunchFile | Unreadable]:
 
 
 class Reader:
-    def __init__(self, files: PackageFiles) -> None:
-        self.files = files
+    def __init__(self, files: PackageFiles, modules: Modules) -> None:
+        self.files, self.modules = files, modules
         self.folder: Folder | None = None
 
     def read(self, path: str) -> LaunchFile | None:
@@ -57,4 +59,7 @@ class Reader:
             return None
         if self.folder is None:
             self.folder = Folder(self.files)
-        return read_python_launch(parse_python(source), self.folder)
+        parsed = self.modules.read(path)
+        if isinstance(parsed, Unreadable):
+            raise UnreadableError(parsed.path, parsed.span, parsed.message, grammar=parsed.grammar)
+        return read_python_launch(parsed, self.folder)

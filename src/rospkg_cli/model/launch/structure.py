@@ -52,13 +52,14 @@ def part_faults(entity: Entity, around: str) -> Iterator[Fault]:
 
 
 def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:
-    given = entity.attribute_spans
+    given, meant = entity.attribute_spans, set()
     for name, span in given.items():
         if not kind.takes(name) and name not in kind.inside and not (kind.actions and name == "children"):
+            meant.add(nearest(name, kind.attributes | kind.inside))
             hint = did_you_mean(name, kind.attributes | kind.inside)
             message = f"`{entity.name}` has no attribute `{name}`{hint}: launch refuses the whole file"
             yield Fault(span, message)
-    for name in sorted(kind.required - given.keys()):
+    for name in sorted(kind.required - given.keys() - meant):
         yield Fault(entity.name_span, f"`{entity.name}` lacks its attribute `{name}`: launch refuses the whole file")
     if {"if", "unless"} <= given.keys():
         yield Fault(given["unless"], f"`{entity.name}` has `if` and `unless`; launch takes one of them")

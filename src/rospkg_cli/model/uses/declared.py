@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,6 +13,8 @@ from ..manifest import Manifest
 from ..workspace import Workspace
 
 MAX_DEPTH = 20
+
+COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
 
 @dataclass(frozen=True)
@@ -47,5 +50,27 @@ class Declared:
         return found
 
     def has(self, names: Iterable[str]) -> bool:
-        """Return whether one of some names is declared, or is the package itself."""
-        return any(name in self.names or name == self.facts.name for name in names)
+        """Return whether one of some names is declared, or is the package itself, or can't be declared."""
+        return any(
+            name in self.names or name == self.facts.name or name in self.put_aside or self.needs_us(name)
+            for name in names
+        )
+
+    @cached_property
+    def put_aside(self) -> frozenset[str]:
+        """The dependencies that stand in comments: somebody thought about them."""
+        comments = "\n".join(comment.text for comment in self.manifest.document.comments)
+        return frozenset(COMMENTED.findall(comments))
+
+    def needs_us(self, name: str) -> bool:
+        """Return whether a package of the workspace needs this one: to depend on it would close a circle."""
+        seen: set[str] = set()
+        waiting = [name]
+        while waiting:
+            facts = self.workspace.named(waiting.pop())
+            if facts is not None and facts.name not in seen:
+                seen.add(facts.name)
+                waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
+            if self.facts.name in waiting:
+                return True
+        return False

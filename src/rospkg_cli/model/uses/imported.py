@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
+from ...ros.stands_for import IN_TESTS, brought
 from ...source import Span
 from .declared import Declared
 from .python import PythonUse
@@ -25,6 +25,8 @@ class Missing:
 
     name: str
     places: tuple[Place, ...]
+    brings: tuple[str, ...] = ()
+    """What is missing as well, and is there with this one."""
 
 
 @dataclass(frozen=True)
@@ -34,16 +36,27 @@ class Imported:
     declared: Declared
     python: PythonUse
 
-    def missing(self, *roles: Role) -> Iterator[Missing]:
-        """Yield what files of these roles import without its being declared, in the order of the files."""
-        if not self.declared.judged:
-            return
-        found: dict[str, list[Place]] = {}
-        for file in self.python.files:
-            if file.role in roles:
-                for each in file.imports:
-                    name = serving_import(self.declared, each)
-                    if name:
-                        found.setdefault(name, []).append(Place(file.path, each.span, each.module))
+    def missing(self) -> list[Missing]:
+        """Return what installed modules and scripts import without its being declared, in the order of the files."""
+        return [Missing(name, tuple(places)) for name, places in self.undeclared("run").items()]
+
+    def missing_in_tests(self) -> list[Missing]:
+        """Return what tests alone import without its being declared, but for what other things bring."""
+        installed = self.undeclared("run")
+        there = brought(self.declared.names, IN_TESTS)
+        found = {name: p for name, p in self.undeclared("test").items() if name not in there and name not in installed}
+        result = []
         for name, places in found.items():
-            yield Missing(name, tuple(places))
+            if name not in brought(found.keys() - {name}, IN_TESTS):
+                brings = sorted(brought([name], IN_TESTS) & found.keys())
+                result.append(Missing(name, tuple(places), tuple(brings)))
+        return result
+
+    def undeclared(self, role: Role) -> dict[str, list[Place]]:
+        found: dict[str, list[Place]] = {}
+        for file in self.python.files if self.declared.judged else ():
+            for each in file.imports if file.role == role else ():
+                name = serving_import(self.declared, each)
+                if name:
+                    found.setdefault(name, []).append(Place(file.path, each.span, each.module))
+        return found

@@ -6,6 +6,7 @@ import re
 from functools import cached_property
 
 from ..files import PackageFiles
+from ..install import InstallTable
 from ..unreadable import UnreadableError
 
 PROGRAMS = re.compile(r"\binstall\s*\(\s*PROGRAMS\b([^)]*)\)", re.IGNORECASE)
@@ -13,16 +14,28 @@ PYTHON_PACKAGE = re.compile(r"\bament_python_install_package\s*\(", re.IGNORECAS
 
 
 class InstalledPython:
-    """What setup.py or CMakeLists.txt installs, as far as that shows without evaluating them."""
+    """What the install table says; where it can't tell, what the files themselves suggest."""
 
-    def __init__(self, files: PackageFiles) -> None:
+    def __init__(self, files: PackageFiles, table: InstallTable | None) -> None:
         self.files = files
+        self.told = table is not None and table.knows("module") and table.knows("executable")
+        rows = table.rows if table else ()
+        self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable"))
 
     def has(self, path: str) -> bool:
+        if path in self.sources or self.told:
+            return path in self.sources
         if path.rpartition("/")[2] in self.programs:
             return True
         in_a_package = self.files.exists(f"{path.rpartition('/')[0]}/__init__.py")
         return in_a_package and (self.packages or not self.cmake)
+
+    def is_test(self, path: str) -> bool:
+        """Return whether a file among the tests is run with them: CMake names it or its folder, or pytest finds it."""
+        folder, _, name = path.rpartition("/")
+        if self.cmake:
+            return name in self.cmake or re.search(rf"\b{re.escape(folder)}/?[\s)\"]", self.cmake) is not None
+        return "test" in name
 
     @cached_property
     def cmake(self) -> str:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
-from ...ros.launch import LAUNCH_PACKAGES
+from ...ros.names import Known
+from ...ros.stands_for import IN_LAUNCH_FILES, IN_TESTS, brought
 from ..files import PackageFiles
 from ..launch.file import LaunchFile
 from ..launch.uses import PackageUse, package_uses
@@ -14,18 +14,6 @@ from .declared import Declared
 from .python import OwnModules
 from .roles import role_of
 from .serving import serving_import
-
-BROUGHT_BY = {
-    "ros2launch": LAUNCH_PACKAGES,
-    "launch_ros": frozenset({"launch", "rclpy", "python3-yaml", "ament_index_python"}),
-    "launch_xml": frozenset({"launch"}),
-    "launch_yaml": frozenset({"launch"}),
-    "launch_testing": frozenset({"launch", "ament_index_python"}),
-    "launch_testing_ros": frozenset({"launch", "launch_ros", "launch_testing", "ament_index_python"}),
-    "launch_testing_ament_cmake": frozenset({"launch_testing"}),
-    "launch_pytest": frozenset({"launch", "launch_testing"}),
-}
-"""What may be used inside of a launch file because something else was declared that is of no use without it."""
 
 
 @dataclass(frozen=True)
@@ -36,19 +24,27 @@ class Launched:
     files: PackageFiles
     launch_files: tuple[LaunchFile, ...]
 
-    @cached_property
-    def brought(self) -> frozenset[str]:
-        return frozenset().union(*(BROUGHT_BY.get(name, ()) for name in self.declared.names))
+    @property
+    def names_around(self) -> frozenset[str]:
+        """The packages of the workspace and those that are declared."""
+        return self.declared.workspace.names | self.declared.names
 
-    def missing(self, *, tests: bool) -> Iterator[tuple[str, tuple[PackageUse, ...]]]:
-        """Yield each package that is needed and not declared, with the places that need it."""
+    def is_strange(self, name: str) -> bool:
+        """Return whether nobody knows a package of that name."""
+        return self.declared.workspace.what(name) is not Known.PACKAGE
+
+    def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
+        """Return each package that is needed and not declared, with the places that need it."""
+        if not self.declared.judged:
+            return {}
+        there = brought(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
         found: dict[str, list[PackageUse]] = {}
-        for file in self.launch_files if self.declared.judged else ():
+        for file in self.launch_files:
             if (role_of(file.path) == "test") is tests:
                 for use in [*package_uses(file), *([] if tests else self.imported(file))]:
-                    if not self.declared.has([use.name]) and use.name not in self.brought:
+                    if not self.declared.has([use.name]) and use.name not in there:
                         found.setdefault(use.name, []).append(use)
-        yield from ((name, tuple(uses)) for name, uses in found.items())
+        return found
 
     def imported(self, file: LaunchFile) -> Iterator[PackageUse]:
         """Yield what a Python launch file imports and nothing declared serves."""

@@ -8,7 +8,9 @@ from functools import cached_property
 from pathlib import PurePosixPath
 
 from ..files import PackageFiles, Reading
-from ..python import Import, PythonFile, parse_python
+from ..install import InstallTable
+from ..modules import Modules
+from ..python import Import, PythonFile
 from ..unreadable import UnreadableError
 from .installed import InstalledPython
 from .roles import Role, role_of
@@ -66,18 +68,20 @@ class OwnModules:
 
 def read_python_use(reading: Reading) -> Iterator[PythonUse]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
-    own, installed = OwnModules(reading.files), InstalledPython(reading.files)
+    own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
+    modules = reading.parts(Modules).only
+    assert modules is not None
     found: list[PythonImports] = []
     complete = True
     for path in reading.files.paths:
         if is_python(reading.files, path):
-            try:
-                file = parse_python(reading.files.source(path))
-                role = role_of(path)
-                role = "aside" if role == "run" and not installed.has(path) else role
-                found.append(PythonImports(path, role, foreign(file, own)))
-            except UnreadableError:
+            file, role = modules.at(path), role_of(path)
+            if file is None:
                 complete = False
+                continue
+            used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
+            role = role if used else "aside"
+            found.append(PythonImports(path, role, foreign(file, own)))
     yield PythonUse(tuple(found), complete)
 
 

@@ -53,7 +53,7 @@ def undeclared_import(imported: Imported) -> Iterator[Hit]:
     - REP-149, exec_depend
     """
     manifest = imported.declared.manifest
-    for missing in imported.missing("run"):
+    for missing in imported.missing():
         first, *others = missing.places
         tag = f"<exec_depend>{missing.name}</exec_depend>"
         message = (

@@ -1,0 +1,47 @@
+"""What launch files start, against what packages install."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...source import Span
+from ..facts import PackageFacts
+from ..workspace import Workspace
+from .file import LaunchFile
+
+
+@dataclass(frozen=True, slots=True)
+class StartedNode:
+    """A node whose package is one of the workspace and whose executable is literal."""
+
+    path: str
+    span: Span
+    """Of the executable."""
+    executable: str
+    plain: bool
+    """Whether the span holds the name and nothing else."""
+    facts: PackageFacts
+
+
+@dataclass(frozen=True)
+class Started:
+    workspace: Workspace
+    file: LaunchFile
+
+    def nodes(self) -> Iterator[StartedNode]:
+        """Yield what is started of packages of the workspace, under literal names; a component is no program."""
+        for node in self.file.nodes if not self.file.ros1 else ():
+            package = node.package.literal if node.package else None
+            executable = node.executable.literal if node.executable else None
+            facts = self.workspace.named(package) if package else None
+            if facts is not None and executable and node.executable is not None:
+                span = node.executable.span
+                plain = self.file.source.slice(span) == executable
+                yield StartedNode(self.file.path, span, executable, plain, facts)
+
+    def unknown_executables(self) -> Iterator[StartedNode]:
+        """Yield the nodes whose package, as far as it can be told, installs no such executable."""
+        for node in self.nodes():
+            if node.facts.knows("executables") and node.executable not in node.facts.executables:
+                yield node

@@ -1,0 +1,44 @@
+"""Dependencies that stand for others: nobody declares the one without using the others through it.
+
+Source: the manifests of ros2/launch, ros2/launch_ros, ros2/ros_testing and ament/ament_lint.  What a node imports
+when it runs is not among them: a direct use is to be declared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"})
+"""What a launch file is made of; `ros2launch` brings it all."""
+
+IN_LAUNCH_FILES: Mapping[str, frozenset[str]] = {
+    "ros2launch": LAUNCH,
+    "launch_ros": frozenset({"launch", "rclpy", "python3-yaml", "ament_index_python"}),
+    "launch_xml": frozenset({"launch"}),
+    "launch_yaml": frozenset({"launch"}),
+}
+
+IN_TESTS: Mapping[str, frozenset[str]] = {
+    **IN_LAUNCH_FILES,
+    "launch_testing": frozenset({"launch", "launch_xml", "launch_yaml", "ament_index_python", "python3-pytest"}),
+    "launch_testing_ament_cmake": frozenset({"launch_testing"}),
+    "launch_testing_ros": frozenset({"launch_testing", "launch_ros", "rclpy"}),
+    "launch_pytest": frozenset({"launch_testing"}),
+    "ros_testing": frozenset({"launch_testing", "launch_testing_ament_cmake", "launch_testing_ros", "ros2test"}),
+    "ament_cmake_pytest": frozenset({"python3-pytest"}),
+    "ament_lint_common": frozenset(
+        {"ament_copyright", "ament_cppcheck", "ament_cpplint", "ament_flake8", "ament_lint_cmake", "ament_pep257"}
+        | {"ament_uncrustify", "ament_xmllint"}
+    ),
+}
+
+
+def brought(names: Iterable[str], table: Mapping[str, frozenset[str]]) -> frozenset[str]:
+    """Return what some dependencies stand for, by one of the tables."""
+    found: set[str] = set()
+    waiting = list(names)
+    while waiting:
+        new = table.get(waiting.pop(), frozenset()) - found
+        found |= new
+        waiting += new
+    return frozenset(found)

@@ -1,0 +1,100 @@
+"""DEP103 undeclared-launch-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.launch.uses import PackageUse
+from ...model.uses.launched import Launched
+from ...ros.stands_for import LAUNCH
+from ...rule import rule
+from ...suggest import did_you_mean
+
+DECLARED = "  <exec_depend>{}</exec_depend>\n"
+
+BAD = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='«robot_state_publisher»', executable='robot_state_publisher')])
+"""
+BAD_XML = """\
+<launch>
+  <include file="$(find-pkg-share «nav2_bringup»)/launch/navigation_launch.py"/>
+</launch>
+"""
+
+
+@rule(
+    "DEP103",
+    "undeclared-launch-package",
+    over=Launched,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "for launch itself, which whoever starts a launch file has"},
+    examples=(
+        Example(
+            bad={"launch/robot.launch.py": BAD, "package.xml": manifest(DECLARED.format("ros2launch"))},
+            good={
+                "package.xml": manifest(DECLARED.format("robot_state_publisher") + DECLARED.format("ros2launch")),
+            },
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"launch/nav.launch.xml": BAD_XML},
+            good={"package.xml": manifest(DECLARED.format("nav2_bringup"))},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def undeclared_launch_package(launched: Launched) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that launch files need and package.xml does not declare: those whose nodes and components they
+    start, whose files they look for or include, whose programs (`xacro`) they run, and whose modules they import.
+    Names that are computed when the file runs are left alone. A dependency on `ros2launch` stands for launch,
+    launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files of tests ask for a test_depend.
+
+    ## Why is this bad?
+    It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml
+    does not name, and the launch ends with "package 'robot_state_publisher' not found".
+
+    ## References
+    - REP-149, exec_depend
+    """
+    for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
+        missing = launched.missing(tests=tests)
+        if not tests and missing.keys() & LAUNCH:
+            yield no_launch(launched, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
+        for name, uses in missing.items():
+            yield undeclared(launched, tag, name, uses)
+
+
+def undeclared(launched: Launched, tag: str, name: str, uses: list[PackageUse]) -> Hit:
+    first, *others = uses
+    hint = did_you_mean(name, launched.names_around) if launched.is_strange(name) else ""
+    line = f"<{tag}>{name}</{tag}>"
+    message = (
+        f"package.xml does not declare `{name}`, but this launch file {first.does} it{hint}: on a clean machine rosdep "
+        f"does not install it and the launch fails with \"package '{name}' not found\"; add {line}"
+    )
+    fix = None if hint else Fix(f"add {line}", (add_dependency(launched.declared.manifest, tag, name),))
+    related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
+    return Hit(first.path, first.span, message, related=related, fix=fix)
+
+
+def no_launch(launched: Launched, missing: dict[str, list[PackageUse]]) -> Hit:
+    """Ask for ros2launch once, whatever of launch itself is missing."""
+    first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
+    line = "<exec_depend>ros2launch</exec_depend>"
+    names = " and ".join(f"`{name}`" for name in missing)
+    message = (
+        f"package.xml does not declare {names}, of which this launch file is made: where nothing else brings them, "
+        f"`ros2 launch` is not there to start it; add {line}, which stands for all of them"
+    )
+    fix = Fix(f"add {line}", (add_dependency(launched.declared.manifest, "exec_depend", "ros2launch"),))
+    return Hit(first.path, first.span, message, Severity.INFO, fix=fix)

@@ -1,0 +1,57 @@
+"""LCH001 missing-launch-description."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.file import LaunchFile
+from ...model.uses.roles import role_of
+from ...rule import rule
+from ...source import Span
+
+STARTABLE = re.compile(r"(.*[._-])?launch\.py", re.IGNORECASE)
+
+GOOD = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+
+
+@rule(
+    "LCH001",
+    "missing-launch-description",
+    over=LaunchFile,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/robot.launch.py": "«»" + GOOD.replace("generate_launch_description", "launch_description"),
+            },
+            good={"launch/robot.launch.py": GOOD},
+        ),
+    ),
+)
+def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds Python launch files (`*.launch.py`, `*_launch.py`) without a function `generate_launch_description`. One that
+    is imported or assigned counts as well; tests, and files that are programs of their own, are left alone.
+
+    ## Why is this bad?
+    `ros2 launch` loads the file and ends with "module has no attribute 'generate_launch_description'".
+    """
+    name = file.path.rpartition("/")[2]
+    installed = role_of(file.path) == "launch"
+    if file.frontend == "python" and not file.entry and installed and STARTABLE.fullmatch(name):
+        message = (
+            f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define the function, "
+            f"or give the file a name that does not end in `launch.py` if others import it"
+        )
+        yield Hit(file.path, Span(0, 0), message)

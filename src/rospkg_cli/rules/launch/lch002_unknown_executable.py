@@ -1,0 +1,69 @@
+"""LCH002 unknown-executable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import SETUP_PY, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.launch.started import Started, StartedNode
+from ...rule import rule
+from ...suggest import nearest
+
+SETUP = SETUP_PY.replace(
+    "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
+)
+BAD = """\
+<launch>
+  <node pkg="my_pkg" exec="«taker»"/>
+</launch>
+"""
+FILES = {
+    "setup.py": SETUP,
+    "my_pkg/talker.py": "def main():\n    pass\n",
+    "package.xml": manifest(),
+    "launch/a.launch.xml": BAD,
+}
+
+
+@rule(
+    "LCH002",
+    "unknown-executable",
+    over=Started,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad=FILES,
+            good={"launch/a.launch.xml": BAD.replace("«taker»", "talker")},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_executable(started: Started) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds nodes of this package, or of another package of the workspace, whose executable nothing installs: it is
+    neither a console_script nor a target or script that CMake installs. Packages whose executables can't all be told
+    are left alone.
+
+    ## Why is this bad?
+    The launch stops with "executable 'taker' not found on the libexec directory".
+
+    ## Fix safety
+    The one name that is near is put in its place; it may be another program than the one that was meant.
+    """
+    for node in started.unknown_executables():
+        meant = nearest(node.executable, node.facts.executables)
+        there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8]) or "no executable at all"
+        hint = f"did you mean `{meant}`?" if meant else f"it installs {there}"
+        message = (
+            f'`{node.facts.name}` installs no executable `{node.executable}`: the launch stops with "executable '
+            f"'{node.executable}' not found on the libexec directory\"; {hint}"
+        )
+        yield Hit(node.path, node.span, message, fix=rename(node, meant))
+
+
+def rename(node: StartedNode, meant: str | None) -> Fix | None:
+    if meant is None or not node.plain:
+        return None
+    return Fix(f"start `{meant}`", (Edit(node.path, node.span, meant),), Safety.UNSAFE)
