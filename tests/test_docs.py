@@ -1,0 +1,49 @@
+"""What the documents promise holds: README's commands, the problem matcher, the verbs."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+from test_lint_command import rospkg
+
+from rospkg_cli.cli.app import app
+
+ROOT = Path(__file__).parents[1]
+NEW = (
+    "python3 -m venv .venv && .venv/bin/pip install . && .venv/bin/rospkg new my_robot_nav"
+    " && .venv/bin/rospkg lint my_robot_nav"
+)
+TEST = "python3 -m venv .venv && .venv/bin/pip install -e '.[test]' && .venv/bin/pytest"
+
+
+def test_readme_has_the_two_commands_each_in_a_line() -> None:
+    lines = [line.strip() for line in (ROOT / "README.md").read_text().splitlines()]
+    assert NEW in lines
+    assert TEST in lines
+
+
+def test_readme_names_every_verb() -> None:
+    text = (ROOT / "README.md").read_text()
+    for command in app.registered_commands:
+        assert f"`rospkg {command.name or command.callback.__name__}" in text
+
+
+def test_the_problem_matcher_reads_concise(tmp_path, write, clean) -> None:
+    blocks = re.findall(r"```json\n(.*?)```", (ROOT / "docs/in-the-flow.md").read_text(), re.DOTALL)
+    pattern = json.loads(blocks[0])["problemMatcher"]["pattern"]
+    manifest = clean["package.xml"].replace("Drives my robot", "TODO")
+    package = write(tmp_path / "a folder" / "my_pkg", {**clean, "package.xml": manifest})
+    (line,) = rospkg("lint", "--format", "concise", cwd=package.parent).stdout.splitlines()
+    found = re.fullmatch(pattern["regexp"], line)
+    assert found
+    assert found.group(pattern["file"]) == "my_pkg/package.xml"
+    assert found.group(pattern["severity"]) == "warning"
+    assert found.group(pattern["code"]) == "XML104"
+
+
+def test_hooks_run_verbs_that_exist() -> None:
+    verbs = {command.name or command.callback.__name__ for command in app.registered_commands}
+    for entry in re.findall(r"entry: rospkg (\w+)", (ROOT / ".pre-commit-hooks.yaml").read_text()):
+        assert entry in verbs
