@@ -49,7 +49,7 @@ def test_every_part_has_its_place() -> None:
     assert packages is not None
     assert [line.text for line in packages.value.lines()] == ["my_pkg", "my_pkg.sub", "other"]
     assert [cfg.source.slice(line.shown) for line in packages.value.lines()] == ["my_pkg", "my_pkg.sub", "other"]
-    assert cfg.get("install", "install_scripts") is cfg.sections["install"].options["install_scripts"]
+    assert cfg.get("install", "install_scripts") is cfg.sections["install"].options["install-scripts"]
 
 
 CASES = ["[a]", "[b]", "x = 1", "y: 2", "  more", "\tmore", "z=", "", "# c", "  ; c", "w", "q = a = b", "X=3"]

@@ -40,7 +40,7 @@ class Section:
     span: Span
     """Of `[name]`."""
     options: dict[str, Option] = field(default_factory=dict)
-    """By name, in order."""
+    """By key as it is spelled, in order."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class SetupCfg:
         return self.source.path
 
     def get(self, section: str, option: str) -> Option | None:
-        found = self.sections.get(section)
-        return found.options.get(option) if found else None
+        """Return an option by its name; of several spellings the last, as setuptools takes it."""
+        return next((each for each in reversed(self.options(section)) if each.name == option), None)
 
     def options(self, section: str) -> tuple[Option, ...]:
         found = self.sections.get(section)
@@ -138,4 +138,4 @@ def add(source: Source, section: Section, key: tuple[str, Span], lines: list[Spa
     whole = Span(held[0].start, held[-1].end)
     value = Said(source.path, source.slice(whole), whole, whole)
     option = Option(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
-    section.options.setdefault(option.name, option)
+    section.options[option.key] = option
