@@ -146,6 +146,17 @@ def manifest(body: str = "", build_type: str = "ament_python", name: str = "my_p
     return text.replace("my_pkg", name).replace("\n\n", "\n")
 
 
+def setup_py(*lines: str) -> str:
+    """A faultless setup.py that passes more arguments (lines of code, each with its comma) to setup()."""
+    return SETUP_PY.replace("    zip_safe=True,\n", "    zip_safe=True,\n" + "".join(f"    {line}\n" for line in lines))
+
+
+def scripts(*entries: str) -> str:
+    """The lines of setup.py that make executables of `name = module:function` texts."""
+    inner = "".join(f"            '{entry}',\n" for entry in entries)
+    return f"entry_points={{\n        'console_scripts': [\n{inner}        ],\n    }},"
+
+
 BACKDROPS: dict[str, dict[str, str | None]] = {
     "": {},
     "ament_python": {

@@ -92,6 +92,16 @@ class PythonFile(Syntax):
         return found
 
     @cached_property
+    def functions(self) -> dict[str, Span]:
+        """The functions defined at the very top level, and where the name of each stands."""
+        found: dict[str, Span] = {}
+        for node in self.tree.body:
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                start = self.source.text.index(node.name, self.span(node).start + len("def "))
+                found[node.name] = Span(start, start + len(node.name))
+        return found
+
+    @cached_property
     def stars(self) -> tuple[Import, ...]:
         """The modules of which everything is imported at the top level."""
         return tuple(each for each in self.imports if "*" in each.names and not each.local)

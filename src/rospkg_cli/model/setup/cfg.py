@@ -16,6 +16,16 @@ SECTION = re.compile(r"\[(?P<name>.+)\]")
 OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
 COMMENTS = ("#", ";")
 
+COMMANDS = frozenset(
+    "alias bdist bdist_dumb bdist_egg bdist_rpm bdist_wheel build build_clib build_ext build_py build_scripts check"
+    " clean develop dist_info easy_install editable_wheel egg_info install install_data install_egg_info"
+    " install_headers install_lib install_scripts register rotate saveopts sdist setopt test upload upload_docs".split()
+)
+"""The commands of distutils and setuptools, whose options stand in sections of that name."""
+
+FREE_KEYS = frozenset({"options.extras_require", "options.data_files", "options.entry_points", "options.package_data"})
+"""Sections whose keys are names of the user's own."""
+
 
 @dataclass(frozen=True)
 class Option:
@@ -42,6 +52,11 @@ class Section:
     options: dict[str, Option] = field(default_factory=dict)
     """By key as it is spelled, in order."""
 
+    @property
+    def read_by_setuptools(self) -> bool:
+        """Whether its keys are options of setuptools: other tools may spell theirs as they like."""
+        return self.name in COMMANDS or (self.name.startswith(("metadata", "options")) and self.name not in FREE_KEYS)
+
 
 @dataclass(frozen=True)
 class SetupCfg:
@@ -51,6 +66,11 @@ class SetupCfg:
     @property
     def path(self) -> str:
         return self.source.path
+
+    @property
+    def span(self) -> Span:
+        """Of the first section's name: the place for what is missing."""
+        return next((section.span for section in self.sections.values()), Span(0, 0))
 
     def get(self, section: str, option: str) -> Option | None:
         """Return an option by its name; of several spellings the last, as setuptools takes it."""

@@ -33,6 +33,8 @@ class Search:
     exclude: tuple[str, ...]
     namespace: bool
     found: tuple[str, ...]
+    call: Call | None = None
+    """None where setup.cfg says `find:`."""
 
     def excludes(self, name: str) -> bool:
         return any(fnmatchcase(name, pattern) for pattern in (*ALWAYS_EXCLUDED, *self.exclude))
@@ -49,7 +51,7 @@ def finder(searches: list[Search], *, namespace: bool) -> Intrinsic:
             found = tuple(find(machine.folder, inside, include, exclude, namespace=namespace))
         except (NotPlainError, OutsideError, TypeError):
             return None
-        searches.append(Search("setup.py", call.span, inside, include, exclude, namespace, found))
+        searches.append(Search("setup.py", call.span, inside, include, exclude, namespace, found, call))
         return machine.new_list(call.span, [Text(call.span, name) for name in found])
 
     return intrinsic

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ...source import Source, Span
 from ..evaluate.evaluator import Evaluator
-from ..evaluate.folder import Folder
+from ..evaluate.folder import Folder, Kind, OutsideError
 from ..evaluate.plain import unknowns
 from ..evaluate.values import Argument, Call, Constant, Globbed, Sequence, Text, Unknown, Value
 from ..evaluate.values import Mapping as MappingValue
@@ -51,6 +51,8 @@ class SetupPy:
     globs: tuple[Globbed, ...]
     searches: tuple[Search, ...]
     """Every find_packages()."""
+    names: Mapping[str, Value]
+    """What the names of setup.py are bound to in the end."""
     cwd: str
     cfg: SetupCfg | None
     cfg_broken: bool = False
@@ -170,12 +172,19 @@ class SetupPy:
                 found[module.text] = file
         return found
 
+    def kind(self, path: str) -> Kind | None:
+        """Return what stands at a path; "unknown" where a link leads out of the package."""
+        try:
+            return self.folder.kind(path)
+        except OutsideError:
+            return "unknown"
+
     def file_of(self, module: str) -> str | None:
         """Return the file of a module as it lies on disk, whether it is installed or not."""
         package, _, name = module.rpartition(".")
         folder = self.folder_of(package) if package else self.package_dir.get("", "")
         for path in (posixpath.join(folder, f"{name}.py"), posixpath.join(self.folder_of(module), "__init__.py")):
-            if self.folder.kind(posixpath.normpath(path)) == "file":
+            if self.kind(posixpath.normpath(path)) == "file":
                 return posixpath.normpath(path)
         return None
 
@@ -236,7 +245,9 @@ def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
     call, doubt = setup_call(evaluator)
     broken = bool(cfg.broken) or has_project_table(reading)
     calls, globs = tuple(evaluator.calls), tuple(evaluator.globs)
-    yield SetupPy(file, folder, call, doubt, calls, globs, tuple(searches), evaluator.cwd, cfg.only, broken)
+    yield SetupPy(
+        file, folder, call, doubt, calls, globs, tuple(searches), evaluator.scope.names, evaluator.cwd, cfg.only, broken
+    )
 
 
 def runs_setup_py(reading: Reading) -> bool:

@@ -1,0 +1,72 @@
+"""How entry points are mended and added."""
+
+from __future__ import annotations
+
+import io
+import re
+import tokenize
+
+from ..finding import Edit
+from ..model.setup.entry_points import EntryPoint, parse_entry_point
+from ..model.setup.said import Said
+from ..model.setup.setup_py import SetupPy
+from ..source import Span
+from .setup import add_item, quoted, replace_text
+
+SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
+
+
+def repair(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
+    """Return the edits that make a malformed entry point what was probably meant; none where that isn't clear."""
+    if entry.fault == "joined":
+        return parted(setup, entry)
+    if entry.fault == "no-attribute" and "." in entry.module:
+        module, _, attribute = entry.module.rpartition(".")
+        path = setup.file_of(module)
+        return rewritten(entry, f"{entry.name} = {module}:{attribute}") if path else ()
+    match = SLASHES.fullmatch(entry.text)
+    if match is None:
+        return ()
+    module = match["module"].strip("/").replace("/", ".")
+    return rewritten(entry, f"{match['name']}{module}:{match['attribute']}") if setup.file_of(module) else ()
+
+
+def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
+    return (
+        replace_text(entry.said, text) if not parse_entry_point(entry.group, Said("", text, Span(0, 0))).fault else ()
+    )
+
+
+def parted(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
+    """Put commas between the strings that Python joined, if each of them is an entry point."""
+    pieces = strings(setup.source.slice(entry.said.span))
+    texts = [setup.source.slice(entry.said.span)[start:end].strip("'\"") for start, end in pieces]
+    if len(pieces) < 2 or any(parse_entry_point(entry.group, Said("", t, Span(0, 0))).fault for t in texts):
+        return ()
+    ends = [entry.said.span.start + end for _, end in pieces[:-1]]
+    return tuple(Edit(entry.path, Span(end, end), ",") for end in ends)
+
+
+def strings(code: str) -> list[tuple[int, int]]:
+    """Return where the string literals of an expression stand; none where there is anything else."""
+    lines = code.splitlines(keepends=True)
+    starts = [0]
+    for line in lines:
+        starts.append(starts[-1] + len(line))
+    found = []
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(f"({code}\n)").readline):
+            if token.type == tokenize.STRING:
+                shift = [1 if row == 1 else 0 for row in (token.start[0], token.end[0])]
+                at = starts[token.start[0] - 1] + token.start[1] - shift[0]
+                found.append((at, starts[token.end[0] - 1] + token.end[1] - shift[1]))
+            elif token.type == tokenize.NAME:
+                return []
+    except (tokenize.TokenError, SyntaxError, IndexError):
+        return []
+    return found
+
+
+def add_entry(setup: SetupPy, like: EntryPoint, text: str) -> tuple[Edit, ...]:
+    """Put an entry point into the list of another one."""
+    return add_item(setup, like.within, quoted(setup, text)) if like.within is not None else ()

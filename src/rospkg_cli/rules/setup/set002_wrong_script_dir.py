@@ -1,0 +1,62 @@
+"""SET002 wrong-script-dir."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup_cfg import put_option, replace_value
+from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.slices import ScriptHome
+from ...rule import rule
+
+NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n"
+PACKAGE = {
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+    "my_pkg/talker.py": NODE,
+}
+WRONG = "[develop]\nscript_dir=«$base/lib/your_pkg»\n[install]\ninstall_scripts=«$base/lib/your_pkg»\n"
+HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
+
+
+@rule(
+    "SET002",
+    "wrong-script-dir",
+    over=ScriptHome,
+    severity=Severity.ERROR,
+    examples=(
+        Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
+        Example(bad={**PACKAGE, "setup.cfg": HALF}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
+    ),
+)
+def wrong_script_dir(home: ScriptHome) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a setup.cfg that puts the executables of nodes elsewhere than into `lib/<package>`: `[install]
+    install_scripts` or `[develop] script_dir` is missing, or names another package.
+
+    ## Why is this bad?
+    `ros2 run` and launch files look in `lib/<package>` alone. The build is green, and then there is "No executable
+    found". A copied setup.cfg that names the package it came from is the usual cause. `[develop]` is read by
+    `colcon build --symlink-install`, `[install]` by every other build.
+    """
+    name = home.package.name
+    wanted = f"$base/lib/{name}"
+    for _, key, value in home.wrong:
+        if value is not None:
+            message = (
+                f"`{key}` puts executables into `{value.text}`: `ros2 run {name} …` and launch files look in "
+                f"`lib/{name}`; write `{wanted}`"
+            )
+            fix = Fix(f"write `{wanted}`", (replace_value(value, wanted),))
+            yield Hit(value.path, value.shown, message, fix=fix)
+    missing = [(section, key) for section, key, value in home.wrong if value is None]
+    if missing and home.cfg is not None:
+        shown = " and ".join(f"`[{section}] {key}`" for section, key in missing)
+        message = (
+            f"setup.cfg lacks {shown}: executables go to bin/, where `ros2 run {name} …` and launch files don't look; "
+            f"set it to `{wanted}`"
+        )
+        fix = Fix(f"set {shown} to `{wanted}`", put_option(home.cfg, missing, wanted))
+        yield Hit(home.cfg.path, home.cfg.span, message, fix=fix)

@@ -1,0 +1,58 @@
+"""SET101 entry-point-module-missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import SETUP_PY, Example, scripts, setup_py
+from ...finding import Hit, Severity
+from ...model.setup.entry_points import EntryPoint
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+MODULE = "def main():\n    print('hello')\n"
+PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
+
+
+@rule(
+    "SET101",
+    "entry-point-module-missing",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"setup.py": setup_py(scripts("talker = «my_pkg.taker»:main")), "my_pkg/talker.py": MODULE},
+            good={"setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
+        ),
+        Example(
+            bad={"setup.py": setup_py(scripts("talker = «talker»:main")), "my_pkg/talker.py": MODULE},
+            good={"setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
+        ),
+        Example(
+            bad={"setup.py": setup_py(PLUGIN), "my_pkg/show.py": "class ShowVerb: ...\n"},
+            good={"setup.py": SETUP_PY, "my_pkg/show.py": None},
+        ),
+    ),
+)
+def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds entry points, of executables and of plug-ins alike, whose module is not there. Modules of other packages,
+    compiled modules and modules that setup.py generates are left alone.
+
+    ## Why is this bad?
+    The build does not look: it is green, and `ros2 run` raises ModuleNotFoundError.
+    """
+    for entry in package.setup.entry_points:
+        if not entry.module or entry.fault or not package.lacks(entry.module):
+            continue
+        meant = package.meant(entry.module)
+        hint = f"did you mean `{meant}`? " if meant else ""
+        message = f"there is no module `{entry.module}`: {hint}{consequence(package, entry)}"
+        yield Hit(entry.path, entry.module_span, message)
+
+
+def consequence(package: PythonPackage, entry: EntryPoint) -> str:
+    if not entry.script:
+        return f"the build is green, and loading `{entry.name}` ({entry.group}) raises ModuleNotFoundError"
+    return f"the build is green, and `ros2 run {package.name} {entry.name}` raises ModuleNotFoundError"

@@ -1,0 +1,55 @@
+"""SET102 entry-point-attribute-missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, scripts, setup_py
+from ...finding import Hit, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+from ...suggest import nearest
+
+BAD = {
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:«main»")),
+    "my_pkg/talker.py": "def mian():\n    print('hello')\n",
+}
+SCRIPT = "print('hello')\n"
+
+
+@rule(
+    "SET102",
+    "entry-point-attribute-missing",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(bad=BAD, good={"my_pkg/talker.py": "def main():\n    print('hello')\n"}),
+        Example(
+            bad={**BAD, "my_pkg/talker.py": "from .speech import say\n", "my_pkg/speech.py": "say = print\n"},
+            good={"my_pkg/talker.py": "from .speech import *\n", "my_pkg/speech.py": "main = say = print\n"},
+        ),
+    ),
+)
+def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds entry points whose module is there and has no such function or class at its top level. Assignments, imports,
+    `if` and `try`, star imports from the package's own modules and `__getattr__` are understood.
+
+    ## Why is this bad?
+    The build is green; starting the executable raises ImportError or AttributeError.
+    """
+    for entry in package.setup.entry_points:
+        if entry.fault or not entry.attribute or package.offers(entry.module, entry.attribute):
+            continue
+        path = package.setup.file_of(entry.module) or ""
+        file = package.modules.at(path)
+        names = list(file.definitions) if file else []
+        near = nearest(entry.attribute.partition(".")[0], names)
+        hint = f" (did you mean `{near}`?)" if near else ""
+        start = f"`ros2 run {package.name} {entry.name}`" if entry.script else f"loading `{entry.name}`"
+        message = (
+            f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`{hint}: the build is green, and {start} "
+            f"raises ImportError; define it there, or name what is"
+        )
+        yield Hit(entry.path, entry.attribute_span, message)

@@ -1,0 +1,74 @@
+"""SET103 malformed-entry-point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.entry_points import repair
+from ...example import Example, scripts, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.entry_points import EntryPoint
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+MODULE = "def main():\n    print('hello')\n"
+MODULES = {"my_pkg/talker.py": MODULE, "my_pkg/listener.py": MODULE}
+GOOD = setup_py(scripts("talker = my_pkg.talker:main", "listener = my_pkg.listener:main"))
+JOINED = """\
+entry_points={
+        'console_scripts': [
+            «'talker = my_pkg.talker:main'
+            'listener = my_pkg.listener:main'»,
+        ],
+    },"""
+WHY = {
+    "no-equals": "has no `=`",
+    "no-attribute": "names no function",
+    "joined": "is two entry points in one: a comma is missing between them",
+    "file-name": "names a file",
+    "unreadable": "can't be read",
+}
+
+
+def one(entry: str) -> dict[str, str]:
+    return {**MODULES, "setup.py": setup_py(scripts(f"«{entry}»", "listener = my_pkg.listener:main"))}
+
+
+@rule(
+    "SET103",
+    "malformed-entry-point",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(bad={**MODULES, "setup.py": setup_py(JOINED)}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),
+        Example(bad=one("talker = my_pkg.talker.main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
+        Example(bad=one("talker = my_pkg.talker.py:main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
+        Example(bad=one("talker: my_pkg.talker:main"), good={"setup.py": GOOD}),
+        Example(bad=one("talker = my_pkg/talker:main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
+    ),
+)
+def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds entry points that are not `name = module:function`: no `=`, no `:`, a file's name or path in the place of a
+    module, or two that Python joined to one text because the comma between them is missing.
+
+    ## Why is this bad?
+    setuptools from 60 on stops with "'distutils.core.setup()' was never called", and does not say where. The older
+    one of Humble builds, and makes an executable that can't be started, or one with a name that nobody typed.
+
+    ## Fix safety
+    What was meant is a guess.
+    """
+    for entry in package.setup.entry_points:
+        if entry.fault:
+            message = f"`{entry.text}` {WHY[entry.fault]}; write `name = module:function`{consequence(entry)}"
+            edits = repair(package.setup, entry)
+            fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
+            yield Hit(entry.path, entry.said.span if entry.fault == "joined" else entry.span, message, fix=fix)
+
+
+def consequence(entry: EntryPoint) -> str:
+    if entry.fault in ("no-attribute", "file-name"):
+        return ". The build is green, and the executable fails when it is started"
+    return ". setuptools from 60 on stops here without naming the place"

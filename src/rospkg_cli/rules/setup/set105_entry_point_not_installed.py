@@ -1,0 +1,54 @@
+"""SET105 entry-point-not-installed."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...edits.setup import add_package
+from ...example import Example, scripts, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(
+    "find_packages(exclude=['test'])", "[package_name]"
+)
+FILES = {"my_pkg/nodes/__init__.py": "", "my_pkg/nodes/talker.py": "def main():\n    print('hello')\n"}
+GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[package_name, 'my_pkg.nodes']")
+
+
+@rule(
+    "SET105",
+    "entry-point-not-installed",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
+)
+def entry_point_not_installed(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds entry points whose module is there, but in a Python package that `packages=` (or `py_modules=`) leaves out.
+
+    ## Why is this bad?
+    The build is green, and `ros2 run` raises ModuleNotFoundError: what is not in `packages` is not copied. A list
+    `packages=[package_name]` holds the top-level package alone, none of those below it.
+
+    ## Fix safety
+    It may be that the module was meant to lie elsewhere.
+    """
+    setup = package.setup
+    if not package.installs_all_it_says:
+        return
+    for entry in setup.entry_points:
+        path = setup.file_of(entry.module) if entry.module and not entry.fault else None
+        if path is None or entry.module in setup.modules or posixpath.dirname(path) in package.missing_inits:
+            continue
+        inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
+        edits = add_package(setup, inner) if inner else ()
+        what = f"its Python package `{inner}` is not in `packages`" if inner else "it is in no package of `packages`"
+        message = (
+            f"`{path}` is not installed: {what}; the build is green, and `{entry.name}` raises ModuleNotFoundError"
+        )
+        fix = Fix(f"add `{inner}` to `packages`", edits, Safety.UNSAFE) if edits else None
+        yield Hit(entry.path, entry.module_span, message, fix=fix)

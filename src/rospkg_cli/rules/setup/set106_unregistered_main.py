@@ -1,0 +1,54 @@
+"""SET106 unregistered-main."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.entry_points import add_entry
+from ...example import Example, manifest, scripts, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import Profile, rule
+
+NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n"
+FILES = {
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+    "my_pkg/talker.py": NODE,
+    "my_pkg/listener.py": NODE.replace("main", "«main»"),
+}
+
+
+@rule(
+    "SET106",
+    "unregistered-main",
+    over=PythonPackage,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            bad={**FILES, "setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
+            good={"setup.py": setup_py(scripts("talker = my_pkg.talker:main", "listener = my_pkg.listener:main"))},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unregistered_main(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a node with a `main` that has no entry point, although every other node in its folder has one.
+
+    ## Why is this bad?
+    `ros2 run` and launch files can't start it. A new node whose entry point was forgotten looks just so.
+
+    ## Fix safety
+    It makes an executable of a module that may be meant for import alone.
+    """
+    for module, path, main, like in package.forgotten_nodes:
+        name = module.rpartition(".")[2]
+        edits = add_entry(package.setup, like, f"{name} = {module}:main")
+        fix = Fix(f"add `{name} = {module}:main`", edits, Safety.UNSAFE) if edits else None
+        message = (
+            f"`{path}` has a node and a `main`, but no entry point, unlike the others in its folder: `ros2 run` can't "
+            f"start it; add `{name} = {module}:main`"
+        )
+        yield Hit(path, main, message, fix=fix)
