@@ -14,6 +14,8 @@ from .manifest import Manifest
 
 GENERATE = "rosidl_generate_interfaces"
 TESTING = "BUILD_TESTING"
+SKIP_INSTALL, SKIP_CHECK = "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"
+"""Options of the call (rosidl_cmake/cmake/rosidl_generate_interfaces.cmake)."""
 
 
 @dataclass(frozen=True)
@@ -30,17 +32,20 @@ class InterfacePackage:
     @property
     def installs(self) -> bool:
         """Whether interfaces are generated for others than the package's own tests."""
-        return any(not test for _, test in self.generates)
+        return any(not test and SKIP_INSTALL not in words(command) for command, test in self.generates)
 
     @property
     def checks_group(self) -> bool:
-        """Whether rosidl looks for the group: unless it is told to skip that, or only installs nothing."""
-        words = [{each.text for each in command.arguments} for command, _ in self.generates]
-        return any(not said & {"SKIP_GROUP_MEMBERSHIP_CHECK", "SKIP_INSTALL"} for said in words)
+        """Whether rosidl looks for the group: unless it is told to skip that, or installs nothing."""
+        return any(not words(command) & {SKIP_CHECK, SKIP_INSTALL} for command, _ in self.generates)
 
     @property
     def is_member(self) -> bool:
         return any(element.text == GROUP for element in self.manifest.all("member_of_group"))
+
+
+def words(command: Command) -> set[str]:
+    return {each.text for each in command.arguments}
 
 
 def commands(body: list[Command | Block], test: bool) -> Iterator[tuple[Command, bool]]:

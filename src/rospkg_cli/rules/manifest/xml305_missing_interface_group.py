@@ -41,6 +41,7 @@ def without(line: str) -> Example:
     "missing-interface-group",
     over=InterfacePackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the runtime alone is missing: the package builds, and breaks for who installs it"},
     examples=(
         without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
         without("  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"),
@@ -69,12 +70,12 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         message = f"interfaces are generated and the group is missing: CMake stops at the first of them; add `{line}`"
         edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
-    for tag, names, harm in (
-        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails"),
-        ("exec_depend", RUNTIMES, "who installs the package can't use its messages"),
+    for tag, names, harm, level in (
+        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", None),
+        ("exec_depend", RUNTIMES, "who installs the package can't use its messages", Severity.WARNING),
     ):
         if not package.installs or any(manifest.depends_on(name) for name in names):
             continue
         message = f"interfaces are generated and `{names[0]}` is not declared: {harm}; add `<{tag}>{names[0]}</{tag}>`"
         fix = Fix(f"Add `{names[0]}`", (add_dependency(manifest, tag, names[0]),))
-        yield Hit(manifest.path, manifest.name_span, message, fix=fix)
+        yield Hit(manifest.path, manifest.name_span, message, level, fix=fix)
