@@ -29,23 +29,30 @@ class PackageFiles:
         self._sources: dict[str, Source] = {}
 
     @cached_property
+    def every(self) -> tuple[str, ...]:
+        """Every file in the package's folder, sorted; those of packages below it too."""
+        return tuple(sorted(self.tree.files()))
+
+    @cached_property
     def paths(self) -> tuple[str, ...]:
         """Every file of the package, sorted; packages below it are not its own."""
-        every = sorted(self.tree.files())
-        inner = [p[: -len("package.xml")] for p in every if p.endswith("/package.xml")]
-        return tuple(p for p in every if not p.startswith(tuple(inner)))
+        inner = tuple(p[: -len("package.xml")] for p in self.every if p.endswith("/package.xml"))
+        return tuple(p for p in self.every if not p.startswith(inner)) if inner else self.every
 
     @cached_property
     def folders(self) -> frozenset[str]:
-        """Every folder that holds a file, at any depth."""
-        found = set()
-        for path in self.paths:
-            while "/" in path:
-                path = path.rpartition("/")[0]
-                if path in found:
-                    break
-                found.add(path)
-        return frozenset(found)
+        """Every folder that holds a file of the package, at any depth."""
+        return folders_of(self.paths)
+
+    @cached_property
+    def _places(self) -> frozenset[str]:
+        return folders_of(self.every).union(self.every)
+
+    def is_there(self, path: str) -> bool:
+        """Return whether a file or folder stands there, be it in a package below or behind a link."""
+        parts = path.split("/")
+        links = ("/".join(parts[:end]) for end in range(1, len(parts)))
+        return path in self._places or any(self.tree.files().get(link) == "link" for link in links)
 
     @cached_property
     def _set(self) -> frozenset[str]:
@@ -95,6 +102,17 @@ def holds(tree: Tree, path: str) -> bool:
     except OSError:
         return False
     return True
+
+
+def folders_of(paths: Iterable[str]) -> frozenset[str]:
+    found = set()
+    for path in paths:
+        while "/" in path:
+            path = path.rpartition("/")[0]
+            if path in found:
+                break
+            found.add(path)
+    return frozenset(found)
 
 
 def unreadable_bytes(path: str, error: UnicodeError) -> str:

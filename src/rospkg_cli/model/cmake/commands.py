@@ -54,11 +54,14 @@ def run_find_package(machine: Machine, call: Call) -> None:
 
 
 def run_include(machine: Machine, call: Call) -> None:
-    if not call.words or HOLE in call.texts[0]:
+    """Run a file of the package; a module of CMake's own (`include(CTest)`) sets nothing that matters here."""
+    if not call.words or NAME.fullmatch(call.texts[0]):
         return
     path = machine.path(call.texts[0])
     if path is not None and machine.files.exists(path):
         machine.file(path)
+    else:
+        machine.clouded = True
 
 
 def run_add_subdirectory(machine: Machine, call: Call) -> None:

@@ -44,7 +44,7 @@ def copies(rule: InstallRule, files: PackageFiles) -> Iterator[Copy]:
             continue
         if rule.kind == "DIRECTORY":
             yield from folder_copies(rule, item, path, files)
-        elif rule.kind in ("FILES", "PROGRAMS") and files.exists(path):
+        elif rule.kind in ("FILES", "PROGRAMS") and files.is_there(path):
             name = rule.rename.text if rule.rename else posixpath.basename(path)
             yield Copy(path, posixpath.normpath(posixpath.join(rule.destination, name)), rule, item)
 
@@ -55,7 +55,7 @@ def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFile
     base = folder if whole else posixpath.dirname(folder)
     excluding = [pattern for pattern in rule.patterns if pattern.exclude]
     including = [pattern for pattern in rule.patterns if not pattern.exclude]
-    for path in files.below(folder):
+    for path in files.every if not folder else [p for p in files.every if p.startswith(f"{folder}/")]:
         inside = [p for p in (path, *ancestors(path)) if p == folder or len(p) > len(folder)]
         if any(fits(pattern, each) for pattern in excluding for each in inside):
             continue

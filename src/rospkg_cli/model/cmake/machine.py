@@ -110,15 +110,18 @@ class Machine:
     frame: Frame = field(default_factory=lambda: Frame(ROOT))
     assume: str | None = None
     """What BUILD_TESTING is while a condition is tried."""
+    clouded: bool = False
+    """A file was included that we can't see: it may have set anything."""
     steps: int = 0
     exhausted: bool = False
+    """The run did not come to its end."""
 
     def run(self) -> None:
         """Run CMakeLists.txt; never raises for what it holds."""
         try:
             self.file(ROOT)
-        except LeaveError:
-            pass
+        except LeaveError as leave:
+            self.exhausted = leave.how == "fatal"
         except (ExhaustedError, RecursionError):
             self.exhausted = True
 
@@ -178,10 +181,10 @@ class Machine:
     def command(self, command: Command) -> None:
         self.step()
         call = self.call(command)
+        self.calls.append(call)
         if (function := self.functions.get(command.name)) is not None:
             self.invoke(self, function, call)
             return
-        self.calls.append(call)
         self.commands.get(command.name, self.foreign)(self, call)
 
     def call(self, command: Command) -> Call:
@@ -207,7 +210,9 @@ class Machine:
 
     def settled(self, name: str) -> bool:
         """Return whether a variable that has no value yet is empty, because only the package itself sets it."""
-        return name in self.assigned and name not in self.touched and not name.startswith("CMAKE_")
+        if self.clouded or name in self.touched or name.startswith("CMAKE_"):
+            return False
+        return name in self.assigned
 
     def known(self, name: str) -> Value | None:
         """Return the value of a variable that was set, or that CMake itself sets."""

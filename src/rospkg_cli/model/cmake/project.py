@@ -16,7 +16,7 @@ from .installs import InstallRule, install_rules
 from .machine import Machine
 from .packages import FoundPackage, found_packages
 from .read import ROOT, CMakeFile, is_built_with_cmake
-from .targets import Target, by_name, targets_of
+from .targets import MAKERS, Target, by_name, targets_of
 from .words import Word
 
 
@@ -60,6 +60,17 @@ class CMake:
     @property
     def project_name(self) -> str:
         return self.project.text if self.project is not None and self.project.known else ""
+
+    @property
+    def ends_a_package(self) -> bool:
+        """Whether `ament_package` is called, by whatever name."""
+        return any(call.name.endswith(("ament_package", "ament_auto_package")) for call in self.calls)
+
+    @property
+    def only_tests(self) -> bool:
+        """Whether all that is built, installed or exported is for tests."""
+        done = [call for call in self.calls if call.name == "install" or call.name in MAKERS or "export" in call.name]
+        return any(call.testing for call in self.calls) and all(call.testing for call in done)
 
     @cached_property
     def targets(self) -> tuple[Target, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...source import Span
 from ..install import PYTHON, Installed, InstallTable, NotKnown, What
-from .call import Call
+from .call import Call, located
 from .copying import copies
 from .installs import InstallRule
 from .project import CMake
@@ -141,7 +141,7 @@ class Table:
         dim = rule.kind == "CODE" or None in places
         items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
         if rule.kind == "DIRECTORY":
-            items += filter(made_by_the_build, rule.items)
+            items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
         if not dim and not items:
             return
         whats = {self.what(f"{place}/x") for place in places if place is not None} if not dim else set(ALL)
@@ -149,6 +149,11 @@ class Table:
         span = where.span if where is not None else rule.call.command.span
         for what in sorted(whats):
             yield NotKnown(what, "a value can't be evaluated", where.path if where else rule.call.path, span)
+
+    def is_link(self, word: Word, rule: InstallRule) -> bool:
+        """Return whether a folder is a link, behind which we do not look."""
+        path = located(word.text, rule.call.folder) or ""
+        return self.cmake.package.tree.files().get(path.rstrip("/")) == "link"
 
     def may_install(self, call: Call) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS

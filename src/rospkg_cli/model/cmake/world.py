@@ -53,7 +53,7 @@ class World:
         if path is None or text.startswith((BINARY, PREFIX)):
             return None
         files = self.machine.files
-        return path in files.folders or path == "" or (not folder and files.exists(path))
+        return not path or (files.is_there(path) and not (folder and files.exists(path)))
 
     def defined(self, name: str) -> Truth:
         if name.startswith(("ENV{", "CACHE{")):

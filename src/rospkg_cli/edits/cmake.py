@@ -1,0 +1,98 @@
+"""How CMake files are changed: commands put in and taken out, arguments added, in the file's own style."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from ..finding import Edit
+from ..model.cmake.read import CMakeFile
+from ..model.cmake.syntax import Command
+from ..source import Source, Span
+
+
+def add_at_end(file: CMakeFile, lines: str) -> Edit:
+    """Put commands at the end of a file, a blank line before them."""
+    text = file.source.text
+    end = len(text.rstrip())
+    return Edit(file.path, Span(end, len(text)), f"\n\n{in_case_of(file, lines)}\n" if end else f"{lines}\n")
+
+
+def add_before(file: CMakeFile, command: Command, lines: str) -> Edit:
+    """Put commands before another one, above the comment that belongs to it."""
+    at = beginning(file.source, command)
+    return Edit(file.path, Span(at, at), f"{in_case_of(file, lines)}\n")
+
+
+def add_after(file: CMakeFile, command: Command, lines: str) -> Edit:
+    """Put commands below another one, behind a comment in its last line."""
+    source = file.source
+    line = source.line_span(source.position(command.span.end)[0])
+    behind = source.text[command.span.end : line.end]
+    at = line.end if not behind.strip() or behind.lstrip().startswith("#") else command.span.end
+    return Edit(file.path, Span(at, at), f"\n{in_case_of(file, lines)}")
+
+
+def remove(file: CMakeFile, command: Command) -> Edit:
+    """Take a command out, with its line where nothing else stands in it."""
+    source = file.source
+    start = source.line_span(source.position(command.span.start)[0]).start
+    end = source.line_span(source.position(command.span.end)[0]).end
+    alone = not (source.text[start : command.span.start] + source.text[command.span.end : end]).strip()
+    if alone:
+        return Edit(file.path, Span(start, min(end + 1, len(source.text))), "")
+    return Edit(file.path, command.span, "")
+
+
+def add_argument(file: CMakeFile, command: Command, text: str, after: Span | None = None) -> Edit:
+    """Put an argument into a command: below the one before it where that has a line of its own, else beside it."""
+    source = file.source
+    last = after or (
+        command.arguments[-1].span if command.arguments else Span(command.inner.start, command.inner.start)
+    )
+    line = source.line_span(source.position(last.start)[0])
+    before = source.text[line.start : last.start]
+    own_line = not before.strip() and last.end > last.start
+    glue = f"\n{before}" if own_line else " " if last.end > last.start else ""
+    return Edit(file.path, Span(last.end, last.end), glue + text)
+
+
+def in_case_of(file: CMakeFile, lines: str) -> str:
+    """Return commands with their names in the case that the file has."""
+    if not is_upper(file):
+        return lines
+    return re.sub(r"^([ \t]*)([a-z_]\w*)(?=\()", lambda match: match[1] + match[2].upper(), lines, flags=re.MULTILINE)
+
+
+def is_upper(file: CMakeFile) -> bool:
+    names = [file.source.slice(command.name_span) for command in file.syntax.commands]
+    return sum(name.isupper() for name in names) * 2 > len(names)
+
+
+def indent_of(file: CMakeFile) -> str:
+    """Return what the file's arguments and bodies are indented by; two blanks where it has none."""
+    found = re.findall(r"^([ \t]+)\S", file.source.text, re.MULTILINE)
+    return min(found, key=len) if found else "  "
+
+
+def beginning(source: Source, command: Command) -> int:
+    """Return where a command begins, with the comment lines right above it."""
+    at = source.line_span(source.position(command.span.start)[0]).start
+    while at:
+        line = source.line_span(source.position(at - 1)[0])
+        if not source.slice(line).lstrip().startswith("#"):
+            break
+        at = line.start
+    return at
+
+
+def literal(source: Source, span: Span, text: str) -> Span | None:
+    """Return the span of a text that stands in an argument as it is, without quotes; None where it is evaluated."""
+    written = source.slice(span)
+    if written == text:
+        return span
+    return Span(span.start + 1, span.end - 1) if written == f'"{text}"' else None
+
+
+def listed(words: Sequence[str], indent: str) -> str:
+    return "".join(f"\n{indent}{word}" for word in words)

@@ -1,0 +1,20 @@
+"""A package that ament_cmake builds: its manifest, its CMake, and what it is called."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..facts import PackageFacts
+from ..manifest import Manifest
+from .project import CMake
+
+
+@dataclass(frozen=True)
+class CMakePackage:
+    manifest: Manifest
+    cmake: CMake
+    facts: PackageFacts
+
+    @property
+    def ament(self) -> bool:
+        return self.facts.build_type == "ament_cmake"

@@ -1,0 +1,62 @@
+"""CMK003 missing-ament-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import add_at_end
+from ...example import Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.package import CMakePackage
+from ...rule import rule
+
+GOOD = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+
+ament_package()
+"""
+
+
+@rule(
+    "CMK003",
+    "missing-ament-package",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={
+                "CMakeLists.txt": GOOD.replace("\nament_package()\n", "").replace(
+                    "project(my_pkg)", "«project(my_pkg)»"
+                )
+            },
+            good={"CMakeLists.txt": GOOD},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages of build type `ament_cmake` whose CMakeLists.txt never calls `ament_package()` (or
+    `ament_auto_package()`). A package that holds nothing but tests may do without.
+
+    ## Why is this bad?
+    colcon builds them, but nothing registers them: no package.xml in share/, no entry in the resource index, no
+    environment. `ros2 run` and `find_package()` don't find the package.
+    """
+    cmake = package.cmake
+    if not package.ament or not cmake.complete or cmake.ends_a_package or cmake.only_tests:
+        return
+    root = cmake.root
+    projects = [command for command in root.syntax.commands if command.name == "project"]
+    place = projects[0].span if projects else root.source.line_span(1)
+    message = (
+        "CMakeLists.txt never calls `ament_package()`: colcon builds the package, but nothing registers it, so "
+        f"`ros2 run {package.facts.name}` and `find_package({package.facts.name})` don't find it; call it last"
+    )
+    knows_ament = any(each.name.startswith("ament_cmake") for each in cmake.packages)
+    fix = Fix("call `ament_package()` at the end", (add_at_end(root, "ament_package()"),)) if knows_ament else None
+    yield Hit(root.path, place, message, fix=fix)

@@ -1,0 +1,66 @@
+"""CMK102 missing-installed-path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...model.cmake.named import Named, NamedPaths
+from ...model.cmake.package import CMakePackage
+from ...rule import rule
+from ...suggest import did_you_mean
+
+INSTALL = CMAKE.replace(
+    "ament_package", "install(DIRECTORY meshes «rviz»\n  DESTINATION share/${PROJECT_NAME}\n)\nament_package"
+)
+SOURCE = CMAKE.replace(
+    "ament_package",
+    "add_executable(talker «src/talkr.cpp»)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\nament_package",
+)
+
+
+@rule(
+    "CMK102",
+    "missing-installed-path",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": INSTALL, "meshes/base.stl": "solid base\n"},
+            good={"CMakeLists.txt": INSTALL.replace("«rviz»", "").replace("meshes \n", "meshes\n")},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": SOURCE, "src/talker.cpp": "int main() {return 0;}\n"},
+            good={"CMakeLists.txt": SOURCE.replace("«src/talkr.cpp»", "src/talker.cpp")},
+            on="ament_cmake",
+        ),
+    ),
+)
+def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files and folders that `install()`, `add_executable()` or `add_library()` names and that the package does not
+    have. What CMake or the build writes itself is left alone.
+
+    ## Why is this bad?
+    CMake stops: at once for a missing source, and only after everything was compiled for a missing folder ("file
+    INSTALL cannot find …"). It is what is left when a file was renamed, or when git did not keep an empty folder.
+    """
+    for named in NamedPaths(package.cmake).missing():
+        if not named.word.maybe and not named.call.maybe:
+            near = did_you_mean(named.path, package.cmake.package.paths)
+            yield Hit(named.word.path, named.word.span, f"`{named.path}` does not exist{near}: {consequence(named)}")
+
+
+def consequence(named: Named) -> str:
+    match named.use:
+        case "source":
+            return 'CMake stops with "Cannot find source file"; name the file that is meant, or take it out'
+        case "folder":
+            return (
+                "the build stops when it installs (git keeps no empty folder); add it with a file in it, or take it out"
+            )
+        case _:
+            return "the build stops when it installs; name the file that is meant, or take it out"
