@@ -39,6 +39,8 @@ class PackageFacts:
     """Whether it has nothing of its own and only names others."""
     executables: frozenset[str] = frozenset()
     """What stands in lib/<name> after the build."""
+    astray: frozenset[str] = frozenset()
+    """Executables that are installed where `ros2 run` does not look, such as bin/."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     share_files: frozenset[str] = frozenset()

@@ -37,6 +37,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
         groups=frozenset(e.text for e in manifest.all("member_of_group")),
         executables=installed.executables,
+        astray=installed.astray,
         interfaces=interfaces,
         share_files=installed.share_files,
         components=components,

@@ -33,6 +33,7 @@ class InstalledFacts(NamedTuple):
     """What PackageFacts says of a table."""
 
     executables: frozenset[str] = frozenset()
+    astray: frozenset[str] = frozenset()
     share_files: frozenset[str] = frozenset()
     modules: frozenset[str] = frozenset()
     unknown: frozenset[Unknown] = frozenset({"executables", "share_files", "modules"})
@@ -48,6 +49,8 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
     unknown |= set() if table.knows("module") else {"modules"}
     return InstalledFacts(
         frozenset(path for path, _ in table.below(f"lib/{name}")),
+        frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
+        - {path for path, _ in table.below(f"lib/{name}")},
         frozenset(path for path, _ in table.below(f"share/{name}")),
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),

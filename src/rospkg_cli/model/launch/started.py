@@ -41,7 +41,7 @@ class Started:
                 yield StartedNode(self.file.path, span, executable, plain, facts)
 
     def unknown_executables(self) -> Iterator[StartedNode]:
-        """Yield the nodes whose package, as far as it can be told, installs no such executable."""
+        """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere."""
         for node in self.nodes():
-            if node.facts.knows("executables") and node.executable not in node.facts.executables:
+            if node.facts.knows("executables") and node.executable not in node.facts.executables | node.facts.astray:
                 yield node

@@ -1,0 +1,28 @@
+"""One fault, one finding: the specific rule speaks, and what follows from it keeps quiet."""
+
+from __future__ import annotations
+
+from rospkg_cli.testing import lint_files
+
+ENTRY = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
+
+
+def with_launch(clean: dict[str, str]) -> dict[str, str]:
+    return {
+        **clean,
+        "setup.py": clean["setup.py"].replace("    license=", ENTRY),
+        "my_pkg/talker.py": "def main():\n    pass\n",
+        "launch/a.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n',
+    }
+
+
+def codes(files: dict[str, str]) -> list[str]:
+    return [f.code for f in lint_files(files).findings if f.code.startswith(("SET0", "SET1", "LCH002"))]
+
+
+def test_an_executable_in_bin_is_no_unknown_one(clean) -> None:
+    files = with_launch(clean)
+    assert codes(files) == []
+    assert codes({path: text for path, text in files.items() if path != "setup.cfg"}) == ["SET001"]
+    moved = files["setup.cfg"].replace("install_scripts=$base/lib/my_pkg", "install_scripts=$base/lib/other")
+    assert codes({**files, "setup.cfg": moved}) == ["SET002"]
