@@ -141,7 +141,8 @@ def test_facts_are_frozen_and_pickle() -> None:
     assert pickle.loads(pickle.dumps(facts)) == facts
     with pytest.raises(dataclasses.FrozenInstanceError):
         facts.name = "b"  # type: ignore[misc]
-    assert {f.name for f in dataclasses.fields(Workspace)} <= {"packages", "given", "complete", "prefix_names", "index"}
+    known = {"packages", "given", "complete", "prefix_names", "repositories", "index"}
+    assert {f.name for f in dataclasses.fields(Workspace)} <= known
 
 
 def imported(*arguments: str, cwd: Path) -> set[str]:

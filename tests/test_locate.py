@@ -76,3 +76,11 @@ def test_a_lone_package_is_its_own_workspace(tmp_path: Path) -> None:
 def test_a_missing_path_is_said(tmp_path: Path) -> None:
     with pytest.raises(LocateError, match="does not exist"):
         locate([tmp_path / "nowhere"])
+
+
+def test_repositories(workspace: Path) -> None:
+    assert locate([workspace]).scope.repositories == ()
+    (workspace / "src/group/.git").write_text("gitdir: elsewhere")
+    (workspace / "src/.git").mkdir()
+    found = locate([workspace]).scope.repositories
+    assert found == ({"src/a", "src/third_party/d"}, {"src/group/b"})

@@ -11,7 +11,7 @@ from .cli.lint import lint_to
 from .cli.options import LintOptions
 from .engine.selection import EVERYTHING
 from .engine.session import Results, Scope, Session
-from .model.discover import packages_in
+from .model.discover import packages_in, repositories_in
 from .ros.distros import Targets
 from .tree import Entry, MemoryTree
 
@@ -29,7 +29,8 @@ def lint_files(
     tree = MemoryTree.of(files)
     folders = packages_in(tree)
     chosen = EVERYTHING.codes() if codes is None else frozenset(codes)
-    session = Session(tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), chosen, Targets(targets))
+    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
+    session = Session(tree, scope, chosen, Targets(targets))
     return session.run() if folders else session.nothing(["."])
 
 

@@ -9,7 +9,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from ..config import Config
-from ..model.discover import enclosing_package, packages_below
+from ..model.discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
 from .prefixes import prefix_names
 from .session import Scope
 
@@ -52,8 +52,13 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
         name=root.name,
         complete=not (around and any(around.glob("*.repos"))),
         prefix_names=prefix_names(os.environ),
+        repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )
     return Located(root, scope, "the config excludes them" if given and not kept else "")
+
+
+def is_repository(folder: Path) -> bool:
+    return any((folder / mark).exists() for mark in REPOSITORY_MARKS)
 
 
 def packages_at(path: Path) -> list[Path]:

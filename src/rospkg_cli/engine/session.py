@@ -34,6 +34,8 @@ class Scope:
     """The name of the root folder."""
     complete: bool = True
     prefix_names: frozenset[str] = frozenset()
+    repositories: tuple[frozenset[str], ...] = ()
+    """The packages of each repository."""
 
 
 @dataclass(frozen=True)
@@ -77,11 +79,15 @@ class Session:
         pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
         try:
             facts = sorted(pool.gather(), key=lambda f: f.folder)
-            workspace = Workspace(tuple(facts), self.scope.given, self.scope.complete, self.scope.prefix_names)
+            workspace = self.link(facts)
             checked = pool.check(workspace, sorted(self.codes))
         finally:
             pool.close()
         return self.collect(workspace, checked)
+
+    def link(self, facts: Sequence[PackageFacts]) -> Workspace:
+        scope = self.scope
+        return Workspace(tuple(facts), scope.given, scope.complete, scope.prefix_names, scope.repositories)
 
     def collect(self, workspace: Workspace, checked: Sequence[Checked]) -> Results:
         over_all = list(self.over_all(workspace))

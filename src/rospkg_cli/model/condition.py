@@ -114,6 +114,11 @@ def possible(text: str | None, environments: Environments) -> bool:
     return any(value_in(text, variables) is not False for variables in environments)
 
 
+def certain(text: str | None, environments: Environments) -> bool:
+    """Return whether a condition surely holds for every target."""
+    return all(value_in(text, variables) for variables in environments)
+
+
 def together(one: str | None, other: str | None, environments: Environments) -> bool:
     """Return whether two conditions surely hold at once for one of the targets; equal ones do wherever they hold."""
     if one == other:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from ..tree import SKIPPED, Tree, is_built
+
+REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
+"""What stands in the root of a repository; in an export without its .git, what its host reads."""
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 
@@ -31,12 +34,38 @@ def packages_below(root: Path, *, given: bool = True) -> Iterator[Path]:
             yield from packages_below(Path(entry.path), given=False)
 
 
+def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple[frozenset[str], ...]:
+    """Return the packages of each repository: those whose nearest marked folder is the same.
+
+    Folders are relative to the root of the run; what lies above that is not looked at.
+    """
+    found: dict[str, set[str]] = {}
+    for folder in folders:
+        here = folder
+        while here and not marked(here):
+            here = here.rpartition("/")[0]
+        if marked(here):
+            found.setdefault(here, set()).add(folder)
+    return tuple(frozenset(found[root]) for root in sorted(found))
+
+
 def enclosing_package(path: Path) -> Path | None:
     """Return the nearest folder at or above a path that holds a package.xml."""
     for folder in (path, *path.parents):
         if (folder / "package.xml").is_file():
             return folder
     return None
+
+
+def repositories_in(tree: Tree) -> tuple[frozenset[str], ...]:
+    """Return the packages of each repository of a tree in memory."""
+    paths = [path + "/" for path in tree.files()]
+
+    def marked(folder: str) -> bool:
+        marks = tuple(f"{folder}/{mark}/".lstrip("/") for mark in REPOSITORY_MARKS)
+        return any(path.startswith(marks) for path in paths)
+
+    return repositories(packages_in(tree), marked)
 
 
 def packages_in(tree: Tree) -> list[str]:

@@ -17,10 +17,13 @@ NOWHERE = Span(0, 0)
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """One dependency of a manifest that holds for a target: its tag and its name."""
+    """One dependency of a manifest that holds for a target: its tag, its name, and the span of the name."""
 
     tag: str
     name: str
+    span: Span = NOWHERE
+    certain: bool = True
+    """Whether it holds for every target."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +35,12 @@ class PackageFacts:
     name_span: Span = NOWHERE
     """Of the name in package.xml."""
     version: str = ""
+    version_span: Span = NOWHERE
     dependencies: tuple[Need, ...] = ()
     groups: frozenset[str] = frozenset()
-    """The groups it is a member of."""
+    """The groups it is a member of, for every target."""
+    group_needs: tuple[Need, ...] = ()
+    """The groups it depends on."""
     metapackage: bool = False
     """Whether it has nothing of its own and only names others."""
     executables: frozenset[str] = frozenset()

@@ -7,12 +7,13 @@ from typing import get_args
 
 from ..ros.distros import Targets
 from .cmake.facts import registered_components
-from .facts import Need, PackageFacts, Unknown
+from .facts import PackageFacts, Unknown
 from .files import Reading
 from .installed import installed_facts
 from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
+from .needs import dependencies, group_needs, groups
 
 
 def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
@@ -34,8 +35,10 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         build_type=manifest.build_type(targets),
         name_span=manifest.name_span,
         version=manifest.version,
-        dependencies=tuple(Need(d.tag, d.name) for d in manifest.dependencies if d.active(targets)),
-        groups=frozenset(e.text for e in manifest.all("member_of_group")),
+        version_span=manifest.version_span,
+        dependencies=dependencies(manifest, targets),
+        groups=groups(manifest, targets),
+        group_needs=group_needs(manifest, targets),
         executables=installed.executables,
         astray=installed.astray,
         interfaces=interfaces,

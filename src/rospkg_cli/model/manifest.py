@@ -119,6 +119,11 @@ class Manifest:
         return self.text("version")
 
     @property
+    def version_span(self) -> Span:
+        found = self.first("version")
+        return self.span(found) if found else self.root.open
+
+    @property
     def name_span(self) -> Span:
         found = self.first("name")
         return self.span(found) if found else self.root.open

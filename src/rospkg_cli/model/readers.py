@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from .changelog import Changelog, read_changelog
 from .cmake.project import CMake, read_cmake, read_cmake_files
 from .cmake.read import CMakeFile
 from .cpp.file import CppFile
@@ -28,6 +29,7 @@ from .uses.python import PythonUse, read_python_use
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
+    Changelog: read_changelog,
     SetupCfg: read_setup_cfg,
     SetupPy: read_setup_py,
     Modules: read_modules,

@@ -22,6 +22,9 @@ class Workspace:
     prefix_names: frozenset[str] = frozenset()
     """Names found in AMENT_PREFIX_PATH and /opt/ros: they may silence a finding, never cause one."""
 
+    repositories: tuple[frozenset[str], ...] = ()
+    """The folders of the packages that each repository holds, as far as repositories can be told."""
+
     index: Names = BUILT_IN
     """The names of the world outside."""
 

@@ -21,6 +21,9 @@ DEPENDENCY_TAGS = (
 RELATIONS = ("conflict", "replace")
 """Tags among them that make no package a dependency."""
 
+NOT_ORDERED = ("doc_depend", "conflict", "replace")
+"""Dependencies that colcon does not wait for."""
+
 ORDER = (
     "name",
     "version",

@@ -1,0 +1,73 @@
+"""WSP002 dependency-cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Related, Severity
+from ...model.cycles import Step, cycles
+from ...model.workspace import Workspace
+from ...rule import rule
+
+
+@rule(
+    "WSP002",
+    "dependency-cycle",
+    over=Workspace,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="",
+            bad={
+                "arm/package.xml": manifest("  <depend>«hand»</depend>\n", "cmake", "arm"),
+                "hand/package.xml": manifest("  <test_depend>arm</test_depend>\n", "cmake", "hand"),
+            },
+            good={"hand/package.xml": manifest("", "cmake", "hand")},
+        ),
+        Example(
+            on="",
+            bad={
+                "arm/package.xml": manifest("  <group_depend>«hands»</group_depend>\n", "cmake", "arm"),
+                "hand/package.xml": manifest(
+                    "  <exec_depend>arm</exec_depend>\n  <member_of_group>hands</member_of_group>\n", "cmake", "hand"
+                ),
+            },
+            good={
+                "hand/package.xml": manifest("  <member_of_group>hands</member_of_group>\n", "cmake", "hand"),
+            },
+        ),
+    ),
+)
+def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages of one workspace that depend on each other in a circle, whatever the tags: build, run and test
+    dependencies count, and the members of a group that one depends on; only `doc_depend` does not. Each knot of such
+    packages is reported once, with the shortest way around.
+
+    ## Why is this bad?
+    colcon builds nothing of the whole workspace: "Unable to order packages topologically".
+
+    ## References
+    [REP-149](https://ros.org/reps/rep-0149.html), "Group dependencies"; colcon orders by build, run and test
+    dependencies alike.
+    """
+    for steps in cycles(workspace):
+        way = " → ".join([f"`{step.package.name}`" for step in steps] + [f"`{steps[0].package.name}`"])
+        first, weak = steps[0], weakest(steps)
+        message = (
+            f"{way}: these packages wait for each other, so colcon builds nothing (`Unable to order packages "
+            f"topologically`); take one of these dependencies out, perhaps `<{weak.need.tag}>{weak.need.name}` of "
+            f"`{weak.package.name}`, or move what both need into a package of its own"
+        )
+        related = tuple(
+            Related(each.package.at("package.xml"), each.need.span, f"so that it waits for `{each.needs.name}`")
+            for each in steps[1:]
+        )
+        yield Hit(first.package.at("package.xml"), first.need.span, message, related=related)
+
+
+def weakest(steps: tuple[Step, ...]) -> Step:
+    """Return the step that is the easiest to do without: one for tests, else one to run, else the last."""
+    return min(reversed(steps), key=lambda step: ("test_depend", "exec_depend", step.need.tag).index(step.need.tag))

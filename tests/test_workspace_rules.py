@@ -1,0 +1,138 @@
+"""Rules over the whole workspace: dependency cycles, versions of one repository, changelogs."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+
+def packages(**needs: str) -> dict[str, str]:
+    """Return packages by name: `talker="depend:msgs exec_depend:base"`."""
+    found = {}
+    for name, text in needs.items():
+        lines = [each.split(":") for each in text.split()]
+        body = "".join(f"  <{tag}>{other}</{tag.split(' ')[0]}>\n" for tag, other in lines)
+        found[f"src/{name}/package.xml"] = manifest(body, "cmake", name)
+    return found
+
+
+def said(files: dict[str, str], code: str) -> list[tuple[str, str]]:
+    return [(f.package, f.message) for f in lint_files(files, [code]).findings]
+
+
+@pytest.mark.parametrize("tag", ["depend", "build_depend", "exec_depend", "test_depend", "buildtool_export_depend"])
+def test_colcon_waits_for_it(tag: str) -> None:
+    ((package, message),) = said(packages(a=f"{tag}:b", b="depend:c", c="build_depend:a"), "WSP002")
+    assert package == "a"
+    assert message.startswith("`a` → `b` → `c` → `a`: ")
+
+
+@pytest.mark.parametrize(
+    "needs",
+    [
+        {"a": "doc_depend:b", "b": "depend:a"},
+        {"a": "depend:b conflict:b", "b": "depend:c", "c": ""},
+        {"a": "depend:a"},
+        {"a": "depend:b", "b": "depend:rclcpp"},
+        {"a": "group_depend:g", "b": "depend:a", "c": "member_of_group:g"},
+    ],
+)
+def test_no_cycle(needs: dict[str, str]) -> None:
+    assert said(packages(**needs), "WSP002") == []
+
+
+def test_a_condition_that_can_fail_makes_no_cycle() -> None:
+    files = packages(a="depend:b", b="depend:a")
+    for condition in ("$ROS_DISTRO == humble", "$MY_OWN == 1", "$ROS_VERSION == 1"):
+        path = "src/a/package.xml"
+        conditional = {path: files[path].replace("<depend>", f'<depend condition="{condition}">')}
+        assert said({**files, **conditional}, "WSP002") == []
+    always = {path: files[path].replace("<depend>", '<depend condition="$ROS_VERSION == 2">')}
+    assert len(said({**files, **always}, "WSP002")) == 1
+
+
+def test_each_knot_is_said_once_with_its_shortest_way() -> None:
+    files = packages(a="depend:b", b="depend:c depend:a", c="depend:a", x="depend:y", y="test_depend:x")
+    found = said(files, "WSP002")
+    assert [(package, message.partition(":")[0]) for package, message in found] == [
+        ("a", "`a` → `b` → `a`"),
+        ("x", "`x` → `y` → `x`"),
+    ]
+    assert "`<test_depend>x` of `y`" in found[1][1]
+
+
+MARK = {".github/workflows/ci.yml": ""}
+
+
+def at(version: str, name: str) -> str:
+    return manifest("", "cmake", name).replace("1.0.0", version)
+
+
+def test_versions_are_compared_within_a_repository() -> None:
+    files = {
+        "src/one/.git/HEAD": "",
+        "src/one/a/package.xml": at("1.0.0", "a"),
+        "src/one/b/package.xml": at("1.0.0", "b"),
+        "src/two/.git": "gitdir: elsewhere",
+        "src/two/c/package.xml": at("2.0.0", "c"),
+        "src/d/package.xml": at("3.0.0", "d"),
+        "src/e/package.xml": at("4.0.0", "e"),
+    }
+    assert said(files, "WSP003") == []
+    assert [package for package, _ in said({**files, **MARK}, "WSP003")] == ["d"]
+    files["src/one/b/package.xml"] = at("1.0.1", "b")
+    ((package, message),) = said(files, "WSP003")
+    assert package == "a"
+    assert "`b` has `1.0.1`" in message
+
+
+def test_a_placeholder_is_not_what_the_others_should_have() -> None:
+    files = {**MARK, **{f"{name}/package.xml": at("0.0.0", name) for name in "ab"}, "c/package.xml": at("1.2.0", "c")}
+    found = said(files, "WSP003")
+    assert [package for package, _ in found] == ["a", "b"]
+    assert "write `1.2.0` here too" in found[0][1]
+
+
+def test_what_is_no_version_is_no_version_that_differs() -> None:
+    files = {**MARK, "a/package.xml": at("1.0.0", "a"), "b/package.xml": at("TODO", "b")}
+    assert said(files, "WSP003") == []
+
+
+def changelog(*titles: str) -> dict[str, str]:
+    text = "".join(f"{title}\n{'-' * len(title)}\n* something\n\n" for title in titles)
+    return {"package.xml": manifest(), "CHANGELOG.rst": text}
+
+
+@pytest.mark.parametrize(
+    "titles",
+    [
+        ["Forthcoming", "1.0.0 (2026-01-01)", "0.9.0 (2025-01-01)"],
+        ["0.9.0 (2025-01-01)", "1.0.0 (2026-01-01)"],
+        ["1.1.0 (forthcoming)", "1.0.0 (2026-01-01)"],
+        ["Version 3"],
+        ["1.0"],
+        [],
+    ],
+)
+def test_changelogs_that_bloom_takes(titles: list[str]) -> None:
+    assert said(changelog(*titles), "WSP004") == []
+
+
+@pytest.mark.parametrize(
+    "titles, told",
+    [
+        (["Forthcoming", "1.10.0 (2026-01-01)", "1.9.0 (2025-01-01)"], "`1.10.0`"),
+        (["Forthcoming", "0.9.0 (2025-01-01)"], "no entry for `1.0.0`"),
+        (["1.1.0 (2026-01-01)", "1.0.0 (2025-01-01)"], "write `1.1.0` into package.xml"),
+    ],
+)
+def test_changelogs_that_it_does_not_take(titles: list[str], told: str) -> None:
+    ((_, message),) = said(changelog(*titles), "WSP004")
+    assert told in message
+
+
+def test_a_changelog_in_an_old_encoding_is_no_fault() -> None:
+    files = {"package.xml": manifest(), "CHANGELOG.rst": b"1.1.0 (2026-01-01)\n---\n* \xe9\n"}
+    assert lint_files(files, ["WSP004", "RPK001"]).findings == ()
