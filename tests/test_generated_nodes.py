@@ -8,12 +8,15 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from itertools import groupby
 from pathlib import Path
 
 import pytest
 import yaml
 from planned import plan
 
+from rospkg_cli.scaffold.kinds import all_kinds
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.write import write_folder
 
@@ -23,72 +26,164 @@ START = "import sys; from my_robot_nav.{} import main; sys.exit(main())"
 
 
 class Running:
-    """A node as a process of its own."""
+    """A node as a process of its own; `params` is a file of the package, or values to write into one."""
 
-    def __init__(self, planned: Plan, folder: Path, params: str = "") -> None:
-        self.log = folder / "log.jsonl"
+    def __init__(self, planned: Plan, folder: Path, params: str | dict[str, object] = "", block: str = "/**") -> None:
+        self.log, self.said = folder / "log.jsonl", folder / "stderr.txt"
         self.log.touch()
-        write_folder(folder / "my_robot_nav", planned.files)
+        package = folder / "my_robot_nav"
+        write_folder(package, planned.files)
+        if isinstance(params, dict):
+            (package / "own.yaml").write_text(yaml.safe_dump({block: {"ros__parameters": params}}))
+            params = "own.yaml"
         env = {
             "PATH": os.environ["PATH"],
-            "PYTHONPATH": os.pathsep.join((str(folder / "my_robot_nav"), str(STANDINS))),
+            "PYTHONPATH": os.pathsep.join((str(package), str(STANDINS))),
             "STANDIN_LOG": str(self.log),
+            **({"STANDIN_PARAMS": str(package / params)} if params else {}),
         }
-        if params:
-            env["STANDIN_PARAMS"] = str(folder / "my_robot_nav" / params)
         command = [sys.executable, "-c", START.format(planned.answers.nodes[0].name)]
-        self.process = subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True)
+        with self.said.open("w") as stderr:
+            self.process = subprocess.Popen(command, env=env, stderr=stderr)
+
+    @property
+    def notes(self) -> list[dict]:
+        return [json.loads(line) for line in self.log.read_text().splitlines()]
 
     def noted(self, what: str) -> list[dict]:
-        notes = [json.loads(line) for line in self.log.read_text().splitlines()]
-        return [note for note in notes if note["what"] == what]
+        return [note for note in self.notes if note["what"] == what]
 
     def until(self, what: str, count: int = 1) -> list[dict]:
         """Wait until something was noted as often as that."""
+        self.wait(lambda: len(self.noted(what)) >= count)
+        found = self.noted(what)
+        assert len(found) >= count, self.said.read_text()
+        return found
+
+    def heard(self, count: int) -> str:
+        """Wait until that many lines were logged, stop the node, and return them."""
+        self.wait(lambda: len(self.said.read_text().splitlines()) >= count)
+        return "".join(self.stop(signal.SIGTERM).splitlines(keepends=True)[:count])
+
+    def wait(self, enough: Callable[[], bool]) -> None:
         for _ in range(3000):
-            if len(found := self.noted(what)) >= count or self.process.poll() is not None:
-                return found
+            if enough() or self.process.poll() is not None:
+                return
             time.sleep(0.01)
-        pytest.fail(f"the node never came to {what}")
+        self.process.kill()
+        pytest.fail(f"the node never came so far: {self.said.read_text()}")
 
     def stop(self, number: signal.Signals) -> str:
         """Send a signal, and return what the process said; it must leave with 0."""
         self.process.send_signal(number)
-        _, said = self.process.communicate(timeout=30)
-        assert self.process.returncode == 0, said
+        status = self.process.wait(timeout=30)
+        said = self.said.read_text()
+        assert status == 0, said
         assert "Traceback" not in said
         return said
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
-def test_a_node_publishes_until_it_is_stopped(tmp_path: Path, number: signal.Signals) -> None:
-    node = Running(plan(nodes=("talker",)), tmp_path)
-    published = node.until("publish", 2)
-    assert [note["data"]["data"] for note in published[:2]] == ["Hello 1", "Hello 2"]
-    assert node.noted("publisher") == [{"what": "publisher", "topic": "greeting", "type": "std_msgs.msg.String"}]
-    assert [note["name"] for note in node.noted("node")] == ["talker"]
-    assert "[INFO] Hello 1\n" in node.stop(number)
+STOPS = [pytest.param(signal.SIGINT, id="Ctrl-C"), pytest.param(signal.SIGTERM, id="SIGTERM")]
+DOES: dict[str, tuple[str, int]] = {
+    "publisher": ("publish", 2), "subscriber": ("subscription", 1), "timer": ("timer", 1), "service": ("response", 2),
+    "client": ("call", 2), "action-server": ("result", 2), "action-client": ("goal", 1), "lifecycle": ("transition", 7),
+    "empty": ("spin", 1),
+}  # fmt: skip
+"""What each kind comes to, and how often at least."""
+
+
+@pytest.mark.parametrize("number", STOPS)
+@pytest.mark.parametrize("kind", all_kinds())
+def test_every_kind_runs_until_it_is_stopped(tmp_path: Path, kind: str, number: signal.Signals) -> None:
+    planned = plan(nodes=(f"a_node:{kind}",))
+    node = Running(planned, tmp_path, "config/params.yaml" if planned.answers.sections else "")
+    node.until(*DOES[kind])
+    said = node.stop(number)
+    assert [note["name"] for note in node.noted("node")] == ["a_node"]
     assert node.noted("shutdown")
+    declared = {note["name"]: note["value"] for note in node.noted("declare")}
+    assert declared == {each.name: each.default for each in all_kinds()[kind].parameters}
+    assert all(note["described"] for note in node.noted("declare"))
+    assert not node.noted("publish while inactive")
+    assert "Error" not in said
 
 
-def test_the_parameters_of_the_file_are_those_that_a_node_declares(tmp_path: Path) -> None:
-    node = Running(plan(), tmp_path, "config/params.yaml")
-    node.until("spin")
+def test_publisher(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("talker",)), tmp_path)
+    assert [note["data"]["data"] for note in node.until("publish", 2)[:2]] == ["Hello 1", "Hello 2"]
+    assert node.noted("publisher") == [{"what": "publisher", "topic": "greeting", "type": "std_msgs.msg.String"}]
+    assert "[INFO] Hello 1\n" in node.stop(signal.SIGTERM)
+
+
+def test_subscriber(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("listener:subscriber",)), tmp_path)
+    assert '[INFO] I heard "Hello" (number 1)\n[INFO] I heard "Hello" (number 2)\n' in node.heard(2)
+    assert [note["topic"] for note in node.noted("subscription")] == ["greeting"]
+
+
+def test_timer(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("counter:timer",)), tmp_path, {"start": 3, "period": 0.02})
+    assert node.heard(4) == "".join(f"[INFO] {number}\n" for number in (3, 2, 1, 0))
+
+
+def test_service(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("adder:service",)), tmp_path)
+    assert node.until("response")[0]["data"] == {"sum": 5}
+    assert "[INFO] 2 + 3 = 5\n" in node.stop(signal.SIGTERM)
+    assert [note["service"] for note in node.noted("service")] == ["add"]
+
+
+def test_client(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("asker:client",)), tmp_path, {"rate": 50.0})
+    heard = node.heard(3)
+    assert heard.startswith("[INFO] waiting for the service\n[INFO] 1 + 2 = 3\n[INFO] 2 + 3 = 5\n")
+    assert node.noted("call")[0]["request"] == {"a": 1, "b": 2}
+
+
+def test_action_server(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("worker:action-server",)), tmp_path, {"pause": 0.0})
+    results = {note["order"]: note for note in node.until("result", 2)}
     node.stop(signal.SIGTERM)
-    written = yaml.safe_load((tmp_path / "my_robot_nav/config/params.yaml").read_text())
-    declared = node.noted("declare")
-    assert {note["name"]: note["value"] for note in declared} == written["/**"]["ros__parameters"]
-    assert all(note["described"] for note in declared)
+    assert [(note["order"], note["accepted"]) for note in node.noted("goal")] == [
+        (0, False), (47, False), (5, True), (40, True),
+    ]  # fmt: skip
+    assert (results[5]["state"], results[5]["sequence"]) == ("succeeded", [1, 1, 2, 3, 5])
+    assert results[40]["state"] == "canceled"
+    assert [len(note["sequence"]) for note in node.noted("feedback") if note["order"] == 5] == [1, 2, 3, 4, 5]
+    assert node.noted("spin")[0]["executor"] == "MultiThreadedExecutor"
+    assert node.noted("action server")[0]["group"] == "ReentrantCallbackGroup"
 
 
-def test_a_node_reads_its_parameters(tmp_path: Path) -> None:
-    planned = plan()
-    write_folder(tmp_path / "other", planned.files)
-    params = (tmp_path / "other/config/params.yaml").read_text()
-    changed = params.replace("Hello", "Ciao").replace("1.0", "50.0")
-    assert changed != params
-    (tmp_path / "params.yaml").write_text(changed)
-    node = Running(planned, tmp_path, "../params.yaml")
+def test_action_server_leaves_while_it_works(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("worker:action-server",)), tmp_path, {"pause": 0.2})
+    node.until("feedback")
+    node.stop(signal.SIGINT)
+
+
+def test_action_client(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("asker:action-client",)), tmp_path, {"order": 4})
+    heard = node.heard(6)
+    assert heard.startswith("[INFO] waiting for the action server\n[INFO] 1 of 4: 1\n")
+    assert heard.endswith("[INFO] result: 4 of 4: ... 1 1 1\n")
+    assert [note["order"] for note in node.noted("goal")] == [4]
+
+
+def test_lifecycle(tmp_path: Path) -> None:
+    """It publishes between activate and deactivate, and between activate and shutdown; nowhere else."""
+    node = Running(plan(nodes=("talker:lifecycle",)), tmp_path, {"text": "Ciao", "rate": 50.0})
+    node.until("transition", 7)
+    node.stop(signal.SIGTERM)
+    steps = [note.get("name") for note in node.notes if note["what"] in ("transition", "publish")]
+    assert [step for step, _ in groupby(step or "publish" for step in steps)] == [
+        "configure", "activate", "publish", "deactivate", "cleanup", "configure", "activate", "publish", "shutdown",
+    ]  # fmt: skip
+    assert not node.noted("publish while inactive")
+
+
+def test_a_node_reads_the_file_of_parameters(tmp_path: Path) -> None:
+    node = Running(
+        plan(nodes=("talker", "listener:subscriber")), tmp_path, {"text": "Ciao", "rate": 50.0}, "/**/talker"
+    )
     assert node.until("publish")[0]["data"] == {"data": "Ciao 1"}
     node.stop(signal.SIGINT)
     assert [note["period"] for note in node.noted("timer")] == [0.02]

@@ -12,18 +12,25 @@ from planned import plan, texts
 
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
-from rospkg_cli.scaffold.ask import KINDS
+from rospkg_cli.scaffold.kinds import all_kinds
 from rospkg_cli.scaffold.template import load_template, template_names
 
-NODES = {"default": (), "one": ("talker",), "several": ("talker", "listener_node", "node", "a1")}
+NODES = {
+    "default": (),
+    "several": ("talker", "listener_node:subscriber", "node:lifecycle", "a1:timer", "a2:lifecycle"),
+    "bare": ("adder:service", "nothing:empty"),
+    **{kind: (f"a_node:{kind}",) for kind in all_kinds()},
+    "all": tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in all_kinds()),
+}
 DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "rclpy")}
-COMBINATIONS = [
-    pytest.param(distro.name, spdx.spdx, nodes, depends, id=f"{distro.name}-{spdx.spdx}-{nodes}-{depends}")
-    for distro, spdx, nodes, depends in itertools.product(DISTROS, LICENSES, NODES, DEPENDS)
-]
+COMBINATIONS = {
+    *itertools.product([distro.name for distro in DISTROS], ["MIT"], NODES, DEPENDS),
+    *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "bare"], DEPENDS),
+}
+"""Every distribution with all nodes and dependencies; a license changes nothing but headers and one test."""
 
 
-@pytest.mark.parametrize("distro, license, nodes, depends", COMBINATIONS)
+@pytest.mark.parametrize("distro, license, nodes, depends", sorted(COMBINATIONS))
 def test_every_combination_is_written_without_a_finding(distro: str, license: str, nodes: str, depends: str) -> None:
     planned = plan(distro=distro, license=license, nodes=NODES[nodes], depends=DEPENDS[depends])
     assert [(f.code, f.place.path, f.message) for f in planned.findings] == []
@@ -58,7 +65,7 @@ def test_every_file_of_the_templates_ends_in_j2() -> None:
     for name in (*template_names(), "_shared"):
         folder = load_template("ament_python").folders[1] / name
         names = {path.name for path in folder.rglob("*") if path.is_file()}
-        assert [n for n in names if not n.endswith(".j2")] == (["template.toml"] if name != "_shared" else [])
+        assert [n for n in names if not n.endswith(".j2")] == ["kinds.toml" if name == "_shared" else "template.toml"]
 
 
 def test_dependencies_stand_in_their_tags() -> None:
@@ -103,6 +110,28 @@ def test_a_node_is_named_after_its_package() -> None:
     assert plan("t" * 60).answers.nodes[0].name == "main_node"
 
 
-def test_there_is_a_template_for_each_kind() -> None:
-    for kind in KINDS:
-        assert plan(nodes=(f"talker:{kind}",)).answers.nodes[0].kind == kind
+def test_parameters_stand_in_one_block_where_all_nodes_have_the_same() -> None:
+    same = yaml.safe_load(texts(plan(nodes=("a1", "b1:lifecycle", "c1:empty")))["config/params.yaml"])
+    assert same == {"/**": {"ros__parameters": {"text": "Hello", "rate": 1.0}}}
+    other = yaml.safe_load(texts(plan(nodes=("a1", "b1:subscriber", "c1:empty")))["config/params.yaml"])
+    assert set(other) == {"/**/a1", "/**/b1"}
+    assert other["/**/b1"] == {"ros__parameters": {"prefix": "I heard"}}
+
+
+def test_without_parameters_there_is_no_file_of_them() -> None:
+    files = texts(plan(nodes=("adder:service",)))
+    assert not [path for path in files if "params" in path or path.startswith("config/")]
+    assert "params_file" not in files["launch/my_robot_nav.launch.py"]
+    assert "config" not in files["setup.py"]
+    assert "yaml" not in files["package.xml"]
+
+
+def test_a_kind_brings_its_dependencies() -> None:
+    manifest = texts(plan(nodes=("a1:action-client", "b1:lifecycle")))["package.xml"]
+    for key in ("example_interfaces", "lifecycle_msgs", "rcl_interfaces", "std_msgs"):
+        assert manifest.count(f"<exec_depend>{key}</exec_depend>") == 1
+    assert "std_msgs" not in texts(plan(nodes=("a1:service",)))["package.xml"]
+
+
+def test_every_kind_is_one_of_a_template() -> None:
+    assert set(all_kinds()) == {kind for name in template_names() for kind in load_template(name).kinds}

@@ -8,7 +8,11 @@ from typing import Any
 
 from ..ros.distros import Distro
 from ..ros.licenses import License
+from .kinds import Kind, Parameter
 from .told import Told
+
+EVERY_NODE = "/**"
+"""The key of parameters for every node in every namespace."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,7 @@ class Request:
 @dataclass(frozen=True)
 class Node:
     name: str
-    kind: str
+    kind: Kind
 
     @property
     def class_name(self) -> str:
@@ -61,6 +65,30 @@ class Answers:
     version: str
     distro: Distro
     year: int
+
+    @property
+    def logics(self) -> tuple[str, ...]:
+        """The modules of the nodes that need no ROS, each once."""
+        return tuple(dict.fromkeys(node.kind.logic for node in self.nodes if node.kind.logic))
+
+    @property
+    def interfaces(self) -> tuple[str, ...]:
+        """The packages of the nodes' messages, each once."""
+        return tuple(dict.fromkeys(package for node in self.nodes for package in node.kind.interfaces))
+
+    @property
+    def sections(self) -> dict[str, tuple[Parameter, ...]]:
+        """The parameters of the nodes by the key of their block: one block where all that have some have the same."""
+        having = {node.name: node.kind.parameters for node in self.nodes if node.kind.parameters}
+        if len(set(having.values())) == 1:
+            return {EVERY_NODE: next(iter(having.values()))}
+        return {f"{EVERY_NODE}/{name}": parameters for name, parameters in having.items()}
+
+    def section_of(self, node: Node) -> str:
+        """Return the key of a node's block; "" for a node without parameters."""
+        if not node.kind.parameters:
+            return ""
+        return EVERY_NODE if EVERY_NODE in self.sections else f"{EVERY_NODE}/{node.name}"
 
     @property
     def copyright(self) -> Told:

@@ -11,10 +11,8 @@ from ..ros.manifest import VERSION
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Node
+from .kinds import all_kinds
 from .names import LONGEST, check_node_name
-
-KINDS = ("publisher",)
-"""The kinds of nodes that there are templates for, first the one that is written unasked."""
 
 KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
 """Names of ROS packages and of rosdep keys."""
@@ -24,18 +22,21 @@ TEST_ONLY = re.compile(
 )
 
 
-def nodes_of(asked: tuple[str, ...], package: str) -> tuple[Node, ...]:
-    """Return the nodes; one with a name made from the package's where none was asked for."""
+def nodes_of(asked: tuple[str, ...], package: str, kinds: tuple[str, ...]) -> tuple[Node, ...]:
+    """Return the nodes; one with a name made from the package's where none was asked for.
+
+    `kinds` are those of the template, first the one that is written where none is named.
+    """
     nodes: dict[str, Node] = {}
     for text in asked or (default_node(package),):
         name, colon, kind = text.partition(":")
-        if colon and kind not in KINDS:
-            known = ", ".join(KINDS)
-            raise ScaffoldError(f"there is no kind of node `{kind}`{did_you_mean(kind, KINDS)}; known so far: {known}")
+        if colon and kind not in kinds:
+            known = ", ".join(kinds)
+            raise ScaffoldError(f"there is no kind of node `{kind}`{did_you_mean(kind, kinds)}; known here: {known}")
         check_node_name(name, package)
         if name in nodes:
             raise ScaffoldError(f"the node `{name}` is named twice; name each once")
-        nodes[name] = Node(name, kind or KINDS[0])
+        nodes[name] = Node(name, all_kinds()[kind or kinds[0]])
     return tuple(nodes.values())
 
 

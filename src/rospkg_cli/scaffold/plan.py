@@ -80,7 +80,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, notes: lis
     depends, test_depends = depends_of(request.depends, request.name)
     answers = Answers(
         name=request.name,
-        nodes=nodes_of(request.nodes, request.name),
+        nodes=nodes_of(request.nodes, request.name, template.kinds),
         depends=depends,
         test_depends=test_depends,
         description=told("the description", request.description),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -12,7 +13,7 @@ from ..tree import Entry
 from . import ScaffoldError
 from .answers import Answers
 from .template import Template, TemplateFile
-from .told import WIDTH, Told, UnescapedError, comment, markdown, plain, python, python_argument, xml
+from .told import WIDTH, Told, UnescapedError, comment, markdown, plain, python, python_argument, xml, yaml
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,8 @@ def render(template: Template, answers: Answers) -> tuple[Written, ...]:
 
 def known_values(answers: Answers) -> dict[str, Any]:
     """Return what every file of a template knows."""
-    return {**vars(answers), "copyright": answers.copyright}
+    computed = ("copyright", "interfaces", "logics", "sections", "section_of")
+    return {**vars(answers), **{name: getattr(answers, name) for name in computed}}
 
 
 def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -52,7 +54,8 @@ def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) 
 
 
 def render_file(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Written:
-    text = environment.get_template(file.source + ".j2").render(values)
+    source = environment.from_string(file.source).render(values)
+    text = environment.get_template(source + ".j2").render(values)
     path = environment.from_string(file.path).render(values)
     about = environment.from_string(file.about).render(values)
     mode = 0o755 if text.startswith("#!") else 0o644
@@ -64,6 +67,7 @@ def render_line(template: Template, line: str, answers: Answers) -> str:
     return make_environment(template).from_string(line).render(known_values(answers))
 
 
+@cache
 def make_environment(template: Template) -> Environment:
     environment = Environment(
         loader=FileSystemLoader([str(folder) for folder in template.folders]),
@@ -87,7 +91,8 @@ def escaped_only(value: object) -> object:
 
 def in_order(lines: str) -> str:
     """Sort import lines as Google's style wants them: by module, whatever the form."""
-    return "".join(sorted(lines.splitlines(keepends=True), key=lambda line: line.split()[1].lower()))
+    imports = [line for line in lines.splitlines(keepends=True) if line.strip()]
+    return "".join(sorted(imports, key=lambda line: line.split()[1].lower()))
 
 
 def long_line(line: str) -> str:
@@ -104,4 +109,5 @@ FILTERS = {
     "python": python,
     "python_argument": python_argument,
     "xml": xml,
+    "yaml": yaml,
 }

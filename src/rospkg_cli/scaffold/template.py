@@ -21,7 +21,7 @@ class TemplateFile:
     """One file of a template, or one for each item of a list."""
 
     source: str
-    """Below `files/`, or `_shared/…`; on disk it ends in `.j2`."""
+    """Below `files/`, or `_shared/…`, with `{{ }}`; on disk it ends in `.j2`."""
     path: str
     """Where it is written, with `{{ }}`."""
     about: str
@@ -39,6 +39,8 @@ class Template:
     build_type: str
     description: str
     """Of a package whose user gave none, with `{{ }}`."""
+    kinds: tuple[str, ...]
+    """The kinds of nodes that it can write, first the one that is written where none is named."""
     files: tuple[TemplateFile, ...]
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace, with `{{ }}`."""
@@ -62,6 +64,7 @@ def load_template(name: str) -> Template:
         title=data["title"],
         build_type=data["build-type"],
         description=data["description"],
+        kinds=tuple(data["kinds"]),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),
     )

@@ -5,6 +5,7 @@ A template can't print such a text as it stands: it must name the file's languag
 
 from __future__ import annotations
 
+import json
 import re
 import unicodedata
 from dataclasses import dataclass
@@ -50,9 +51,14 @@ def xml(value: Told | str) -> str:
     return escape(plain(value), {'"': "&quot;"})
 
 
-def python(value: Told | str) -> str:
-    """Return a text as a Python literal, in single quotes where that needs no backslash."""
-    return repr(plain(value))
+def python(value: Told | str | int | float) -> str:
+    """Return a value as a Python literal, a text in single quotes where that needs no backslash."""
+    return repr(value.text if isinstance(value, Told) else value)
+
+
+def yaml(value: Told | str | int | float) -> str:
+    """Return a value as YAML; a text is quoted, so that it stays one."""
+    return json.dumps(value.text if isinstance(value, Told) else value, ensure_ascii=False)
 
 
 def python_argument(value: Told | str, name: str, indent: int = 4) -> str:

@@ -13,6 +13,13 @@ class FloatingPointRange:
 
 
 @dataclass
+class IntegerRange:
+    from_value: int = 0
+    to_value: int = 0
+    step: int = 0
+
+
+@dataclass
 class ParameterDescriptor:
     name: str = ""
     type: int = 0
@@ -21,6 +28,7 @@ class ParameterDescriptor:
     read_only: bool = False
     dynamic_typing: bool = False
     floating_point_range: list[FloatingPointRange] = field(default_factory=list)
+    integer_range: list[IntegerRange] = field(default_factory=list)
 
 
 class ParameterValue:

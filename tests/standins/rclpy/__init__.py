@@ -1,8 +1,9 @@
 """A stand-in for rclpy, because the real one can't be had from a package index.
 
-It behaves as rclpy does, by its sources, where a node's `main` can get it wrong: `init` returns None (up to Jazzy it is
-no context manager), SIGINT raises KeyboardInterrupt and shuts the context down, SIGTERM shuts it down so that `spin`
-raises ExternalShutdownException, a second `shutdown` is an error, `try_shutdown` is none.
+It behaves as rclpy does, by its sources, where a node can get it wrong: `init` returns None (up to Jazzy it is no
+context manager), SIGINT raises KeyboardInterrupt and shuts the context down, SIGTERM shuts it down so that `spin`
+raises ExternalShutdownException, a second `shutdown` is an error, `try_shutdown` is none.  `spin` plays the rest of
+the graph too: it publishes to subscriptions, calls services, answers clients, sends goals, drives a lifecycle.
 What the node did is appended to the file that STANDIN_LOG names, one JSON object a line.
 """
 
@@ -11,18 +12,18 @@ from __future__ import annotations
 import json
 import os
 import signal
+import threading
 import time
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from rclpy.executors import ExternalShutdownException
-
 _state: dict[str, Any] = {"ok": False, "initialized": False}
+_writing = threading.Lock()
 
 
 def note(what: str, **values: object) -> None:
-    with Path(os.environ["STANDIN_LOG"]).open("a", encoding="utf-8") as log:
+    with _writing, Path(os.environ["STANDIN_LOG"]).open("a", encoding="utf-8") as log:
         log.write(json.dumps({"what": what, **values}) + "\n")
 
 
@@ -59,10 +60,13 @@ def try_shutdown() -> None:
     note("shutdown")
 
 
-def spin(node: Any) -> None:
-    note("spin", node=node.name)
+def spin(node: Any, executor: Any = None) -> None:
+    from rclpy.executors import ExternalShutdownException
+
+    note("spin", node=node.name, executor=type(executor).__name__)
     while ok():
-        for timer in node.timers:
-            timer()
+        for turn in list(node.turns):
+            if turn in node.turns:  # another turn may have taken it away
+                turn()
         time.sleep(0.01)
     raise ExternalShutdownException

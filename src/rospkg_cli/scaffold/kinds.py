@@ -1,0 +1,68 @@
+"""The kinds of nodes: what each does, declares and shows, whatever language it is written in."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from functools import cache
+
+from ..resources import resources
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+@dataclass(frozen=True)
+class Parameter:
+    name: str
+    default: str | int | float
+    about: str
+    least: int | float | None = None
+    most: int | float | None = None
+
+    @property
+    def type(self) -> str:
+        """`string`, `integer` or `double`, as rcl calls it."""
+        return {str: "string", int: "integer", float: "double"}[type(self.default)]
+
+
+@dataclass(frozen=True)
+class Use:
+    """A topic, service or action that other nodes see."""
+
+    how: str
+    """A verb: publishes, listens to, …"""
+    name: str
+    type: str
+
+
+@dataclass(frozen=True)
+class Kind:
+    name: str
+    does: str
+    """The end of the sentence "a node that …"."""
+    logic: str
+    """The module of the part that needs no ROS; "" where there is none."""
+    interfaces: tuple[str, ...]
+    """The packages of its messages."""
+    uses: tuple[Use, ...]
+    parameters: tuple[Parameter, ...]
+
+
+@cache
+def all_kinds() -> dict[str, Kind]:
+    """Return every kind by its name."""
+    data = tomllib.loads((resources("templates") / "_shared" / "kinds.toml").read_text("utf-8"))
+    return {
+        name: Kind(
+            name=name,
+            does=row["does"],
+            logic=row["logic"],
+            interfaces=tuple(row["interfaces"]),
+            uses=tuple(Use(**use) for use in row["uses"]),
+            parameters=tuple(Parameter(**parameter) for parameter in row["parameters"]),
+        )
+        for name, row in data.items()
+    }

@@ -1,0 +1,2 @@
+class ReentrantCallbackGroup:
+    """Lets callbacks run at once."""
