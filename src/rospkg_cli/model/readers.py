@@ -25,6 +25,8 @@ from .python import PythonFile
 from .setup.cfg import SetupCfg, read_setup_cfg
 from .setup.setup_py import SetupPy, read_setup_py
 from .unreadable import Unreadable
+from .urdf.file import RobotFile
+from .urdf.reader import read_robot_files
 from .uses.python import PythonUse, read_python_use
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
@@ -40,6 +42,7 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     CppFile: read_cpp_files,
     Interface: read_interfaces,
     ParameterFile: read_parameter_files,
+    RobotFile: read_robot_files,
     PythonUse: read_python_use,
     LaunchFile: read_launch_files,
 }

@@ -23,16 +23,19 @@ QUALIFIED = re.compile(r"[^:]+(:[^:]+)?")
 BOUND = frozenset({"xml", "xmlns"})
 
 
-def read_xml(source: Source) -> Document:
-    """Parse a decoded text; raises UnreadableError at the exact place where it is not well formed."""
-    return Reader(source).read()
+def read_xml(source: Source, *, prefixes: bool = True) -> Document:
+    """Parse a decoded text; raises UnreadableError at the exact place where it is not well formed.
+
+    Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML.
+    """
+    return Reader(source, prefixes).read()
 
 
 class Reader:
     """One pass of expat over the text."""
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, source: Source, prefixes: bool) -> None:
+        self.source, self.prefixes = source, prefixes
         self.data = source.text.encode("utf-8", "surrogatepass")
         self.chars = char_table(source.text) if len(self.data) != len(source.text) else None
         self.parser = expat.ParserCreate("utf-8")
@@ -78,7 +81,7 @@ class Reader:
         declared = [name[6:] for name in attributes if name.startswith("xmlns:")]
         self.bound.append(self.bound[-1].union(declared) if declared else self.bound[-1])
         for name in (tag, *attributes):
-            if ":" in name:
+            if self.prefixes and ":" in name:
                 self.check_prefix(name, at)
         self.stack[-1].nodes.append(element)
         self.stack.append(element)

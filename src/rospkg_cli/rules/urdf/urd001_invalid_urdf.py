@@ -1,0 +1,72 @@
+"""URD001 invalid-urdf."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Hit, Related, Severity
+from ...model.urdf.file import RobotFile
+from ...rule import rule
+
+GOOD = """\
+<robot name="robot">
+  <link name="base"/>
+  <link name="wheel"/>
+  <joint name="axle" type="continuous">
+    <parent link="base"/>
+    <child link="wheel"/>
+  </joint>
+</robot>
+"""
+XACRO = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
+  <xacro:property name="radius" value="0.1"/>
+  <link name="wheel">
+    <visual>
+      <geometry>
+        <sphere radius="${radius * 2}"/>
+      </geometry>
+    </visual>
+  </link>
+</robot>
+"""
+
+
+def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> Example:
+    return Example(on="config", bad={f"config/{name}": text.replace(good, bad)}, good={f"config/{name}": text})
+
+
+@rule(
+    "URD001",
+    "invalid-urdf",
+    over=RobotFile,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the robot is read, without a part of a link"},
+    examples=(
+        example('<parent link="«bse»"/>', '<parent link="base"/>'),
+        example('  <link name="wheel"/>\n  <link name="«arm»"/>', '  <link name="wheel"/>'),
+        example('  <link name="wheel"/>\n  <link name="«wheel»"/>', '  <link name="wheel"/>'),
+        example('type="«revolute»"', 'type="continuous"'),
+        example('radius="«${radius * 2»"', 'radius="${radius * 2}"', XACRO, "robot.urdf.xacro"),
+        example("«<sphere/>»", '<sphere radius="${radius * 2}"/>', XACRO, "robot.urdf.xacro"),
+    ),
+)
+def invalid_urdf(robot: RobotFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reads a URDF as urdfdom does: every joint has a type, a parent and a child that are links of the robot, a revolute
+    or prismatic one a limit; names are there once; the links make one tree with one root; numbers are numbers.
+    Joints that a `<mimic>` or a `<ros2_control>` names exist.  Of xacro files it judges what stands there literally,
+    and `${…}` and `$(…)` that xacro can't evaluate.
+
+    ## Why is this bad?
+    robot_state_publisher, RViz, Gazebo and MoveIt refuse the whole robot: "Model Parsing the xml failed". What is
+    wrong inside of a link costs its shapes: urdfdom prints an error and goes on without them.
+
+    ## References
+    ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
+    """
+    for fault in robot.faults:
+        related = (Related(robot.path, *fault.related),) if fault.related else ()
+        yield Hit(robot.path, fault.span, fault.message, Severity.WARNING if fault.mild else None, related=related)
