@@ -1,6 +1,6 @@
 """Find the package.xml files below some folders, each content once: what the other measures go through.
 
-python bench/manifests.py FOLDER...
+python -m bench.manifests FOLDER...
 """
 
 from __future__ import annotations

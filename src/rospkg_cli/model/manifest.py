@@ -59,7 +59,7 @@ class Manifest:
     @cached_property
     def format(self) -> int:
         """The format (1 where none is named, as REP-127 says); 0 for what is not a number."""
-        text = (self.root.get("format") or "1").strip()
+        text = self.declared_format.value.strip() if self.declared_format else "1"
         return int(text) if text.isdecimal() and len(text) < 4 else 0
 
     @property

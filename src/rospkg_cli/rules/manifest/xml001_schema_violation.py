@@ -8,6 +8,7 @@ from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...model.manifest import Manifest
 from ...model.violation import Kind, Violation
+from ...model.xml_tree import Element
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED
 from ...rule import rule
 from ...source import Span
@@ -67,7 +68,8 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
         if told is not None and not (violation.element in newer and violation.kind in (Kind.CHILD, Kind.ATTRIBUTE)):
             span, what, lost = told
             level = None if lost else Severity.WARNING
-            yield Hit(manifest.path, span, f"{what}; {LOST if lost else ONLY_THE_SCHEMA}", level)
+            harm = LOST if lost else "" if is_group(violation) else ONLY_THE_SCHEMA
+            yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level)
 
 
 def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool] | None:
@@ -90,7 +92,7 @@ def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool]
                 f"`<{element.tag}>` holds text between its elements; remove it or comment it out",
                 False,
             )
-        case Kind.VALUE if not name and (element.tag, name) not in ELSEWHERE:
+        case Kind.VALUE if not name and (element.tag, name) not in ELSEWHERE and not empty_group(element):
             return manifest.span(element), *value(manifest, element.tag, element.text)
         case _:
             return None
@@ -101,7 +103,16 @@ def value(manifest: Manifest, tag: str, text: str) -> tuple[str, bool]:
         return "`<license>` is empty; name the license by its SPDX id, such as `Apache-2.0`", True
     if tag == "url":
         return f"`{text}` is no URL", False
-    return f"`{text}` is no name of a group: lower case letters, digits and single `_`, as for packages", False
+    return f"`{text}` is no name of a group: REP-149 wants what it wants of packages (`a-z`, digits, single `_`)", False
+
+
+def empty_group(element: Element) -> bool:
+    return element.tag in NEW_IN[3] and not element.text
+
+
+def is_group(violation: Violation) -> bool:
+    """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
+    return violation.kind is Kind.VALUE and violation.element.tag in NEW_IN[3]
 
 
 def stranger(manifest: Manifest, tag: str, top: bool) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.tags import set_attribute
 from ...edits.upgrade import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -19,7 +20,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
     "unsupported-format",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "no format is named, and tags of format 2 or 3 are used"},
+    levels={Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or it stands among blanks"},
     examples=(
         Example(
             bad={"package.xml": GOOD.replace('format="3"', 'format="«4»"')},
@@ -54,6 +55,10 @@ def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
             f'plain package; write `format="3"`'
         )
         yield Hit(manifest.path, declared.value_span if declared.value else declared.span, message, fix=fix)
+    elif declared is not None and declared.value != str(manifest.format):
+        message = f'the format is written `{declared.value}`: ament_xmllint fails; write `format="{manifest.format}"`'
+        edit = set_attribute(manifest, manifest.root, "format", str(manifest.format))
+        yield Hit(manifest.path, declared.value_span, message, Severity.WARNING, fix=Fix("Write it plainly", (edit,)))
     newer = manifest.all(*(tag for tags in NEW_IN.values() for tag in tags))
     if declared is None and newer:
         message = (

@@ -19,6 +19,7 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
     "feature-needs-format-3",
     over=Manifest,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is `compatibility`, which colcon reads over"},
     examples=(
         Example(
             bad={"package.xml": BAD.replace('condition="$ROS_VERSION == 2"', '«condition="$ROS_VERSION == 2"»')},
@@ -48,8 +49,9 @@ def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     fix = Fix('Write format="3"', to_format_3(manifest))
     for element, attribute in manifest.features_of_3:
         what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
-        message = (
-            f"{what} came with format 3, and this is format {manifest.schema_format}: colcon refuses the manifest and "
-            f'builds the folder as a plain package; write `<package format="3">`'
-        )
-        yield Hit(manifest.path, attribute.span if attribute else element.span, message, fix=fix)
+        mild = attribute is not None and attribute.name == "compatibility"
+        lost = "ament_xmllint fails" if mild else "colcon refuses the manifest and builds the folder as a plain package"
+        message = f"{what} came with format 3, and this is format {manifest.schema_format}: {lost}"
+        place = attribute.span if attribute else element.span
+        level = Severity.WARNING if mild else None
+        yield Hit(manifest.path, place, f'{message}; write `<package format="3">`', level, fix=fix)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...example import SETUP_PY, Example, manifest
@@ -51,10 +52,13 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
     if element is None:
         return
     version = element.text
-    if not VERSION.fullmatch(version):
+    if re.fullmatch(r"\d+\.\d+\.\d+", version, re.ASCII) and not VERSION.fullmatch(version):
+        message = f"the version `{version}` has a leading zero: ament_xmllint fails, and bloom can't tell what is newer"
+        yield Hit(manifest.path, manifest.span(element), message)
+    elif not VERSION.fullmatch(version):
         message = (
-            f"the version is `{version}`, and must be three numbers without leading zeros, such as `1.0.0`: colcon "
-            f"refuses the manifest and builds the folder as a plain package"
+            f"the version is `{version}`, and must be three numbers such as `1.0.0`: colcon refuses the manifest and "
+            f"builds the folder as a plain package"
         )
         yield Hit(manifest.path, manifest.span(element), message)
     compatible = element.attributes.get("compatibility")
