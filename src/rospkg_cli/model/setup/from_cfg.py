@@ -91,6 +91,11 @@ class FromCfg:
         pairs = [said.text.partition("=") for said in items_of(option.value)] if option else []
         return {key.strip(): value.strip() for key, sign, value in pairs if sign}
 
+    @property
+    def extras(self) -> set[str]:
+        """The names of `[options.extras_require]`."""
+        return {option.key for option in self.cfg.options("options.extras_require")} if self.cfg else set()
+
     @cached_property
     def entry_points(self) -> tuple[EntryPoint, ...]:
         options = self.cfg.options("options.entry_points") if self.cfg else ()

@@ -74,6 +74,35 @@ class SetupPy:
     def argument(self, name: str) -> Argument | None:
         return self.call.argument(name) if self.call else None
 
+    def name_span(self, name: str) -> Span:
+        """Return where an argument is named; the name of the function where it isn't given there."""
+        found = self.argument(name)
+        if found is None or self.call is None or not self.call.span.start < found.span.start < self.call.span.end:
+            return self.span
+        return Span(found.span.start, found.span.start + len(name))
+
+    def value_span(self, name: str) -> Span:
+        """Return where the value of an argument stands; the name of the function where it isn't given there."""
+        found, name_at = self.argument(name), self.name_span(name)
+        if found is None or name_at == self.span:
+            return self.span
+        equals = self.source.text.index("=", name_at.end) + 1
+        blanks = len(self.source.text[equals:]) - len(self.source.text[equals:].lstrip())
+        return Span(equals + blanks, found.span.end)
+
+    def used_elsewhere(self, said: Said) -> bool:
+        """Return whether a text stands outside of the call of setup(), in a variable that others may use."""
+        return self.call is None or not self.call.span.start < said.span.start < self.call.span.end
+
+    @property
+    def extras_for_tests(self) -> bool:
+        """Whether colcon finds the tests' requirements in extras_require, or can't be told not to."""
+        if not self.knows("extras_require"):
+            return True
+        value = self.value("extras_require")
+        keys = {str(key) for key in value.items} if isinstance(value, MappingValue) else self.from_cfg.extras
+        return bool(keys & {"test", "tests", "testing"})
+
     def value(self, name: str) -> Value | None:
         """Return what setup() is given; None where setup.cfg or nobody says it; Unknown where it can't be told."""
         if self.call is None:
@@ -161,12 +190,12 @@ class SetupPy:
         """The modules that are installed: dotted name to file."""
         found: dict[str, str] = {}
         for package in self.packages:
-            folder = self.folder_of(package.text)
+            name_of, folder = package.text.replace("/", "."), self.folder_of(package.text)
             for name in self.folder.children.get(folder, {}):
                 path = f"{folder}/{name}" if folder else name
                 if name.endswith(".py") and path != "setup.py" and self.folder.kind(path) == "file":
                     stem = name[: -len(".py")]
-                    found[package.text if stem == "__init__" else f"{package.text}.{stem}"] = path
+                    found[name_of if stem == "__init__" else f"{name_of}.{stem}"] = path
         for module in self.py_modules:
             if (file := self.file_of(module.text)) is not None:
                 found[module.text] = file

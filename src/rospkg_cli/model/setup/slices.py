@@ -19,7 +19,7 @@ from ..modules import Modules
 from ..workspace import Workspace
 from .cfg import SetupCfg
 from .entry_points import EntryPoint
-from .exports import offers
+from .exports import absolute, offers
 from .said import Said
 from .setup_py import SetupPy
 
@@ -120,10 +120,11 @@ class PythonPackage:
 
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
-        """The executables that run a node."""
+        """The executables that run a node; one with a dash in its name is a command for the shell."""
         if self.plugs_in:
             return ()
-        return tuple(entry for entry in self.executables if entry.module and self.is_node(entry.module))
+        found = (entry for entry in self.executables if entry.module and "-" not in entry.name)
+        return tuple(entry for entry in found if self.is_node(entry.module))
 
     @cached_property
     def forgotten_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
@@ -180,6 +181,69 @@ class PythonPackage:
             if "__init__.py" not in inner and any(each.endswith(".py") for each in inner):
                 yield path
 
+    def dotted(self, folder: str) -> str:
+        """Return the name under which a folder of modules would be imported."""
+        base = self.setup.package_dir.get("", "")
+        return (folder[len(base) + 1 :] if base and folder.startswith(f"{base}/") else folder).replace("/", ".")
+
+    def imports_from(self, folder: str) -> bool:
+        """Return whether a module of the package outside of a folder, or an entry point, needs what is in it."""
+        wanted = self.dotted(folder)
+        return any(
+            name == wanted or name.startswith(f"{wanted}.") for name, path in self.imported if not inside(path, folder)
+        )
+
+    @cached_property
+    def imported(self) -> frozenset[tuple[str, str]]:
+        """Every dotted name that the modules or entry points name, and the file that does."""
+        found = {(entry.module, entry.path) for entry in self.setup.entry_points}
+        for path in self.on_disk.values():
+            file = self.modules.at(path)
+            for each in file.imports if file else ():
+                module = absolute(each, path, self.setup)
+                found |= {(module, path), *[(f"{module}.{name}", path) for name in each.names]}
+        return frozenset(found)
+
+    @cached_property
+    def unlisted(self) -> tuple[str, ...]:
+        """The Python packages below listed ones that `packages` leaves out; those of entry points are told apart."""
+        listed = {said.text for said in self.setup.packages}
+        started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
+        found: dict[str, None] = {}
+        for name in sorted(
+            {m.rpartition(".")[0] if not p.endswith("__init__.py") else m for m, p in self.on_disk.items()}
+        ):
+            parts = name.split(".")
+            above = {".".join(parts[:i]) for i in range(1, len(parts))}
+            path = self.on_disk.get(name, "")
+            if (
+                name not in listed | started
+                and above & listed
+                and path.endswith("__init__.py")
+                and not TESTS & set(parts)
+            ):
+                found[name] = None
+        return tuple(found)
+
+    @property
+    def ros_requirements(self) -> tuple[tuple[Said, str], ...]:
+        """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
+        found = []
+        for said in self.setup.texts("install_requires"):
+            match = REQUIREMENT.match(said.text)
+            name = match.group() if match else ""
+            facts = self.workspace.named(name)
+            built = facts is not None and facts.build_type in ("ament_cmake", "cmake") and facts.knows("modules")
+            if name.endswith("_msgs") or (facts is not None and built and not facts.modules):
+                found.append((said, name))
+        return tuple(found)
+
+
+def inside(path: str, folder: str) -> bool:
+    return path.startswith(f"{folder}/")
+
+
+REQUIREMENT = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
 ELSEWHERE = re.compile(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")

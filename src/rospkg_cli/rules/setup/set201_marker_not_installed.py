@@ -1,0 +1,64 @@
+"""SET201 marker-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import install_marker
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+
+LINE = "        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),\n"
+MANIFEST = "        ('share/' + package_name, ['package.xml']),\n"
+BAD = SETUP_PY.replace(LINE, "").replace("data_files=", "«data_files»=")
+COPIED = SETUP_PY.replace("['resource/' + package_name]", "['«resource/your_pkg»']")
+
+
+@rule(
+    "SET201",
+    "marker-not-installed",
+    over=SharedFiles,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"setup.py": BAD},
+            good={"setup.py": SETUP_PY.replace(LINE + MANIFEST, MANIFEST + LINE)},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"setup.py": COPIED, "resource/your_pkg": ""},
+            good={"setup.py": SETUP_PY.replace("'resource/' + package_name", "'resource/my_pkg'")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def marker_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a package whose `data_files` do not put the marker `resource/<package>` into the package index, or put one
+    there under another name.
+
+    ## Why is this bad?
+    The index is how `ros2 run`, `ros2 launch` and `get_package_share_directory` find a package: "package not found".
+    colcon adds a missing marker for now, with a warning that it will stop to; a Debian package and pip do not.
+    """
+    package, name = shared.package, shared.package.name
+    if not package.installs_known_files or shared.installs_marker:
+        return
+    wrong = next(iter(shared.markers), None)
+    operations = install_marker(package.setup, name, wrong, absent=not package.files.exists(f"resource/{name}"))
+    fix = Fix(f"install resource/{name}", operations) if operations else None
+    if wrong is not None:
+        message = (
+            f"the marker is installed as `{wrong.said.text}`: the index then knows another package, and `{name}` is "
+            f"not found once it is installed from a Debian package; install `resource/{name}`"
+        )
+        yield Hit(wrong.said.path, wrong.said.shown, message, fix=fix)
+        return
+    message = (
+        f"the marker `resource/{name}` is not installed: colcon still adds it with a warning, Debian packages and pip "
+        f"don't, and then `ros2 run {name}` says that there is no such package; add it to `data_files`"
+    )
+    yield Hit(package.setup.path, package.setup.name_span("data_files"), message, fix=fix)

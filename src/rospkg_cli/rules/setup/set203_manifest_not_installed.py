@@ -1,0 +1,44 @@
+"""SET203 manifest-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import add_data_entry, quoted, share_code
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+
+LINE = "        ('share/' + package_name, ['package.xml']),\n"
+BAD = SETUP_PY.replace(LINE, "").replace("data_files=", "«data_files»=")
+
+
+@rule(
+    "SET203",
+    "manifest-not-installed",
+    over=SharedFiles,
+    severity=Severity.ERROR,
+    examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
+)
+def manifest_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a package whose `data_files` do not install package.xml into `share/<package>`.
+
+    ## Why is this bad?
+    `ros2 pkg`, rosdep and the tools that read versions and dependencies of what is installed look there. colcon adds
+    it for now, with a warning that it will stop to; a Debian package and pip do not.
+    """
+    package, name = shared.package, shared.package.name
+    if not package.installs_known_files or shared.installs_manifest:
+        return
+    setup = package.setup
+    edits = add_data_entry(setup, share_code(setup, name), f"[{quoted(setup, 'package.xml')}]")
+    absent = setup.argument("data_files") is None and not shared.installs_marker
+    fix = Fix(f"install package.xml into share/{name}", edits) if edits and not absent else None
+    message = (
+        f"package.xml is not installed into `share/{name}`: colcon still adds it with a warning, Debian packages and "
+        f"pip don't; add it to `data_files`"
+    )
+    yield Hit(setup.path, setup.name_span("data_files"), message, fix=fix)

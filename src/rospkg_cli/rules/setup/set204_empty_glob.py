@@ -1,0 +1,73 @@
+"""SET204 empty-glob."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, setup_py
+from ...finding import Hit, Severity
+from ...model.setup.shared import SharedFiles, folder_of
+from ...rule import rule
+
+LAUNCH = "<launch>\n</launch>\n"
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+
+
+def launch(pattern: str) -> str:
+    line = f"        ('share/' + package_name + '/launch', {pattern}),\n"
+    return "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + line)
+
+
+@rule(
+    "SET204",
+    "empty-glob",
+    over=SharedFiles,
+    severity=Severity.WARNING,
+    levels={
+        Severity.ERROR: "a launch file, a module or the README refers to the folder",
+        Severity.INFO: "the folder is not there, and nothing refers to it",
+    },
+    examples=(
+        Example(
+            bad={"setup.py": launch("«glob('launch/*.launch.xml')»"), "launch/robot_launch.xml": LAUNCH},
+            good={"setup.py": launch("glob('launch/*launch.[pxy][yma]*')")},
+        ),
+        Example(
+            bad={
+                "setup.py": launch("«glob('lanch/*launch.xml')»"),
+                "launch/robot_launch.xml": LAUNCH,
+                "README.md": "Run `ros2 launch my_pkg robot_launch.xml`.\n",
+            },
+            good={"setup.py": launch("glob('launch/*launch.xml')")},
+        ),
+        Example(
+            bad={"setup.py": launch("«glob('launch/*launch.xml')»")},
+            good={"launch/robot_launch.xml": LAUNCH},
+        ),
+    ),
+)
+def empty_glob(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a glob in setup.py that matches no file, where nothing else installs what lies in its folder.
+
+    ## Why is this bad?
+    A glob that matches nothing is no error for Python: the build is green, nothing is installed, and `ros2 launch`
+    says "file … was not found in the share directory of package …". Often the file is called `robot_launch.py` and the
+    pattern is `*.launch.py`; `launch/*launch.[pxy][yma]*` finds both, and XML and YAML too.
+    """
+    files, setup = shared.package.files, shared.package.setup
+    for glob in shared.empty_globs if not setup.makes_files else ():
+        folder = folder_of(glob.pattern)
+        held = sorted(path for path in files.below(folder) if "/." not in path)
+        refers = shared.refers_to(folder)
+        level = Severity.ERROR if refers and held else None
+        if held:
+            shown = ", ".join(f"`{path}`" for path in held[:3]) + (", …" if len(held) > 3 else "")
+            what = f"the folder holds {shown}"
+        else:
+            near = shared.meant(folder)
+            what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
+            level = Severity.ERROR if near and shared.refers_to(near) else None if near else Severity.INFO
+        message = f"`{glob.pattern}` matches no file; {what}. The build is green and installs nothing for it"
+        yield Hit(setup.path, glob.span, message, level=level)

@@ -1,0 +1,94 @@
+"""SET205 missing-data-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, setup_py
+from ...finding import Hit, Severity
+from ...model.setup.data_files import DataEntry, DataFile
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+from ...suggest import did_you_mean
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+
+
+def config(entry: str) -> str:
+    return setup_py().replace(ENTRY, f"{ENTRY}        {entry},\n")
+
+
+GOOD = config("('share/' + package_name + '/config', ['config/nav.yaml'])")
+YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
+SHAPES = {
+    "list-entry": "is a list; colcon stops at it: write a tuple `(destination, [files])`",
+    "text-sources": "has a text where the list of files belongs; colcon stops at it: write `[…]` around it",
+    "tuple-sources": "has a tuple where the list of files belongs; colcon stops at it: write `[…]`",
+    "length": "is no pair of a destination and a list of files",
+}
+
+
+@rule(
+    "SET205",
+    "missing-data-file",
+    over=SharedFiles,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={**YAML, "setup.py": config("('share/' + package_name + '/config', ['«config/nva.yaml»'])")},
+            good={"setup.py": GOOD},
+        ),
+        Example(
+            bad={**YAML, "setup.py": config("('share/' + package_name, ['«config»'])")},
+            good={"setup.py": GOOD},
+        ),
+        Example(
+            bad={"setup.py": config("('share/' + package_name + '/config', ['«/home/ada/nav.yaml»'])")},
+            good={**YAML, "setup.py": GOOD},
+        ),
+        Example(
+            bad={**YAML, "setup.py": config("«('share/' + package_name + '/config', 'config/nav.yaml')»")},
+            good={"setup.py": GOOD},
+        ),
+        Example(
+            bad={**YAML, "setup.py": config("«['share/' + package_name + '/config', ['config/nav.yaml']]»")},
+            good={"setup.py": GOOD},
+        ),
+    ),
+)
+def missing_data_file(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds what `data_files` can't install: a file that is not there, a folder, an absolute path, and entries that are
+    no tuple of a destination and a list.
+
+    ## Why is this bad?
+    The build stops: "can't copy 'config': doesn't exist or not a regular file", "'data_files' must be relative", or a
+    bare AssertionError that says nothing of setup.py.
+    """
+    for entry in shared.package.setup.data_entries:
+        if entry.shape:
+            yield Hit(entry.path, entry.span, f"this entry of `data_files` {SHAPES[entry.shape]}")
+        for file in entry.files:
+            why = fault(shared, entry, file)
+            if why:
+                yield Hit(file.said.path, file.said.shown, why)
+
+
+def fault(shared: SharedFiles, entry: DataEntry, file: DataFile) -> str:
+    """Return what keeps a file from being installed; "" where nothing does."""
+    text, package = file.said.text, shared.package
+    if file.absolute:
+        return f"`{text}` is an absolute path: colcon stops, `data_files` must be relative to setup.py"
+    if file.source is None or file in shared.markers:
+        return ""
+    if package.setup.kind(file.source) == "dir":
+        return (
+            f"`{text}` is a folder: the build stops, `data_files` installs files; list them, or use `glob('{text}/*')`"
+        )
+    if not shared.is_missing(file):
+        return ""
+    if "*" in text:
+        return f"`{text}` is no file: `data_files` knows no wildcards, the build stops; write `glob('{text}')`"
+    hint = did_you_mean(file.source, package.files.paths)
+    return f"`{text}` does not exist{hint}: the build stops with \"can't copy '{text}'\""

@@ -1,0 +1,56 @@
+"""SET207 file-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import widen_glob
+from ...example import Example, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+LAUNCH = "<launch>\n</launch>\n"
+FILES = {"launch/robot.launch.xml": LAUNCH, "launch/arm_launch.xml": LAUNCH}
+
+
+def launch(pattern: str) -> str:
+    line = f"        ('share/' + package_name + '/launch', {pattern}),\n"
+    return "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + line)
+
+
+@rule(
+    "SET207",
+    "file-not-installed",
+    over=SharedFiles,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={**FILES, "setup.py": launch("«glob('launch/*.launch.xml')»")},
+            good={"setup.py": launch("glob('launch/*launch.[pxy][yma]*')")},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def file_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds launch files, parameter files and the like that lie beside files which a glob installs, and which no glob
+    matches: `x_launch.py` beside `*.launch.py`, `.yml` beside `*.yaml`, files in folders below.
+
+    ## Why is this bad?
+    The build is green, its neighbours are found, and this one file "was not found in the share directory".
+
+    ## Fix safety
+    A wider glob may install more than was wanted.
+    """
+    package = shared.package
+    for missed in shared.missed if package.installs_known_files else ():
+        edits = widen_glob(package.setup, missed.glob, missed.path)
+        fix = Fix(f"widen the glob so that it finds {missed.path}", edits, Safety.UNSAFE) if edits else None
+        message = (
+            f"`{missed.path}` is not installed: no glob matches it (`{missed.glob.pattern}` finds its neighbours); the "
+            f"build is green, and nothing finds it in share/{package.name}"
+        )
+        yield Hit(package.setup.path, missed.glob.span, message, fix=fix)

@@ -1,0 +1,53 @@
+"""SET208 wrong-data-destination."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import replace_text
+from ...example import Example, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
+
+
+def config(destination: str) -> str:
+    return setup_py().replace(ENTRY, f"{ENTRY}        ('{destination}', ['config/nav.yaml']),\n")
+
+
+GOOD = config("share/my_pkg/config")
+
+
+@rule(
+    "SET208",
+    "wrong-data-destination",
+    over=SharedFiles,
+    severity=Severity.WARNING,
+    levels={Severity.ERROR: "it begins with a slash: colcon stops"},
+    examples=(
+        Example(bad={**YAML, "setup.py": config("«share/your_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+        Example(bad={**YAML, "setup.py": config("«share/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+        Example(bad={**YAML, "setup.py": config("«config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+        Example(bad={**YAML, "setup.py": config("«/share/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+    ),
+)
+def wrong_data_destination(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds destinations in `data_files` where nobody looks: the share folder of another package, `share/launch` without
+    the package, a folder right below the prefix, and paths that begin with a slash.
+
+    ## Why is this bad?
+    `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another
+    package's folder is usually left over from a copied setup.py, and overwrites that package's files.
+    """
+    for entry, right, why in shared.astray:
+        assert entry.destination is not None
+        edits = replace_text(entry.destination, right)
+        fix = Fix(f"install into {right}", edits) if edits else None
+        level = Severity.ERROR if entry.destination.text.startswith("/") else None
+        message = f"`{entry.destination.text}` {why}; write `{right}`"
+        yield Hit(entry.path, entry.destination.shown, message, level=level, fix=fix)

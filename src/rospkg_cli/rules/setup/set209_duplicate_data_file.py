@@ -1,0 +1,47 @@
+"""SET209 duplicate-data-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import drop_source
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.setup.shared import SharedFiles
+from ...rule import rule
+
+LINE = "        ('share/' + package_name, ['package.xml']),\n"
+TWICE = SETUP_PY.replace(LINE, f"{LINE}        ('share/' + package_name, ['«package.xml»']),\n")
+
+
+@rule(
+    "SET209",
+    "duplicate-data-file",
+    over=SharedFiles,
+    severity=Severity.WARNING,
+    examples=(Example(bad={"setup.py": TWICE}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
+)
+def duplicate_data_file(shared: SharedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a file that `data_files` names twice for the same place, and a marker or a package.xml that it installs in
+    two places.
+
+    ## Why is this bad?
+    colcon keeps one destination for each source, the last one: of a marker that is installed elsewhere too, it says
+    that the package "doesn't explicitly install a marker", and adds it once more.
+    """
+    setup = shared.package.setup
+    for file, first in shared.doubles:
+        if file.destination == first.destination:
+            message = f"`{file.said.text}` is installed twice as `{file.destination}`; take one out"
+            edits = drop_source(setup, file)
+        else:
+            message = (
+                f"`{file.said.text}` is installed as `{file.destination}` and as `{first.destination}`: colcon keeps "
+                f"the last place alone and warns that the other is missing; install it once"
+            )
+            edits = ()
+        fix = Fix(f"install {file.said.text} once", edits) if edits else None
+        related = (Related(first.said.path, first.said.shown, "the other one"),)
+        yield Hit(file.said.path, file.said.shown, message, related=related, fix=fix)

@@ -1,0 +1,47 @@
+"""SET301 missing-init."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Create, Fix, Hit, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+from ...source import Span
+
+FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n"}
+
+
+@rule(
+    "SET301",
+    "missing-init",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "nothing in the package imports it"},
+    examples=(
+        Example(
+            bad={**FILES, "my_pkg/speech/words.py": "«»GREETING = 'hello'\n"},
+            good={"my_pkg/speech/__init__.py": "", "my_pkg/speech/words.py": "GREETING = 'hello'\n"},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_init(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds folders of Python modules, inside a package that `find_packages()` finds, that have no `__init__.py`.
+
+    ## Why is this bad?
+    `find_packages()` passes them over: the build is green, and at run time there is "No module named 'my_pkg.speech'".
+    In the source folder, and with `--symlink-install`, it works, so it goes unseen for long.
+    """
+    for folder in package.missing_inits:
+        inside = [path for path in package.files.below(folder) if path.endswith(".py")]
+        imported = package.imports_from(folder)
+        message = (
+            f"`{folder}/` has no `__init__.py`: find_packages() passes it over, so it is not installed and importing "
+            f"`{package.dotted(folder)}` raises ModuleNotFoundError; create an empty one"
+        )
+        fix = Fix(f"create {folder}/__init__.py", (Create(f"{folder}/__init__.py", ""),))
+        yield Hit(inside[0], Span(0, 0), message, level=None if imported else Severity.WARNING, fix=fix)

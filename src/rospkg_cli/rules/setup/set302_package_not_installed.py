@@ -1,0 +1,67 @@
+"""SET302 package-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import add_package
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+FILES = {
+    "my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n",
+    "my_pkg/speech/__init__.py": "",
+    "my_pkg/speech/words.py": "GREETING = 'hello'\n",
+}
+FOUND = "find_packages(exclude=['test'])"
+
+
+@rule(
+    "SET302",
+    "package-not-installed",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "nothing that is installed imports it"},
+    examples=(
+        Example(
+            bad={**FILES, "setup.py": SETUP_PY.replace(FOUND, "«[package_name]»")},
+            good={"setup.py": SETUP_PY.replace(FOUND, "[package_name, 'my_pkg.speech']")},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"setup.py": SETUP_PY.replace(FOUND, "[package_name, '«my_pkg.speech»']")},
+            good={"setup.py": SETUP_PY.replace(FOUND, "[package_name]")},
+        ),
+    ),
+)
+def package_not_installed(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds Python packages below a listed one that `packages=[…]` leaves out, and listed ones that are not there.
+
+    ## Why is this bad?
+    `packages=[package_name]` holds that one package, none of those below it: the build is green and at run time there
+    is "No module named 'my_pkg.speech'". Of a listed folder that is not there, setuptools says "package directory …
+    does not exist" and stops.
+    """
+    setup = package.setup
+    if not package.installs_all_it_says or setup.searches:
+        return
+    for said in setup.packages:
+        if setup.kind(setup.folder_of(said.text)) is None:
+            message = (
+                f"there is no folder `{setup.folder_of(said.text)}`: setuptools stops; list packages that are there"
+            )
+            yield Hit(said.path, said.shown, message)
+    argument = setup.argument("packages")
+    for name in package.unlisted if argument else ():
+        edits = add_package(setup, name)
+        used = package.imports_from(setup.folder_of(name))
+        message = (
+            f"`{name}` is not in `packages`: the build is green, and importing it raises ModuleNotFoundError; add it, "
+            f"or use `find_packages(exclude=['test'])`"
+        )
+        fix = Fix(f"add `{name}` to `packages`", edits) if edits else None
+        yield Hit(setup.path, setup.value_span("packages"), message, level=None if used else Severity.WARNING, fix=fix)

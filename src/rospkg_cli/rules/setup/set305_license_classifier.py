@@ -1,0 +1,54 @@
+"""SET305 license-classifier."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import drop_item
+from ...example import Example, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.setup_py import SetupPy
+from ...rule import Profile, rule
+
+TOPIC = "        'Topic :: Software Development',\n"
+LICENSE = "        '«License :: OSI Approved :: Apache Software License»',\n"
+
+
+def classifiers(*lines: str) -> str:
+    return setup_py("classifiers=[\n" + "".join(lines) + "    ],")
+
+
+@rule(
+    "SET305",
+    "license-classifier",
+    over=SetupPy,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            bad={"setup.py": classifiers(LICENSE, TOPIC)},
+            good={"setup.py": classifiers(TOPIC)},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def license_classifier(setup: SetupPy) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds license classifiers.
+
+    ## Why is this bad?
+    setuptools warns about them since version 77 (Lyrical has 78), so the build is no longer silent. `license=` says the
+    same.
+
+    ## References
+    https://peps.python.org/pep-0639/#deprecate-license-classifiers
+    """
+    for said in setup.texts("classifiers"):
+        if said.text.startswith("License ::"):
+            edits = drop_item(setup, "classifiers", said)
+            fix = Fix("take the license classifier out", edits) if edits else None
+            message = (
+                f"`{said.text}`: setuptools from 77 on warns about license classifiers; `license=` says it already"
+            )
+            yield Hit(said.path, said.shown, message, fix=fix)

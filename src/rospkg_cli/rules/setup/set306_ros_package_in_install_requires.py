@@ -1,0 +1,44 @@
+"""SET306 ros-package-in-install-requires."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import drop_item
+from ...example import Example, setup_py
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+GOOD = setup_py()
+BAD = GOOD.replace("install_requires=['setuptools']", "install_requires=['setuptools', '«std_msgs»']")
+
+
+@rule(
+    "SET306",
+    "ros-package-in-install-requires",
+    over=PythonPackage,
+    severity=Severity.WARNING,
+    examples=(Example(bad={"setup.py": BAD}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
+)
+def ros_package_in_install_requires(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages in `install_requires` that CMake builds: interfaces, and packages of the workspace without Python.
+
+    ## Why is this bad?
+    `install_requires` names what pip installs. Where scripts are made by an older setuptools (Humble's), each start
+    looks for them and ends with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
+    packages stand in package.xml.
+
+    ## Fix safety
+    Only the entry is removed; whether package.xml declares the package is another question.
+    """
+    for said, name in package.ros_requirements:
+        edits = drop_item(package.setup, "install_requires", said)
+        fix = Fix(f"take `{name}` out of install_requires", edits, Safety.UNSAFE) if edits else None
+        message = (
+            f"`{name}` is no Python distribution: on Humble the executables stop with DistributionNotFound; remove it "
+            f"here, and declare it in package.xml as `<exec_depend>{name}</exec_depend>`"
+        )
+        yield Hit(said.path, said.shown, message, fix=fix)

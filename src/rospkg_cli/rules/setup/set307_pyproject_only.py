@@ -1,0 +1,41 @@
+"""SET307 pyproject-only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.setup.python_build import PythonBuild
+from ...rule import rule
+
+BAD = manifest().replace("ament_python", "«ament_python»")
+PYPROJECT = "[project]\nname = 'my_pkg'\nversion = '1.0.0'\n"
+
+
+@rule(
+    "SET307",
+    "pyproject-only",
+    over=PythonBuild,
+    severity=Severity.ERROR,
+    examples=(
+        Example(bad={"package.xml": BAD, "setup.py": None, "pyproject.toml": PYPROJECT}, good={"package.xml": None}),
+    ),
+)
+def pyproject_only(build: PythonBuild) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds an ament_python package with a pyproject.toml and no setup.py.
+
+    ## Why is this bad?
+    colcon builds ament_python packages by running setup.py and does not read pyproject.toml yet. `data_files`, which
+    install the marker, launch files and parameters, have no place there either. pyproject.toml may stand beside
+    setup.py for the settings of tools.
+    """
+    if build.has_pyproject and not build.has_setup:
+        for element in build.types:
+            message = (
+                "there is a pyproject.toml and no setup.py: colcon can't build an ament_python package from it yet; "
+                "write a setup.py, pyproject.toml may stay for the settings of tools"
+            )
+            yield Hit(build.manifest.path, build.manifest.span(element), message)

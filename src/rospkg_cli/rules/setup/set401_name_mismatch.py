@@ -1,0 +1,59 @@
+"""SET401 name-mismatch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import replace_text
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+
+BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")
+
+
+@rule(
+    "SET401",
+    "name-mismatch",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"setup.py": BAD},
+            good={"setup.py": SETUP_PY.replace("name=package_name", "name='my_pkg'")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a name in setup.py that differs from the one in package.xml.
+
+    ## Why is this bad?
+    colcon goes by package.xml, setuptools by setup.py: the metadata of the installed package carry the other name,
+    `importlib.metadata` does not find it, and where the name is used for destinations too, the marker and the launch
+    files of one package are installed as another's.
+
+    ## Fix safety
+    Where the name is held by a variable that is used elsewhere, other things change with it.
+    """
+    said = package.setup.said("name")
+    if said is None or same(said.text, package.name):
+        return
+    used = package.setup.used_elsewhere(said)
+    edits = replace_text(said, package.name)
+    safety = Safety.UNSAFE if used else Safety.SAFE
+    fix = Fix(f"write `{package.name}`", edits, safety) if edits else None
+    related = (Related(package.manifest.path, package.manifest.name_span, "the name in package.xml"),)
+    message = (
+        f"setup.py calls the package `{said.text}`, package.xml `{package.name}`: colcon and ROS go by package.xml, "
+        f"what is installed carries the other name; write `{package.name}`"
+    )
+    yield Hit(said.path, said.shown, message, related=related, fix=fix)
+
+
+def same(a: str, b: str) -> bool:
+    """Return whether two names are one for setuptools."""
+    return a.lower().replace("-", "_").replace(".", "_") == b.lower().replace("-", "_")

@@ -1,0 +1,42 @@
+"""SET402 version-mismatch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import replace_text
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.setup.slices import PythonPackage
+from ...rule import rule
+from ...source import Span
+
+BAD = SETUP_PY.replace("'1.0.0'", "'«0.0.1»'")
+
+
+@rule(
+    "SET402",
+    "version-mismatch",
+    over=PythonPackage,
+    severity=Severity.ERROR,
+    examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
+)
+def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a version in setup.py that differs from the one in package.xml.
+
+    ## Why is this bad?
+    bloom and rosdep release the version in package.xml, pip and `importlib.metadata` see the one in setup.py: two
+    answers to one question. `catkin_prepare_release` refuses to tag such a package.
+    """
+    said, manifest = package.setup.said("version"), package.manifest
+    element = manifest.first("version")
+    if said is None or element is None or not manifest.version or said.text == manifest.version:
+        return
+    edits = replace_text(said, manifest.version)
+    fix = Fix(f"write `{manifest.version}`", edits) if edits else None
+    span: Span = manifest.span(element)
+    message = f"setup.py says version `{said.text}`, package.xml `{manifest.version}`; write `{manifest.version}`"
+    related = (Related(manifest.path, span, "the version in package.xml"),)
+    yield Hit(said.path, said.shown, message, related=related, fix=fix)

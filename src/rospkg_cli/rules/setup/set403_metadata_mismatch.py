@@ -1,0 +1,50 @@
+"""SET403 metadata-mismatch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.setup import replace_text
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.setup.metadata import Metadata
+from ...rule import rule
+
+
+def example(right: str, wrong: str) -> Example:
+    good = SETUP_PY.replace(f"'{wrong}'", f"'{right}'")
+    return Example(
+        bad={"setup.py": SETUP_PY.replace(f"'{right}'", f"'«{wrong}»'")}, good={"setup.py": good}, fix=Safety.SAFE
+    )
+
+
+@rule(
+    "SET403",
+    "metadata-mismatch",
+    over=Metadata,
+    severity=Severity.INFO,
+    examples=(
+        example("Drives my robot", "TODO: Package description"),
+        example("Apache-2.0", "MIT"),
+        example("Ada", "Charles"),
+        example("ada@example.org", "charles@example.org"),
+    ),
+)
+def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds a license, maintainer or e-mail address in setup.py that differs from package.xml, and a description that a
+    template left. Licenses are compared by their SPDX id, names without regard to case; where package.xml names several
+    maintainers, any of them will do.
+
+    ## Why is this bad?
+    Two sources tell two stories; a license above all should not depend on where one looks. package.xml is the one
+    that ROS, bloom and the package index read.
+    """
+    for name, said, wanted, element in metadata.differing:
+        edits = replace_text(said, wanted) if wanted else ()
+        fix = Fix(f"write `{wanted}`", edits) if edits else None
+        shown = wanted or metadata.manifest.source.slice(metadata.manifest.span(element))
+        message = f"`{name}` in setup.py is `{said.text}`, package.xml says `{' '.join(shown.split())}`"
+        related = (Related(metadata.manifest.path, metadata.manifest.span(element), "in package.xml"),)
+        yield Hit(said.path, said.shown, message, related=related, fix=fix)
