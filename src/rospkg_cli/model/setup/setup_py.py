@@ -35,6 +35,9 @@ HARMLESS = frozenset(
 )
 """Modules whose functions make no file that would be installed, but for what WRITES names."""
 
+GENERATORS = frozenset({"generate_parameter_library_py.setup_helper.generate_parameter_module"})
+"""Functions that write a module of the name they are given into the installed Python package, and nothing else."""
+
 WRITES = frozenset({"os.system", "os.makedirs", "os.mkdir", "os.symlink", "os.rename", "os.popen"})
 
 
@@ -249,12 +252,20 @@ class SetupPy:
         return tuple(file for entry in self.data_entries for file in entry.files)
 
     @cached_property
+    def generated(self) -> tuple[str, ...]:
+        """The modules that setup.py lets be written into the package, by their last name."""
+        asked = [call.get("module_name", 0) for call in self.calls if call.callee in GENERATORS]
+        return tuple(value.text for value in asked if isinstance(value, Text))
+
+    @cached_property
     def makes_files(self) -> bool:
         """Whether setup.py may write files that it then installs: by a custom command or a call that isn't known."""
         return bool(self.value("cmdclass")) or any(may_write(call) for call in self.calls if call is not self.call)
 
 
 def may_write(call: Call) -> bool:
+    if call.callee in GENERATORS:
+        return not isinstance(call.get("module_name", 0), Text)
     root = call.callee.partition(".")[0]
     if call.receiver is not None:
         return False

@@ -196,7 +196,24 @@ class SharedFiles:
                 if glob.span in places and folder_of(glob.pattern):
                     for path in self.beside(folder_of(glob.pattern)):
                         found.setdefault(path, Missed(path, entry, glob))
+        for folder, missed in self.folders_beside():
+            found.setdefault(f"{folder}/", missed)
         return tuple(found.values())
+
+    def folders_beside(self) -> Iterator[tuple[str, Missed]]:
+        """Yield folders of which nothing is installed, where each of at least two beside them has a glob."""
+        entries = self.package.setup.data_entries
+        globbed = {folder_of(e.glob.pattern): (e, e.glob) for e in entries if e.glob is not None and e.glob.matches}
+        for above in {folder.rpartition("/")[0] for folder in globbed} & set(FOLDERS):
+            inner = [folder for folder in globbed if folder.rpartition("/")[0] == above]
+            for folder in sorted(self.package.files.folders):
+                if folder.rpartition("/")[0] == above and len(inner) > 1 and not self.installs_from(folder):
+                    useful = [
+                        p for p in self.package.files.below(folder) if FOLDERS[above].fullmatch(p.rpartition("/")[2])
+                    ]
+                    if useful:
+                        entry, glob = globbed[inner[-1]]
+                        yield folder, Missed(f"{folder}/", entry, glob)
 
     def beside(self, folder: str) -> Iterator[str]:
         pattern = FOLDERS.get(folder.partition("/")[0])

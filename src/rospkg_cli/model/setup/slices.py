@@ -45,6 +45,7 @@ class PythonPackage:
     @cached_property
     def on_disk(self) -> dict[str, str]:
         """Every module below a folder with `__init__.py`, whether it is installed or not: dotted name to file."""
+        listed = {said.text.partition(".")[0] for said in self.setup.packages}
         base = self.setup.package_dir.get("", "")
         found: dict[str, str] = {}
         for path in self.files.below(base):
@@ -52,7 +53,7 @@ class PythonPackage:
             parts = inside.removesuffix(".py").split("/")
             if not path.endswith(".py") or len(parts) < 2 or not all(part.isidentifier() for part in parts):
                 continue
-            if self.files.exists(posixpath.join(base, parts[0], "__init__.py")):
+            if parts[0] in listed or self.files.exists(posixpath.join(base, parts[0], "__init__.py")):
                 found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
         return found
 
@@ -65,7 +66,13 @@ class PythonPackage:
     def lacks(self, module: str) -> bool:
         """Return whether a module that is meant to be the package's own is nowhere."""
         setup = self.setup
-        if setup.makes_files or not setup.knows("package_dir") or setup.file_of(module) or self.blurred(module):
+        if (
+            module.rpartition(".")[2] in setup.generated
+            or setup.makes_files
+            or not setup.knows("package_dir")
+            or setup.file_of(module)
+            or self.blurred(module)
+        ):
             return False
         return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
 
@@ -81,9 +88,12 @@ class PythonPackage:
         )
 
     def misplaced(self, module: str) -> str | None:
-        """Return the own module that a foreign name must mean: the same but for the name of the package."""
+        """Return the own module that a foreign name must mean: the same but for the name of the package.
+
+        A name that package.xml depends on is meant as it stands.
+        """
         root, _, rest = module.partition(".")
-        if root in STANDARD or self.manifest.depends_on(root) or root in self.workspace.names:
+        if root in STANDARD or self.manifest.depends_on(root):
             return None
         tails = {other.partition(".")[2]: other for other in self.on_disk}
         return tails.get(module) or (tails.get(rest) if rest else None)
@@ -163,13 +173,25 @@ class PythonPackage:
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:
-        """Folders of modules that find_packages() passes over for want of an `__init__.py`."""
+        """Folders of modules without an `__init__.py`: find_packages() passes them over.
+
+        Where `packages` is a list, those that are listed, and those below them that are not.
+        """
         found: dict[str, None] = {}
         for search in self.setup.searches:
             if not search.namespace:
                 for folder in (search.where, *[posixpath.join(search.where, *p.split(".")) for p in search.found]):
                     found |= dict.fromkeys(self.without_init(folder, top=folder == search.where))
+        listed = {} if self.setup.searches else {self.setup.folder_of(said.text): None for said in self.setup.packages}
+        for folder in listed:
+            found |= {folder: None} if self.lacks_init(folder) else {}
+            found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
         return tuple(found)
+
+    def lacks_init(self, folder: str) -> bool:
+        """Return whether a folder holds modules and no `__init__.py`."""
+        names = self.setup.folder.children.get(folder, {})
+        return bool(folder) and "__init__.py" not in names and any(name.endswith(".py") for name in names)
 
     def without_init(self, folder: str, *, top: bool) -> Iterator[str]:
         children = self.setup.folder.children
@@ -177,8 +199,7 @@ class PythonPackage:
             path = posixpath.join(folder, name)
             if kind != "dir" or not name.isidentifier() or name in TESTS or (top and name != self.name):
                 continue
-            inner = children.get(path, {})
-            if "__init__.py" not in inner and any(each.endswith(".py") for each in inner):
+            if self.lacks_init(path):
                 yield path
 
     def dotted(self, folder: str) -> str:

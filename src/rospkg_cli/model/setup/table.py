@@ -44,7 +44,12 @@ def python_table(setup: SetupPy, name: str) -> InstallTable:
     if setup.makes_files:
         writes = "setup.py calls what may write files"
         unknown += [NotKnown(what, writes, setup.path, setup.span) for what in GENERATED]
-    rows = [*data_rows(setup), *implied_rows(setup, name), *script_rows(setup, folder or "bin"), *module_rows(setup)]
+    rows = [
+        *data_rows(setup),
+        *implied_rows(setup, name),
+        *script_rows(setup, folder or "bin"),
+        *module_rows(setup, name),
+    ]
     return InstallTable(tuple(dict.fromkeys(rows)), tuple(unknown))
 
 
@@ -86,20 +91,22 @@ def script_rows(setup: SetupPy, folder: str) -> Iterator[Installed]:
         yield Installed("executable", destination, script.text, "", script.path, script.shown)
 
 
-def module_rows(setup: SetupPy) -> Iterator[Installed]:
+def module_rows(setup: SetupPy, package: str) -> Iterator[Installed]:
     argument = setup.argument("packages")
     at = argument.span if argument else setup.span
     for module, path in setup.modules.items():
         name = "__init__.py" if path.endswith("/__init__.py") else posixpath.basename(path)
         folder = module.replace(".", "/") if name == "__init__.py" else posixpath.dirname(module.replace(".", "/"))
         yield Installed("module", posixpath.join(PYTHON, folder, name), path, "", setup.path, at)
+    for name in setup.generated:
+        yield Installed("module", posixpath.join(PYTHON, package, f"{name}.py"), "", "", setup.path, at)
     value = setup.value("package_data")
-    for package, (_, patterns) in (value.items if isinstance(value, Mapping) else {}).items():
+    for key, (_, patterns) in (value.items if isinstance(value, Mapping) else {}).items():
         texts = (
             [item.text for item in patterns.items if isinstance(item, Text)] if isinstance(patterns, Sequence) else []
         )
-        for name in [said.text for said in setup.packages] if package in ("", "*") else [str(package)]:
-            yield from package_data(setup, name, texts, at)
+        for each in [said.text for said in setup.packages] if key in ("", "*") else [str(key)]:
+            yield from package_data(setup, each, texts, at)
 
 
 def package_data(setup: SetupPy, package: str, patterns: list[str], at: Span) -> Iterator[Installed]:

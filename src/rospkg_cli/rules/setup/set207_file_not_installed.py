@@ -49,8 +49,9 @@ def file_not_installed(shared: SharedFiles) -> Iterator[Hit]:
     for missed in shared.missed if package.installs_known_files else ():
         edits = widen_glob(package.setup, missed.glob, missed.path)
         fix = Fix(f"widen the glob so that it finds {missed.path}", edits, Safety.UNSAFE) if edits else None
+        folder = missed.path.endswith("/")
+        why = "unlike the folders beside it" if folder else f"`{missed.glob.pattern}` finds its neighbours alone"
         message = (
-            f"`{missed.path}` is not installed: no glob matches it (`{missed.glob.pattern}` finds its neighbours); the "
-            f"build is green, and nothing finds it in share/{package.name}"
+            f"`{missed.path}` is not installed, {why}: the build is green, and nothing finds it in share/{package.name}"
         )
         yield Hit(package.setup.path, missed.glob.span, message, fix=fix)

@@ -39,9 +39,11 @@ def missing_init(package: PythonPackage) -> Iterator[Hit]:
     for folder in package.missing_inits:
         inside = [path for path in package.files.below(folder) if path.endswith(".py")]
         imported = package.imports_from(folder)
-        message = (
-            f"`{folder}/` has no `__init__.py`: find_packages() passes it over, so it is not installed and importing "
-            f"`{package.dotted(folder)}` raises ModuleNotFoundError; create an empty one"
-        )
+        name = package.dotted(folder)
+        if name in {said.text for said in package.setup.packages}:
+            imported, what = False, "setuptools says so at each build, and find_packages() would pass it over"
+        else:
+            what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"
+        message = f"`{folder}/` has no `__init__.py`: {what}; create an empty one"
         fix = Fix(f"create {folder}/__init__.py", (Create(f"{folder}/__init__.py", ""),))
         yield Hit(inside[0], Span(0, 0), message, level=None if imported else Severity.WARNING, fix=fix)
