@@ -98,6 +98,18 @@ setup(
 )
 """
 
+SETUP_PY_FOR_ALL = SETUP_PY.replace("from setuptools", "import os\n\nfrom setuptools").replace(
+    "    ],\n    install_requires",
+    """\
+    ] + [
+        (os.path.join('share', package_name, path), [os.path.join(path, name) for name in names])
+        for folder in ('config', 'launch', 'maps', 'meshes', 'params', 'rviz', 'urdf', 'worlds')
+        for path, _, names in os.walk(folder)
+    ],
+    install_requires""",
+)
+"""It installs whatever an example puts into such a folder, so that the example shows its own fault alone."""
+
 SETUP_CFG = """\
 [develop]
 script_dir=$base/lib/my_pkg
@@ -161,7 +173,7 @@ BACKDROPS: dict[str, dict[str, str | None]] = {
     "": {},
     "ament_python": {
         "package.xml": manifest(),
-        "setup.py": SETUP_PY,
+        "setup.py": SETUP_PY_FOR_ALL,
         "setup.cfg": SETUP_CFG,
         "resource/my_pkg": "",
         "my_pkg/__init__.py": "",

@@ -17,7 +17,8 @@ SEVERAL = re.compile(r"\s*(?:,|;|\band\b|&|\|)\s*")
 ADDRESS = re.compile(r"\s*<[^>]*>")
 TODO = re.compile(r"todo\b.*", re.IGNORECASE | re.DOTALL)
 
-TEMPLATE = re.compile(r"@todo\.|^todo@", re.IGNORECASE)
+REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
+"""An address that is one, and not a template's."""
 
 Difference = tuple[str, Said, str, Element]
 """The argument of setup(), what it says, what it should say ("" where that is not one text), and who says so."""
@@ -60,7 +61,7 @@ class Metadata:
     def email(self) -> Iterator[Difference]:
         said, elements = self.setup.said("maintainer_email"), self.manifest.all("maintainer")
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
-        if said is None or not addresses or any(TEMPLATE.search(address) for address in addresses):
+        if said is None or not addresses or not all(map(REAL.fullmatch, addresses)):
             return
         if not {folded(part) for part in SEVERAL.split(said.text)} <= {folded(address) for address in addresses}:
             yield "maintainer_email", said, addresses[0] if len(addresses) == 1 else "", elements[0]

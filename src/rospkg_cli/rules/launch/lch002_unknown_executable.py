@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import SETUP_PY, Example, manifest
+from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.launch.started import Started, StartedNode
 from ...rule import rule
 from ...suggest import nearest
 
-SETUP = SETUP_PY.replace(
+SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
 BAD = """\
