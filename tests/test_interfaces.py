@@ -5,12 +5,14 @@ from __future__ import annotations
 import pytest
 from interface_texts import REFUSED, TAKEN
 
+from rospkg_cli.engine.apply import apply_fixes
 from rospkg_cli.example import BACKDROPS, manifest
 from rospkg_cli.model.interface.declared import Interface
 from rospkg_cli.model.interface.names import is_accepted
 from rospkg_cli.model.interface.text import parse_interface
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
+from rospkg_cli.tree import MemoryTree
 
 IDL = ["IDL001", "IDL002", "IDL003", "IDL004"]
 
@@ -122,3 +124,78 @@ def test_a_package_that_takes_messages_from_elsewhere_is_believed() -> None:
     assert not lint_files({**files, "CMakeLists.txt": cmake % "shapes"}, ["IDL004"]).findings
     own = 'set(own_MSG_FILES "msg/Other.msg")\n' + cmake % "own"
     assert lint_files({**files, "CMakeLists.txt": own}, ["IDL004"]).findings
+
+
+GENERATE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+{before}
+rosidl_generate_interfaces(${{PROJECT_NAME}}
+{inside}
+)
+ament_package()
+"""
+LISTS = ["IDL005", "IDL006", "IDL007", "IDL009"]
+
+
+def generated(before: str, inside: str, **messages: str) -> list[str]:
+    cmake = GENERATE.format(before=before, inside=inside)
+    files = {f"msg/{name}.msg": text + "\n" for name, text in messages.items()}
+    found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, **files}, LISTS).findings
+    return [f"{finding.code} {finding.message.split(':')[0]}" for finding in found]
+
+
+@pytest.mark.parametrize(
+    "before, inside",
+    [
+        ("file(GLOB msgs RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} msg/*.msg)", "${msgs}"),
+        ("set(msgs msg/A.msg msg/B.msg)", '"${msgs}"'),
+        ("", "${CMAKE_CURRENT_SOURCE_DIR}:msg/A.msg msg/B.msg"),
+        ("foreach(name A B)\n  list(APPEND msgs msg/${name}.msg)\nendforeach()", "${msgs}"),
+        ("", "${other_MSG_FILES}"),
+        ("", "msg/A.msg msg/B.msg LIBRARY_NAME x DEPENDENCIES std_msgs"),
+        ("find_package(other)\nset(files msg/A.msg ${other_FILES})", "${files}"),
+    ],
+)
+def test_lists_that_are_right_or_unknown(before: str, inside: str) -> None:
+    assert generated(before, inside, A="int32 a", B="int32 b") == []
+
+
+@pytest.mark.parametrize(
+    "inside, messages, said",
+    [
+        ("msg/A.msg", {"A": "int32 a", "B": "int32 b"}, ["IDL005 `msg/B.msg` is not in `rosidl_generate_interfaces`"]),
+        ("msg/A.msg msg/C.msg", {"A": "int32 a"}, ["IDL006 `msg/C.msg` does not exist"]),
+        ("msg/A.msg msg/A.msg", {"A": "int32 a"}, ["IDL009 `msg/A.msg` is listed twice"]),
+        ("msg/A.msg", {"A": "std_msgs/Header a"}, ["IDL007 `std_msgs` is not among the DEPENDENCIES"]),
+        ("msg/A.msg DEPENDENCIES nav_msgs", {"A": "std_msgs/Header a"}, []),
+        ("msg/A.msg DEPENDENCIES ${PROJECT_NAME}_x ${unknown}", {"A": "std_msgs/Header a"}, []),
+    ],
+)
+def test_lists_that_are_wrong(inside: str, messages: dict[str, str], said: list[str]) -> None:
+    found = generated("", inside, **messages)
+    assert [text[: len(want)] for text, want in zip(found, said, strict=True)] == said
+
+
+def test_what_a_listed_package_may_pass_on_is_milder() -> None:
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": GENERATE.format(before="", inside="msg/A.msg DEPENDENCIES faraway_msgs"),
+        "msg/A.msg": "std_msgs/Header a\nfaraway_msgs/B b\n",
+    }
+    (finding,) = lint_files(files, LISTS).findings
+    assert (finding.code, finding.severity.value) == ("IDL007", "warning")
+
+
+def test_two_missing_dependencies_make_one_keyword() -> None:
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": GENERATE.format(before="", inside="  msg/A.msg"),
+        "msg/A.msg": "std_msgs/Header a\nunique_identifier_msgs/UUID b\n",
+    }
+    for _ in range(3):
+        fixes = [finding.fix for finding in lint_files(files, ["IDL007"]).findings if finding.fix]
+        changes, _ = apply_fixes(MemoryTree.of(files), fixes)
+        files = {**files, **{path: entry.text.text for path, entry in changes.items() if entry}}
+    assert files["CMakeLists.txt"].count("DEPENDENCIES") == 1
+    assert "DEPENDENCIES std_msgs unique_identifier_msgs" in files["CMakeLists.txt"]

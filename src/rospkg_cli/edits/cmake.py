@@ -96,3 +96,14 @@ def literal(source: Source, span: Span, text: str) -> Span | None:
 
 def listed(words: Sequence[str], indent: str) -> str:
     return "".join(f"\n{indent}{word}" for word in words)
+
+
+def remove_argument(file: CMakeFile, span: Span) -> Edit:
+    """Take an argument out, with its line where nothing else stands in it, else with the blanks before it."""
+    source = file.source
+    start = source.line_span(source.position(span.start)[0]).start
+    end = source.line_span(source.position(span.end)[0]).end
+    if not (source.text[start : span.start] + source.text[span.end : end]).strip():
+        return Edit(file.path, Span(start, min(end + 1, len(source.text))), "")
+    before = len(source.text[: span.start].rstrip(" \t"))
+    return Edit(file.path, Span(before, span.end), "")

@@ -50,3 +50,32 @@ CORE_MESSAGES: dict[str, frozenset[str]] = {
             MeshFile UVCoordinate""",
     }.items()
 }
+
+CORE_NEEDS: dict[str, tuple[str, ...]] = {
+    package: tuple(needs.split())
+    for package, needs in {
+        "action_msgs": "builtin_interfaces unique_identifier_msgs service_msgs",
+        "actionlib_msgs": "builtin_interfaces std_msgs",
+        "builtin_interfaces": "",
+        "composition_interfaces": "rcl_interfaces",
+        "diagnostic_msgs": "std_msgs",
+        "geometry_msgs": "std_msgs",
+        "lifecycle_msgs": "",
+        "nav_msgs": "builtin_interfaces geometry_msgs std_msgs",
+        "rcl_interfaces": "builtin_interfaces",
+        "rosgraph_msgs": "builtin_interfaces",
+        "sensor_msgs": "builtin_interfaces geometry_msgs std_msgs",
+        "service_msgs": "builtin_interfaces",
+        "shape_msgs": "geometry_msgs",
+        "statistics_msgs": "builtin_interfaces",
+        "std_msgs": "builtin_interfaces",
+        "std_srvs": "",
+        "stereo_msgs": "sensor_msgs std_msgs",
+        "tf2_msgs": "builtin_interfaces geometry_msgs",
+        "trajectory_msgs": "builtin_interfaces geometry_msgs std_msgs",
+        "type_description_interfaces": "",
+        "unique_identifier_msgs": "",
+        "visualization_msgs": "builtin_interfaces geometry_msgs sensor_msgs std_msgs",
+    }.items()
+}
+"""The packages whose interfaces each of them links, and so passes on."""

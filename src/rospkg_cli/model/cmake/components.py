@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from .call import Call, flags_and_values
-from .words import Word
+from .words import Word, as_value
 
 
 @dataclass(frozen=True)
@@ -48,6 +48,7 @@ def interface_targets_of(calls: Iterable[Call]) -> Iterator[InterfaceTarget]:
     flags = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
     for call in calls:
         if call.name == "rosidl_generate_interfaces" and call.words:
-            given, values, files = flags_and_values(call.words[1:], flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
+            words = as_value(call.words[1:])  # a macro: what is quoted is split at `;` once more
+            given, values, files = flags_and_values(words, flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
             needs = tuple(values.get("DEPENDENCIES", []))
             yield InterfaceTarget(call.words[0], tuple(files), needs, "SKIP_INSTALL" in given, call)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import re
-
 from ...ros.interfaces import KINDS
-from ..cmake.read import CMakeFile
+from ..cmake.project import CMake
+from ..cmake.read import is_built_with_cmake
 from ..files import Reading
 from ..uses.roles import role_of
+from .generated import listed_path
 from .reader import interface_paths
 
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
-VARIABLE = re.compile(r"\$\{([^}]*)\}")
-ALWAYS = frozenset({"PROJECT_NAME", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"})
 
 
 def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
@@ -22,10 +20,10 @@ def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
     """
     found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
     for path in reading.files.paths:
-        folders = path.split("/")[:-1]
-        if path.endswith(".idl") and folders[-1:] and folders[-1] in KINDS and role_of(path) == "run":
-            found.add(f"{folders[-1]}/{stem(path)}")
-    complete = not any(path.endswith(GENERATED) for path in reading.files.paths) and not from_elsewhere(reading)
+        folder = path.rpartition("/")[0].rpartition("/")[2]
+        if path.endswith(".idl") and folder in KINDS and role_of(path) == "run":
+            found.add(f"{folder}/{stem(path)}")
+    complete = not any(path.endswith(GENERATED) for path in reading.files.paths) and all_are_own(reading)
     return frozenset(found), complete
 
 
@@ -33,17 +31,12 @@ def stem(path: str) -> str:
     return path.rpartition("/")[2].rpartition(".")[0]
 
 
-def from_elsewhere(reading: Reading) -> bool:
-    """Return whether rosidl_generate_interfaces is given a variable that no file of the package sets."""
-    commands = [command for file in reading.parts(CMakeFile).good for command in file.syntax.commands]
-    given = set()
-    for command in commands:
-        if command.name == "rosidl_generate_interfaces":
-            given |= {name for argument in command.arguments for name in VARIABLE.findall(argument.text)}
-    own = {
-        argument.text
-        for command in commands
-        if command.name in ("set", "file", "list")
-        for argument in command.arguments
-    }
-    return bool(reading.parts(CMakeFile).broken) or not given <= own | ALWAYS
+def all_are_own(reading: Reading) -> bool:
+    """Return whether rosidl_generate_interfaces is given files of the package alone, by names that are known."""
+    if not is_built_with_cmake(reading):
+        return True
+    cmake = reading.parts(CMake).only
+    if cmake is None or not cmake.complete:
+        return False
+    given = [(word, target) for target in cmake.interface_targets for word in target.files]
+    return all(listed_path(word, target) is not None for word, target in given)

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import Example
+from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.interface.declared import FieldType
 from ...model.interface.scope import InterfaceInWorkspace
 from ...rule import rule
+
+WITH_SENSORS = {
+    "package.xml": manifest("  <depend>sensor_msgs</depend>\n" + INTERFACES_BODY, "ament_cmake"),
+    "CMakeLists.txt": INTERFACES_CMAKE.replace(
+        "rosidl_generate", "find_package(sensor_msgs REQUIRED)\nrosidl_generate"
+    ).replace("\n)\nament_export", "\n  DEPENDENCIES sensor_msgs\n)\nament_export"),
+}
 
 
 @rule(
@@ -31,7 +38,7 @@ from ...rule import rule
         ),
         Example(
             on="interfaces",
-            bad={"msg/Status.msg": "«sensor_msgs/IMU» imu\n"},
+            bad={**WITH_SENSORS, "msg/Status.msg": "«sensor_msgs/IMU» imu\n"},
             good={"msg/Status.msg": "sensor_msgs/Imu imu\n"},
             fix=Safety.UNSAFE,
         ),

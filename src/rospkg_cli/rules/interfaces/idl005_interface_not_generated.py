@@ -1,0 +1,56 @@
+"""IDL005 interface-not-generated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.interfaces import list_interface
+from ...example import INTERFACES_CMAKE, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.interface.generated import GeneratedInterfaces
+from ...rule import rule
+from ...source import Span
+
+SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").replace(
+    "rosidl_generate", "set(msg_files\n  msg/Status.msg\n)\nrosidl_generate"
+)
+
+
+@rule(
+    "IDL005",
+    "interface-not-generated",
+    over=GeneratedInterfaces,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="interfaces",
+            bad={"CMakeLists.txt": INTERFACES_CMAKE, "msg/Battery.msg": "«»float32 voltage\n"},
+            good={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace(
+                    '  "msg/Status.msg"', '  "msg/Battery.msg"\n  "msg/Status.msg"'
+                ),
+            },
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="interfaces",
+            bad={"CMakeLists.txt": SET, "msg/Zone.msg": "«»string name\n"},
+            good={"CMakeLists.txt": SET.replace("  msg/Status.msg\n", "  msg/Status.msg\n  msg/Zone.msg\n")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files in `msg/`, `srv/` and `action/` that no `rosidl_generate_interfaces` of the package lists.
+
+    ## Why is this bad?
+    The build succeeds, and the type does not exist: whoever includes or imports it gets an error that does not say
+    why.
+    """
+    for interface in generated.left_out():
+        message = f"`{interface.path}` is not in `rosidl_generate_interfaces`: nothing is generated of it"
+        edit = list_interface(generated, interface)
+        fix = Fix("list it in CMakeLists.txt", (edit,)) if edit else None
+        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=fix)

@@ -1,0 +1,46 @@
+"""IDL006 missing-interface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import INTERFACES_CMAKE, Example
+from ...finding import Hit, Severity
+from ...model.interface.generated import GeneratedInterfaces
+from ...rule import rule
+from ...suggest import did_you_mean
+
+LISTED = '"srv/SetMode.srv"'
+RENAMED = '"srv/SetMode.srv"\n  «"srv/SetModes.srv"»'
+
+
+@rule(
+    "IDL006",
+    "missing-interface",
+    over=GeneratedInterfaces,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="interfaces",
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace(
+                    '"srv/SetMode.srv"', '«"srv/SetModes.srv"»\n  "srv/SetMode.srv"'
+                )
+            },
+            good={"CMakeLists.txt": INTERFACES_CMAKE},
+        ),
+    ),
+)
+def missing_interface(generated: GeneratedInterfaces) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files that `rosidl_generate_interfaces` lists and that do not exist.
+
+    ## Why is this bad?
+    CMake stops: "the passed file … doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR".
+    """
+    known = [interface.path for interface in generated.interfaces]
+    for listed in generated.absent():
+        hint = did_you_mean(listed.path or "", known)
+        message = f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops the build"
+        yield Hit(listed.word.path, listed.word.span, message)

@@ -1,0 +1,57 @@
+"""IDL007 missing-interface-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.interfaces import list_need
+from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.interface.generated import GeneratedInterfaces
+from ...rule import rule
+
+FIND = INTERFACES_CMAKE.replace("rosidl_generate", "find_package(std_msgs REQUIRED)\nrosidl_generate").replace(
+    "ament_export_dependencies(", "ament_export_dependencies(std_msgs "
+)
+GOOD = FIND.replace('  "srv/SetMode.srv"\n', '  "srv/SetMode.srv"\n  DEPENDENCIES std_msgs\n')
+FILES = {
+    "package.xml": manifest("  <depend>std_msgs</depend>\n" + INTERFACES_BODY, "ament_cmake"),
+    "msg/Status.msg": "std_msgs/Header header\n",
+}
+
+
+@rule(
+    "IDL007",
+    "missing-interface-dependency",
+    over=GeneratedInterfaces,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "a listed package that is not at hand may pass the interfaces on"},
+    examples=(
+        Example(
+            on="interfaces",
+            bad={**FILES, "CMakeLists.txt": FIND, "msg/Status.msg": "«std_msgs/Header» header\n"},
+            good={"CMakeLists.txt": GOOD},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages whose types an interface file uses, and that the `DEPENDENCIES` of its
+    `rosidl_generate_interfaces` neither list nor pass on.
+
+    ## Why is this bad?
+    The generated code includes headers of that package, and nothing tells the compiler where they are.
+    """
+    offered: set[int] = set()
+    for need in generated.unlisted_needs():
+        start = need.target.call.command.span.start
+        edit = None if start in offered and not need.target.dependencies else list_need(generated, need)
+        offered.add(start)
+        fix = Fix(f"add `{need.package}` to DEPENDENCIES", (edit,)) if edit else None
+        message = f"`{need.package}` is not among the DEPENDENCIES of `rosidl_generate_interfaces`"
+        call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
+        level = None if need.certain else Severity.WARNING
+        harm = "the generated code does not compile"
+        yield Hit(need.interface.path, need.kind.base_span, f"{message}: {harm}", level, related=(call,), fix=fix)

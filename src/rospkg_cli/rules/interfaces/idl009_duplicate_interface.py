@@ -1,0 +1,46 @@
+"""IDL009 duplicate-interface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import remove_argument
+from ...example import INTERFACES_CMAKE, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.interface.generated import GeneratedInterfaces
+from ...rule import rule
+
+
+@rule(
+    "IDL009",
+    "duplicate-interface",
+    over=GeneratedInterfaces,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="interfaces",
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace(
+                    '"srv/SetMode.srv"', '"srv/SetMode.srv"\n  «"msg/Status.msg"»'
+                )
+            },
+            good={"CMakeLists.txt": INTERFACES_CMAKE},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def duplicate_interface(generated: GeneratedInterfaces) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files that one `rosidl_generate_interfaces` lists twice.
+
+    ## Why is this bad?
+    The second one does nothing, and sooner or later only one of them is renamed.
+    """
+    for again, first in generated.repeated():
+        fix = None
+        if again.word.span != first.word.span:
+            edit = remove_argument(generated.cmake.file(again.word.path), again.word.span)
+            fix = Fix("remove the second one", (edit,)) if edit else None
+        related = (Related(first.word.path, first.word.span, "the first one"),)
+        yield Hit(again.word.path, again.word.span, f"`{again.path}` is listed twice", related=related, fix=fix)
