@@ -108,3 +108,13 @@ def place_of(tag: str) -> int:
         if tag == each or (isinstance(each, tuple) and tag in each):
             return place
     return len(ORDER)
+
+
+BUILD_TOOLS = re.compile(
+    r"ament_cmake.*|ament_lint.*|rosidl_(cmake|default_generators|generator_.*)|.*_cmake(_module)?|cmake"
+)
+"""Packages that take part in a build and are no part of what is built."""
+
+
+def is_buildtool(name: str) -> bool:
+    return BUILD_TOOLS.fullmatch(name) is not None

@@ -1,7 +1,7 @@
 """Dependencies that stand for others: nobody declares the one without using the others through it.
 
-Source: the manifests of ros2/launch, ros2/launch_ros, ros2/ros_testing and ament/ament_lint.  What a node imports
-when it runs is not among them: a direct use is to be declared.
+Source: the manifests of ament/ament_cmake, ament/ament_lint, ros2/launch, ros2/launch_ros and ros2/ros_testing.  What a
+node imports when it runs is not among them: a direct use is to be declared.
 """
 
 from __future__ import annotations
@@ -31,6 +31,33 @@ IN_TESTS: Mapping[str, frozenset[str]] = {
         | {"ament_uncrustify", "ament_xmllint"}
     ),
 }
+
+
+AMENT_CMAKE = frozenset(
+    "ament_cmake_core ament_cmake_export_definitions ament_cmake_export_dependencies"
+    " ament_cmake_export_include_directories ament_cmake_export_interfaces ament_cmake_export_libraries"
+    " ament_cmake_export_link_flags ament_cmake_export_targets ament_cmake_gen_version_h"
+    " ament_cmake_include_directories ament_cmake_libraries ament_cmake_python ament_cmake_target_dependencies"
+    " ament_cmake_test ament_cmake_version".split()
+)
+
+IN_CMAKE: Mapping[str, frozenset[str]] = {
+    "ament_cmake": AMENT_CMAKE,
+    "ament_cmake_auto": frozenset({"ament_cmake", "ament_cmake_gmock", "ament_cmake_gtest"}),
+    "ament_cmake_ros": frozenset({"ament_cmake", "ament_cmake_gmock", "ament_cmake_gtest", "ament_cmake_pytest"}),
+    "ament_cmake_ros_core": frozenset({"ament_cmake"}),
+    "ament_lint_auto": frozenset({"ament_cmake_test"}),
+    "rosidl_default_generators": frozenset({"rosidl_cmake"}),
+}
+"""Build tools that find others for whoever finds them."""
+
+
+IN_SOURCES: Mapping[str, frozenset[str]] = {
+    "pluginlib": frozenset({"class_loader"}),
+    "rclcpp_components": frozenset({"class_loader", "rclcpp"}),
+    "cv_bridge": frozenset({"libopencv-dev"}),
+}
+"""What C++ includes because macros and headers of another package ask for it."""
 
 
 def brought(names: Iterable[str], table: Mapping[str, frozenset[str]]) -> frozenset[str]:

@@ -8,11 +8,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...ros.manifest import BUILD_TYPES
+from ...ros.table import rows
 from ..facts import PackageFacts
 from ..manifest import Manifest
 from ..workspace import Workspace
 
 MAX_DEPTH = 20
+
+EXPORTED = frozenset({"depend", "build_export_depend", "buildtool_export_depend"})
+"""Tags whose packages are there for whoever builds against the one that declares them."""
 
 COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
@@ -55,6 +59,33 @@ class Declared:
             name in self.names or name == self.facts.name or name in self.put_aside or self.needs_us(name)
             for name in names
         )
+
+    @cached_property
+    def brought(self) -> frozenset[str]:
+        """What the declared packages bring with them at build time, as far as that is known."""
+        return self._closure[0]
+
+    @property
+    def brings_all_known(self) -> bool:
+        """Whether it can be told of all declared packages what they bring."""
+        return self._closure[1]
+
+    @cached_property
+    def _closure(self) -> tuple[frozenset[str], bool]:
+        found: set[str] = set()
+        known, table = True, rows("brings.txt")
+        waiting = list(self.names)
+        while waiting:
+            name = waiting.pop()
+            facts = self.workspace.named(name)
+            if facts is not None:
+                needs = [need.name for need in facts.dependencies if need.tag in EXPORTED]
+            else:
+                needs = list(table.get(name, ()))
+                known &= name in table or self.workspace.index.is_key(name)
+            waiting += [need for need in needs if need not in found]
+            found.update(needs)
+        return frozenset(found), known
 
     @cached_property
     def put_aside(self) -> frozenset[str]:

@@ -21,6 +21,6 @@ def role_of(path: str) -> Role:
     folders = set(where.parts[:-1])
     if folders & TESTS or where.name == "conftest.py":
         return "test"
-    if where.parts[0] in ASIDE or path in NOT_INSTALLED or folders & {"third_party", "vendor"}:
+    if where.parts[0] in ASIDE or path in NOT_INSTALLED or folders & {"third_party", "vendor", "templates", "template"}:
         return "aside"
     return "launch" if LAUNCH.search(path) else "run"

@@ -1,0 +1,75 @@
+"""find_package against declarations: what CMake needs and package.xml does not name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
+from ...ros.names import Known
+from ...ros.stands_for import IN_CMAKE, brought
+from ..cmake.packages import FoundPackage
+from ..cmake.project import CMake
+from .declared import Declared
+
+SAID_ELSEWHERE = frozenset({"ament_cmake"})
+"""Packages whose absence from package.xml other rules report."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sought:
+    """What CMake looks for, and the names of which any serves it; the first is the one to recommend."""
+
+    found: FoundPackage
+    names: tuple[str, ...]
+    brought: bool
+    """Whether something that is declared brings it with it, or may bring it."""
+
+
+@dataclass(frozen=True)
+class SoughtAndDeclared:
+    """The packages that CMake looks for, and what package.xml declares."""
+
+    declared: Declared
+    cmake: CMake
+
+    def missing(self) -> Iterator[Sought]:
+        """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
+        if not self.declared.judged:
+            return
+        there = brought(self.declared.names, IN_CMAKE)
+        seen: set[str] = set()
+        for found in sorted(self.cmake.packages, key=lambda each: each.call.testing):
+            if found.name in seen or not self.is_needed(found):
+                continue
+            seen.add(found.name)
+            names = self.serving(found.name)
+            if names and not self.declared.has(names) and not there.intersection(names):
+                brings, known = self.declared.brought, self.declared.brings_all_known
+                maybe = not known or bool(brings.intersection(names) or self.fitting(found.name, brings))
+                yield Sought(found, names, maybe)
+
+    def is_needed(self, found: FoundPackage) -> bool:
+        """Return whether the configuration fails for certain where this is not there."""
+        certain = found.word.known and not found.word.maybe and not found.call.maybe
+        return certain and found.required and not found.quiet and not self.is_said_elsewhere(found.name)
+
+    def is_said_elsewhere(self, name: str) -> bool:
+        generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
+        return name in SAID_ELSEWHERE or generates
+
+    def serving(self, name: str) -> tuple[str, ...]:
+        """Return what serves find_package(name); nothing where nobody can tell or nothing has to be declared."""
+        listed = keys_for_cmake(name)
+        if NOTHING_NEEDED in listed:
+            return ()
+        own = (name,) if self.declared.workspace.what(name) in (Known.PACKAGE, Known.KEY) else ()
+        known = tuple(each for each in (*own, *listed) if "*" not in each)
+        return (*known, *self.fitting(name, self.declared.names)) if known else ()
+
+    def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
+        """Return those of some names that fit a pattern of the table, or are called like a vendor package."""
+        patterns = [each for each in keys_for_cmake(name) if "*" in each]
+        vendor = f"{name.lower()}_vendor"
+        return tuple(n for n in names if n.lower() == vendor or any(fnmatchcase(n, p) for p in patterns))

@@ -1,0 +1,81 @@
+"""DEP104 undeclared-find-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.uses.sought import Sought, SoughtAndDeclared
+from ...ros.manifest import is_buildtool
+from ...rule import rule
+
+FOUND = CMAKE.replace("ament_package()", "find_package(«rclcpp» REQUIRED)\nament_package()")
+FOUND_EIGEN = CMAKE.replace("ament_package()", "find_package(«Eigen3» REQUIRED)\nament_package()")
+FOUND_IN_TESTS = CMAKE.replace(
+    "ament_package()", "if(BUILD_TESTING)\n  find_package(«ament_cmake_gtest» REQUIRED)\nendif()\nament_package()"
+)
+
+
+@rule(
+    "DEP104",
+    "undeclared-find-package",
+    over=SoughtAndDeclared,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "where only tests need it, or a declared dependency may bring it"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"CMakeLists.txt": FOUND},
+            good={"package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake")},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"CMakeLists.txt": FOUND_EIGEN},
+            good={"package.xml": manifest("  <depend>eigen</depend>\n", "ament_cmake")},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"CMakeLists.txt": FOUND_IN_TESTS},
+            good={"package.xml": manifest("  <test_depend>ament_cmake_gtest</test_depend>\n", "ament_cmake")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds `find_package(… REQUIRED)` for ROS packages, and for libraries that have a rosdep key (`Eigen3` is `eigen`),
+    which package.xml does not declare. What is optional (no REQUIRED, QUIET) or stands under a condition that depends
+    on the machine is left alone, and so is what comes with the build tools.
+
+    ## Why is this bad?
+    It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
+    CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
+
+    ## References
+    - REP-149, depend and buildtool_depend
+    """
+    for missing in sought.missing():
+        found, name = missing.found, missing.names[0]
+        tests = found.call.testing
+        kind = "test_depend" if tests else "buildtool_depend" if is_buildtool(name) else "depend"
+        tag = f"<{kind}>{name}</{kind}>"
+        known = "" if name == found.name else f" (`{name}` for rosdep)"
+        message = (
+            f"package.xml does not declare `{found.name}`{known}, which CMake can't do without: "
+            f"{consequence(missing)}; add {tag}"
+        )
+        level = Severity.WARNING if tests or missing.brought else None
+        fix = Fix(f"add {tag}", (add_dependency(sought.declared.manifest, kind, name),))
+        yield Hit(found.word.path, found.word.span, message, level, fix=fix)
+
+
+def consequence(missing: Sought) -> str:
+    if missing.brought:
+        return "it is there only as long as another dependency brings it"
+    stops = f'stops with "Could not find a package configuration file provided by {missing.found.name}"'
+    return f"on a clean machine the build {'of the tests ' if missing.found.call.testing else ''}{stops}"

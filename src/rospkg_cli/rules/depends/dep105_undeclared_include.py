@@ -1,0 +1,56 @@
+"""DEP105 undeclared-include."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.uses.included import Included
+from ...rule import rule
+
+
+@rule(
+    "DEP105",
+    "undeclared-include",
+    over=Included,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "where a declared dependency is known to bring it"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"src/node.cpp": "#include <«std_msgs/msg/string.hpp»>\n"},
+            good={"package.xml": manifest("  <depend>std_msgs</depend>\n", "ament_cmake")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def undeclared_include(included: Included) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds C++ includes of headers of another ROS package, or of a library that has a rosdep key, which package.xml does
+    not declare and CMake does not look for. Includes under `#if` are left alone.
+
+    ## Why is this bad?
+    The header is found only as long as another dependency brings it. The day that one changes, or on a machine where
+    it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
+
+    ## References
+    - REP-149, depend
+    """
+    for each in included.undeclared():
+        first, *others = each.uses
+        name = each.names[0]
+        kind = "test_depend" if each.role == "test" else "depend"
+        tag = f"<{kind}>{name}</{kind}>"
+        brought = included.is_brought(each)
+        ends = "it is there only as long as another dependency brings it"
+        if not brought:
+            ends = 'the build ends with "No such file or directory" where nothing else brings it'
+        message = (
+            f"package.xml does not declare `{name}`, of which `{first.header}` is included here: {ends}; add {tag}"
+        )
+        fix = Fix(f"add {tag}", (add_dependency(included.declared.manifest, kind, name),))
+        related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
+        yield Hit(first.path, first.span, message, Severity.INFO if brought else None, related, fix)
