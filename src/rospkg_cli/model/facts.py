@@ -54,6 +54,8 @@ class PackageFacts:
     components: frozenset[str] = frozenset()
     modules: frozenset[str] = frozenset()
     """Dotted names of the Python modules that are installed."""
+    headers: frozenset[str] = frozenset()
+    """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
     launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
     """For each launch file in share/<name>: the arguments that it declares."""
     unknown: frozenset[Unknown] = frozenset()

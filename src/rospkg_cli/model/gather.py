@@ -9,6 +9,7 @@ from ..ros.distros import Targets
 from .cmake.facts import registered_components
 from .facts import PackageFacts, Unknown
 from .files import Reading
+from .header_folders import header_folders
 from .installed import installed_facts
 from .interface.inventory import interface_names
 from .manifest import Manifest
@@ -47,4 +48,5 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         modules=installed.modules,
         unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),
+        headers=header_folders(reading.files),
     )

@@ -62,6 +62,18 @@ class Workspace:
                 found.setdefault(module.partition(".")[0], facts.name)
         return found
 
+    @cached_property
+    def _by_headers(self) -> dict[str, set[str]]:
+        found: dict[str, set[str]] = {}
+        for facts in self.packages:
+            for folder in facts.headers:
+                found.setdefault(folder, set()).add(facts.name)
+        return found
+
+    def with_header(self, header: str) -> frozenset[str]:
+        """Return the packages around that have the folder of a header."""
+        return frozenset(self._by_headers.get(header.rpartition("/")[0], ()))
+
     def serving(self, module: str) -> tuple[str, ...]:
         """Return what serves an import: a package around, a ROS package, a rosdep key; nothing where nobody can tell.
 

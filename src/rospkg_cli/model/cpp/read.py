@@ -8,7 +8,7 @@ from ..files import Reading, each
 from ..unreadable import Unreadable
 from .file import CppFile, read_cpp
 
-SUFFIXES = tuple(".cpp .cc .cxx .c++ .hpp .hh .hxx .h .ipp .tpp .inl .cu .cuh".split())
+SUFFIXES = tuple(".c .cpp .cc .cxx .c++ .hpp .hh .hxx .h .ipp .tpp .inl .cu .cuh".split())
 
 
 def read_cpp_files(reading: Reading) -> Iterator[CppFile | Unreadable]:

@@ -145,8 +145,10 @@ def argument_text(call: Call, name: str, place: int = 0) -> LaunchText:
     return LaunchText(call.span, (Substitution("?", (), call.span),)) if found is None else text_of(found)
 
 
-def optional_text(call: Call, name: str) -> LaunchText | None:
+def optional_text(call: Call, name: str, old: str = "") -> LaunchText | None:
+    """Return an argument, by its name or by the one that it had before Galactic; None where it is not given."""
     found = call.get(name)
+    found = call.get(old) if found is None and old else found
     return None if found is None or is_none(found) else text_of(found)
 
 
@@ -163,10 +165,10 @@ def node_of(call: Call, kind: NodeKind) -> LaunchedNode:
         kind,
         call.span,
         package=optional_text(call, "package"),
-        executable=optional_text(call, "executable"),
-        plugin=optional_text(call, "plugin"),
-        name=optional_text(call, "name"),
-        namespace=optional_text(call, "namespace"),
+        executable=optional_text(call, "executable", "node_executable"),
+        plugin=optional_text(call, "plugin", "node_plugin"),
+        name=optional_text(call, "name", "node_name"),
+        namespace=optional_text(call, "namespace", "node_namespace"),
         parameters=tuple(parameters_of(call.get("parameters"))),
         remappings=tuple(pairs_of(call.get("remappings"))),
         arguments=tuple(text_of(item) for name in ("arguments", "ros_arguments") for item in items_of(call.get(name))),

@@ -55,10 +55,7 @@ class Declared:
 
     def has(self, names: Iterable[str]) -> bool:
         """Return whether one of some names is declared, or is the package itself, or can't be declared."""
-        return any(
-            name in self.names or name == self.facts.name or name in self.put_aside or self.needs_us(name)
-            for name in names
-        )
+        return any(name in self.names or name == self.facts.name or self.needs_us(name) for name in names)
 
     @cached_property
     def brought(self) -> frozenset[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import PurePosixPath
 
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.names import Known
@@ -14,6 +13,7 @@ from ...source import Span
 from ..cmake.project import CMake
 from ..cpp.file import CppFile
 from ..files import PackageFiles
+from .compiled import compiled
 from .declared import Declared
 from .roles import Role, role_of
 from .sought import SoughtAndDeclared
@@ -54,25 +54,28 @@ class Included:
         """Yield the packages and libraries whose headers are included, those of tests after those of what is built."""
         if not self.declared.judged:
             return
-        found: dict[tuple[Role, str], list[IncludeUse]] = {}
-        for source in self.sources:
+        found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
+        for source in compiled(self.cmake, self.sources):
             role = role_of(source.path)
             role = "run" if role == "launch" else role
             for each in source.includes if role != "aside" else ():
-                first, slash, _ = each.path.partition("/")
-                if slash and not each.conditional and not self.is_own(each.path):
-                    found.setdefault((role, first), []).append(IncludeUse(source.path, each.span, each.path))
-        for (role, first), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
-            if role == "test" and ("run", first) in found:
-                continue
-            names, cmake = self.serving(first)
-            if names:
+                if "/" in each.path and not each.conditional and not self.is_own(each.path):
+                    names, cmake = self.serving(each.path)
+                    if names:
+                        use = IncludeUse(source.path, each.span, each.path)
+                        found.setdefault((role, names, cmake), []).append(use)
+        for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
+            if role != "test" or ("run", names, cmake) not in found:
                 yield FromElsewhere(names, cmake, role, tuple(uses))
 
-    def serving(self, folder: str) -> tuple[tuple[str, ...], str]:
-        """Return what serves the headers of a folder, and its name in CMake; nothing where nobody can tell."""
+    def serving(self, header: str) -> tuple[tuple[str, ...], str]:
+        """Return what serves a header, and its name in CMake; nothing where nobody can tell."""
+        folder = header.partition("/")[0]
         if folder in LIBRARIES:
             return self.sought.serving(LIBRARIES[folder]), LIBRARIES[folder]
+        around = sorted(self.declared.workspace.with_header(header))
+        if around:
+            return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
         facts = self.declared.workspace.named(folder)
         known = self.declared.workspace.what(folder) is Known.PACKAGE and folder not in SHARED
         if not known or (facts is not None and facts.metapackage):
@@ -80,44 +83,26 @@ class Included:
         return (folder,), folder
 
     def is_own(self, header: str) -> bool:
-        return (
-            header.partition("/")[0] == self.declared.facts.name
-            or any(header == each or header.startswith(each + "/") for each in self.own_folders)
-            or header in self.tails
-        )
-
-    @cached_property
-    def own_folders(self) -> frozenset[str]:
-        """The folders that stand in an `include/` or `src/` of the package: what is below them is its own."""
-        found = set()
-        for folder in self.files.folders:
-            parts = PurePosixPath(folder).parts
-            for at, part in enumerate(parts[:-1]):
-                if part in ("include", "src", "test", "tests"):
-                    found.add(parts[at + 1])
-        return frozenset(found)
+        """Return whether a header is the package's own: it is there, or may be made beside those that are."""
+        folder = header.rpartition("/")[0]
+        return header.partition("/")[0] == self.declared.facts.name or folder in self.tails or header in self.tails
 
     @cached_property
     def tails(self) -> frozenset[str]:
-        """The last two and three parts of every path: headers are found from wherever CMake looks."""
-        found = set()
-        for path in self.files.paths:
-            parts = path.split("/")
-            found |= {"/".join(parts[-n:]) for n in (2, 3, 4)}
-        return frozenset(found)
+        """The last parts of every path and folder: headers are found from wherever CMake looks."""
+        paths = [path.split("/") for path in (*self.files.paths, *self.files.folders)]
+        return frozenset("/".join(parts[-n:]) for parts in paths for n in (1, 2, 3, 4))
 
     def undeclared(self) -> Iterator[FromElsewhere]:
-        """Yield what is included and neither declared nor looked for by CMake."""
+        """Yield what is included and not declared, but for what find_package names as well."""
         there = brought(self.declared.names, IN_SOURCES)
+        said = {missing.found.name for missing in self.sought.missing()}
         for each in self.from_elsewhere():
-            declared = self.declared.has(each.names) or bool(self.sought.fitting(each.cmake, self.declared.names))
-            if not declared and each.cmake not in self.found and not there.intersection(each.names):
+            if not self.is_declared(each) and each.cmake not in said and not there.intersection(each.names):
                 yield each
 
-    @cached_property
-    def found(self) -> frozenset[str]:
-        """The names that CMake looks for."""
-        return frozenset(found.name for found in self.cmake.packages)
+    def is_declared(self, each: FromElsewhere) -> bool:
+        return self.declared.has(each.names) or bool(self.sought.fitting(each.cmake, self.declared.names))
 
     def is_brought(self, each: FromElsewhere) -> bool:
         """Return whether something that is declared brings these headers for certain."""

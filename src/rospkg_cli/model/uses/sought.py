@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from functools import cached_property
 
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.names import Known
 from ...ros.stands_for import IN_CMAKE, brought
 from ..cmake.packages import FoundPackage
 from ..cmake.project import CMake
+from ..interface.declared import Interface
 from .declared import Declared
 
 SAID_ELSEWHERE = frozenset({"ament_cmake"})
@@ -33,6 +35,7 @@ class SoughtAndDeclared:
 
     declared: Declared
     cmake: CMake
+    interfaces: tuple[Interface, ...] = ()
 
     def missing(self) -> Iterator[Sought]:
         """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
@@ -53,11 +56,25 @@ class SoughtAndDeclared:
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration fails for certain where this is not there."""
         certain = found.word.known and not found.word.maybe and not found.call.maybe
-        return certain and found.required and not found.quiet and not self.is_said_elsewhere(found.name)
+        needed = found.required or found.name in self.used
+        return certain and needed and not found.quiet and not self.is_said_elsewhere(found.name)
+
+    @cached_property
+    def used(self) -> frozenset[str]:
+        """What a target or an export can't do without, whether find_package says REQUIRED or not."""
+        found: set[str] = set()
+        for call in self.cmake.named("ament_target_dependencies", "ament_export_dependencies"):
+            found |= {word.text for word in call.words if not word.maybe and not call.maybe}
+        for call in self.cmake.named("target_link_libraries"):
+            linked = (word.text.partition("::") for word in call.words[1:] if not word.maybe and not call.maybe)
+            found |= {package for package, colons, _ in linked if colons}
+        return frozenset(found)
 
     def is_said_elsewhere(self, name: str) -> bool:
+        """Return whether another rule asks for it: that for build tools, or those for interfaces."""
         generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
-        return name in SAID_ELSEWHERE or generates
+        typed = any(each.package == name for interface in self.interfaces for each in interface.types)
+        return name in SAID_ELSEWHERE or generates or typed
 
     def serving(self, name: str) -> tuple[str, ...]:
         """Return what serves find_package(name); nothing where nobody can tell or nothing has to be declared."""

@@ -18,6 +18,7 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
     "undeclared-import",
     over=Imported,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where package.xml has it in a comment"},
     examples=(
         Example(
             bad={
@@ -62,4 +63,5 @@ def undeclared_import(imported: Imported) -> Iterator[Hit]:
         )
         fix = Fix(f"add {tag}", (add_dependency(manifest, "exec_depend", missing.name),))
         related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-        yield Hit(first.path, first.span, message, related=related, fix=fix)
+        level = Severity.INFO if missing.name in imported.declared.put_aside else None
+        yield Hit(first.path, first.span, message, level, related, fix)

@@ -35,7 +35,9 @@ BAD_XML = """\
     "undeclared-launch-package",
     over=Launched,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "for launch itself, which whoever starts a launch file has"},
+    levels={
+        Severity.INFO: "for launch itself, which whoever starts a launch file has, and for what stands in a comment"
+    },
     examples=(
         Example(
             bad={"launch/robot.launch.py": BAD, "package.xml": manifest(DECLARED.format("ros2launch"))},
@@ -84,7 +86,8 @@ def undeclared(launched: Launched, tag: str, name: str, uses: list[PackageUse]) 
     )
     fix = None if hint else Fix(f"add {line}", (add_dependency(launched.declared.manifest, tag, name),))
     related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-    return Hit(first.path, first.span, message, related=related, fix=fix)
+    level = Severity.INFO if name in launched.declared.put_aside else None
+    return Hit(first.path, first.span, message, level, related, fix)
 
 
 def no_launch(launched: Launched, missing: dict[str, list[PackageUse]]) -> Hit:

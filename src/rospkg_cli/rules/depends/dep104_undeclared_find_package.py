@@ -23,7 +23,10 @@ FOUND_IN_TESTS = CMAKE.replace(
     "undeclared-find-package",
     over=SoughtAndDeclared,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "where only tests need it, or a declared dependency may bring it"},
+    levels={
+        Severity.WARNING: "where only tests need it, or a declared dependency may bring it",
+        Severity.INFO: "where package.xml has it in a comment",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -49,8 +52,9 @@ def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
     """
     ## What it does
     Finds `find_package(… REQUIRED)` for ROS packages, and for libraries that have a rosdep key (`Eigen3` is `eigen`),
-    which package.xml does not declare. What is optional (no REQUIRED, QUIET) or stands under a condition that depends
-    on the machine is left alone, and so is what comes with the build tools.
+    which package.xml does not declare; without REQUIRED where a target or an export uses the package all the same. What
+    is optional or stands under a condition that depends on the machine is left alone, and so is what comes with the
+    build tools.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -70,6 +74,7 @@ def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
             f"{consequence(missing)}; add {tag}"
         )
         level = Severity.WARNING if tests or missing.brought else None
+        level = Severity.INFO if name in sought.declared.put_aside else level
         fix = Fix(f"add {tag}", (add_dependency(sought.declared.manifest, kind, name),))
         yield Hit(found.word.path, found.word.span, message, level, fix=fix)
 

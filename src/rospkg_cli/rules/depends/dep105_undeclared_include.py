@@ -5,10 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.manifest import add_dependency
-from ...example import Example, manifest
+from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...model.uses.included import Included
 from ...rule import rule
+
+NODE = CMAKE.replace(
+    "ament_package()",
+    "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\nament_package()",
+)
 
 
 @rule(
@@ -16,11 +21,11 @@ from ...rule import rule
     "undeclared-include",
     over=Included,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a declared dependency is known to bring it"},
+    levels={Severity.INFO: "where a declared dependency is known to bring it, or package.xml has it in a comment"},
     examples=(
         Example(
             on="ament_cmake",
-            bad={"src/node.cpp": "#include <«std_msgs/msg/string.hpp»>\n"},
+            bad={"CMakeLists.txt": NODE, "src/node.cpp": "#include <«std_msgs/msg/string.hpp»>\n"},
             good={"package.xml": manifest("  <depend>std_msgs</depend>\n", "ament_cmake")},
             fix=Safety.SAFE,
         ),
@@ -30,7 +35,7 @@ def undeclared_include(included: Included) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ includes of headers of another ROS package, or of a library that has a rosdep key, which package.xml does
-    not declare and CMake does not look for. Includes under `#if` are left alone.
+    not declare. Files that no target is made of, and includes under `#if`, are left alone.
 
     ## Why is this bad?
     The header is found only as long as another dependency brings it. The day that one changes, or on a machine where
@@ -53,4 +58,5 @@ def undeclared_include(included: Included) -> Iterator[Hit]:
         )
         fix = Fix(f"add {tag}", (add_dependency(included.declared.manifest, kind, name),))
         related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        yield Hit(first.path, first.span, message, Severity.INFO if brought else None, related, fix)
+        mild = brought or name in included.declared.put_aside
+        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
