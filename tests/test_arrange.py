@@ -70,8 +70,9 @@ def test_in_canonical_order() -> None:
     assert arranged(package(*before), canonical_order) == package(*after)
 
 
-def test_nothing_is_arranged_around_stray_text() -> None:
-    text = package("<author>A</author>", "words", "<license>L</license>")
+@pytest.mark.parametrize("stray", ["words", "\u3000", "<?go on?>"])
+def test_nothing_is_arranged_around_stray_text(stray: str) -> None:
+    text = package("<author>A</author>", stray, "<license>L</license>")
     assert arranged(text, schema_order) == text
 
 

@@ -41,6 +41,7 @@ def test_a_good_one_is_valid() -> None:
         (with_line('<depend version_gte="1.2.x">x</depend>'), ("VALUE", "depend", "version_gte")),
         (with_line("<member_of_group>A B</member_of_group>"), ("VALUE", "member_of_group", "")),
         (with_line("some words"), ("TEXT", "package", "")),
+        (with_line("\u3000"), ("TEXT", "package", "")),
         (with_line("<name>again</name>"), ("REPEATED", "name", "name")),
         (GOOD.replace("  <license>Apache-2.0</license>\n", ""), ("MISSING", "package", "license")),
         (GOOD.replace("Apache-2.0", " "), ("VALUE", "license", "")),

@@ -122,7 +122,7 @@ def stray(lead: str) -> bool:
     while "<!--" in lead:
         before, _, rest = lead.partition("<!--")
         lead = before + rest.partition("-->")[2]
-    return bool(lead.strip())
+    return bool(lead.strip(" \t\r\n"))
 
 
 def spread(items: Sequence[Item], order: Sequence[Item]) -> list[str]:

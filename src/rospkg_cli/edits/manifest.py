@@ -39,9 +39,8 @@ def add_export(manifest: Manifest, text: str) -> Edit:
     if export.self_closing or not export.nodes:
         start_tag = manifest.source.slice(export.open).rstrip("/> ")
         return Edit(manifest.path, export.span, f"{start_tag}>{inner}\n{indent}</export>")
-    last = export.nodes[-1]
-    at = last.span.end
-    return Edit(manifest.path, Span(at, at), f"\n{indentation(manifest, last)}{text}")
+    at = export.nodes[-1].span.end
+    return Edit(manifest.path, Span(at, at), f"\n{indentation(manifest, export.nodes[0])}{text}")
 
 
 def anchor_for(manifest: Manifest, tag: str, name: str) -> Element | None:

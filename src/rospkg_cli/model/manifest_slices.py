@@ -11,6 +11,7 @@ from ..ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
 from .cmake.read import CMakeFile
 from .facts import PackageFacts
 from .files import PackageFiles
+from .install import InstallTable
 from .manifest import Manifest
 from .settings import Settings
 
@@ -47,6 +48,20 @@ class ManifestAndFiles:
     @property
     def known_build_types(self) -> frozenset[str]:
         return self.settings.build_types.union(BUILD_TYPES, OTHER_BUILD_TYPES)
+
+
+@dataclass(frozen=True)
+class ManifestAndInstalls:
+    manifest: Manifest
+    files: PackageFiles
+    table: InstallTable | None
+    targets: Targets
+
+    def is_installed(self, path: str) -> bool | None:
+        """Return whether a file stands in share/<name>, at this path, after the build; None where it can't be told."""
+        if self.table is None or not self.table.knows("share"):
+            return None
+        return any(path == below for below, _ in self.table.below(f"share/{self.manifest.name}"))
 
 
 @dataclass(frozen=True)

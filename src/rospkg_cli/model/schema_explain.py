@@ -26,6 +26,9 @@ STAND_INS = {
 INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
 """Attributes of this namespace may stand anywhere."""
 
+BLANKS = " \t\r\n"
+"""White space of XML; `str.strip` also takes others away, as the wide blank of Japanese keyboards."""
+
 MAX_ROUNDS = 20
 """Each round takes every offender out, so that two or three are enough; more would be a fault of ours."""
 
@@ -137,7 +140,7 @@ class Explanation:
 
     def text(self, element: ElementTree.Element) -> Iterator[Violation]:
         """Take the text out that stands between the children."""
-        if any((each or "").strip() for each in (element.text, *(child.tail for child in element))):
+        if any((each or "").strip(BLANKS) for each in (element.text, *(child.tail for child in element))):
             yield Violation(Kind.TEXT, self.mine[element], "")
         element.text = None
         for child in element:

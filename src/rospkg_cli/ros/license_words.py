@@ -15,8 +15,8 @@ FAMILY = re.compile(
 PARTED = re.compile(r"\s*(?:[,;/&]|\+\s|\band\b|\bor\b)\s*", re.IGNORECASE)
 SPDX_CHOICE = re.compile(r"[\w.+-]+( (OR|WITH) [\w.+-]+)+")
 STORY = re.compile(r"\b(see|refer|licen[cs]ed under|copyright|distributed|this (package|software|file))\b|://", re.I)
-MAX_WORDS = 12
-"""`GNU Library or "Lesser" General Public License version 2.1 or any later version` has eleven."""
+MAX_WORDS = 13
+"""`GNU Library or "Lesser" General Public License version 2.1 or any later version` has so many."""
 
 
 def licenses_in(text: str) -> list[str]:

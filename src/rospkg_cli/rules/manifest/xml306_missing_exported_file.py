@@ -5,9 +5,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...example import Example, manifest
+from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest_slices import ManifestAndFiles
+from ...model.condition import possible
+from ...model.manifest_slices import ManifestAndInstalls
 from ...rule import rule
 from ...suggest import nearest
 
@@ -15,6 +16,7 @@ GOOD = manifest(build_type="ament_cmake").replace(
     "  </export>", '    <rqt_gui plugin="${prefix}/plugin.xml"/>\n  </export>'
 )
 
+INSTALLED = CMAKE.replace("ament_package", "install(FILES plugin.xml DESTINATION share/${PROJECT_NAME})\nament_package")
 CORE = GOOD.replace("rqt_gui", "nav2_core")
 READ_BY_RQT = ("rqt_gui", "qt_gui")
 
@@ -22,7 +24,7 @@ READ_BY_RQT = ("rqt_gui", "qt_gui")
 @rule(
     "XML306",
     "missing-exported-file",
-    over=ManifestAndFiles,
+    over=ManifestAndInstalls,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "it is not for rqt: pluginlib goes by what CMake exports, and the line is stale"},
     examples=(
@@ -32,7 +34,15 @@ READ_BY_RQT = ("rqt_gui", "qt_gui")
                 "package.xml": GOOD.replace("${prefix}/plugin.xml", "«${prefix}/plugins.xml»"),
                 "plugin.xml": "<library path='x'/>\n",
             },
-            good={"package.xml": GOOD},
+            good={"package.xml": GOOD, "CMakeLists.txt": INSTALLED},
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": GOOD.replace("${prefix}/plugin.xml", "«${prefix}/plugin.xml»"),
+                "plugin.xml": "<library path='x'/>\n",
+            },
+            good={"package.xml": GOOD, "CMakeLists.txt": INSTALLED},
         ),
         Example(
             on="ament_cmake",
@@ -41,10 +51,11 @@ READ_BY_RQT = ("rqt_gui", "qt_gui")
         ),
     ),
 )
-def missing_exported_file(package: ManifestAndFiles) -> Iterator[Hit]:
+def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `<export>` entries whose `plugin="${prefix}/…"` names a file that is not there.
+    Finds `<export>` entries whose `plugin="${prefix}/…"` names a file that is not there, and those of rqt whose file
+    is there and not installed.
 
     ## Why is this bad?
     `${prefix}` is the package's share directory. rqt reads that file, doesn't find it, and the plug-in is not offered;
@@ -60,17 +71,23 @@ def missing_exported_file(package: ManifestAndFiles) -> Iterator[Hit]:
         if attribute is None or not attribute.value.endswith(".xml"):
             continue
         path = posixpath.normpath(attribute.value.strip().replace("${prefix}", "").lstrip("/"))
-        if package.files.exists(path) or "$" in path:
+        rqt = element.tag in READ_BY_RQT
+        what = f"`{path}`, exported to `{element.tag}`,"
+        if "$" in path or not possible(element.get("condition"), package.targets.environments()):
             continue
-        meant = suggested(package, path)
-        hint = f" (did you mean `{meant}`?)" if meant else ""
-        level = None if element.tag in READ_BY_RQT else Severity.WARNING
-        harm = "rqt will not offer the plug-in" if level is None else "ROS 2 goes by what CMake exports"
-        message = f"`{path}`, exported to `{element.tag}`, is not there{hint}: {harm}; add the file or mend the line"
-        yield Hit(manifest.path, attribute.value_span, message, level)
+        if not package.files.exists(path):
+            meant = suggested(package, path)
+            hint = f" (did you mean `{meant}`?)" if meant else ""
+            harm = "rqt will not offer the plug-in" if rqt else "ROS 2 goes by what CMake exports"
+            message = f"{what} is not there{hint}: {harm}; add the file or mend the line"
+            yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.WARNING)
+        elif rqt and package.is_installed(path) is False:
+            place = f"share/{manifest.name}/{posixpath.dirname(path)}".rstrip("/")
+            message = f"{what} is not installed: rqt will not offer the plug-in; install it to `{place}`"
+            yield Hit(manifest.path, attribute.value_span, message)
 
 
-def suggested(package: ManifestAndFiles, path: str) -> str | None:
+def suggested(package: ManifestAndInstalls, path: str) -> str | None:
     """Return the XML file that is meant: of the same name elsewhere, of a near name, or the only one in that folder."""
     every = [each for each in package.files.paths if each.endswith(".xml") and each != "package.xml"]
     folder, name = posixpath.split(path)

@@ -1,0 +1,187 @@
+"""Fixes of package.xml: never ill-formed, never without an end, in the file's own hand."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rospkg_cli.edits.manifest import add_dependency, add_element, add_export, remove_element
+from rospkg_cli.edits.tags import remove_attribute, rename_tag, set_attribute, set_text
+from rospkg_cli.edits.upgrade import to_format_3
+from rospkg_cli.engine.apply import edited
+from rospkg_cli.engine.fix import repair
+from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.finding import Edit, Safety
+from rospkg_cli.model.manifest import Manifest, manifest_of
+from rospkg_cli.rule import all_rules
+from rospkg_cli.source import Source
+from rospkg_cli.tree import Entry, MemoryTree
+
+XML = frozenset(rule.code for rule in all_rules() if rule.family == "XML")
+LINES = """
+<name>my_pkg</name>
+<name>My__Pkg</name>
+<version>1.0.0</version>
+<version>1.0</version>
+<version/>
+<description>It drives</description>
+<description/>
+<maintainer email="a@b.org">A</maintainer>
+<maintainer>A</maintainer>
+<license>MIT</license>
+<license>Apache 2.0</license>
+<license>GPLv3</license>
+<license file="L">MIT</license>
+<url type="home">http://a.b</url>
+<url type="blog" >http://a.b</url>
+<author>B</author>
+<depend>rclcpp</depend>
+<depend>rclcpp</depend>
+<build_depend>rclcpp</build_depend>
+<exec_depend>rclcpp</exec_depend>
+<exec_depend >b</exec_depend >
+<exec_depend>a</exec_depend>
+<exec_depend condition="$ROS_VERSION == 2">b</exec_depend>
+<depend/>
+<depend>my_pkg</depend>
+<depend>a</depend><depend>a</depend> <!-- twice -->
+<run_depend>rclcpp</run_depend>
+<run_depend condition='$A == 1'>x</run_depend>
+<test_depend></test_depend>
+<buildtool_depend>ament_python</buildtool_depend>
+<member_of_group>g</member_of_group>
+<group_depend>g</group_depend>
+<bogus/>
+words
+<!-- why -->
+<export/>
+<export><build_type>ament_pyton</build_type></export>
+<export><a/><!-- b --></export>
+""".split("\n")
+HEADS = """
+<?xml version="1.0"?>
+<?xml version="1.0"?><?xml-model href="http://x/package_format2.xsd"?>
+<!-- x -->
+""".split("\n")
+PACKAGES = """<package>
+<package format="1">
+<package format='2'>
+<package  format="3" >
+<package format="9">""".split("\n")
+FILES = st.sampled_from([{}, {"setup.py": ""}, {"CMakeLists.txt": "project(my_pkg)\nament_package()\n"}])
+
+
+@settings(max_examples=120, deadline=None)
+@given(
+    st.sampled_from(HEADS),
+    st.sampled_from(PACKAGES),
+    st.lists(st.sampled_from(LINES), max_size=12),
+    FILES,
+    st.sampled_from(["\n  ", "\n\t", "", " "]),
+)
+def test_repair_keeps_a_manifest_readable_and_comes_to_an_end(
+    head: str, package: str, lines: list[str], files: dict[str, str], between: str
+) -> None:
+    text = head + ("\n" if head else "") + package + "".join(between + line for line in lines) + "\n</package>\n"
+    tree = MemoryTree.of({"package.xml": text, **files})
+    session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), XML)
+    outcome = repair(session, lambda results: results, (Safety.SAFE, Safety.UNSAFE))
+    assert outcome.refused == []
+    entry = outcome.changes.get("package.xml")
+    after = entry.text.text if entry else text
+    before, now = (manifest_of(Source("package.xml", each)) for each in (text, after))
+    assert [c.text for c in before.document.comments if c.text not in after] == []
+    left = [f for f in outcome.results.findings if f.fix]
+    assert left == [], "a fix that was applied is offered again"
+    assert now.name == before.name
+
+
+def read(text: str) -> Manifest:
+    return manifest_of(Source("package.xml", text))
+
+
+def apply(text: str, *edits: Edit) -> str:
+    return edited(Entry("file", text.encode()), edits).text.text
+
+
+@pytest.mark.parametrize(
+    "before, name, after",
+    [
+        ("<depend>a</depend>\n<depend>c</depend>", "b", "<depend>a</depend>\n<depend>b</depend>\n<depend>c</depend>"),
+        (
+            "<depend>a</depend> <!-- x -->\n<export/>",
+            "b",
+            "<depend>a</depend> <!-- x -->\n<depend>b</depend>\n<export/>",
+        ),
+        ("<depend>c</depend>\n<depend>a</depend>", "b", "<depend>c</depend>\n<depend>a</depend>\n<depend>b</depend>"),
+        ("<license>L</license>\n\n<export/>", "b", "<license>L</license>\n<depend>b</depend>\n\n<export/>"),
+        ("<depend>b</depend>", "a", "<depend>a</depend>\n<depend>b</depend>"),
+        ("<exec_depend>b</exec_depend>", "a", "<depend>a</depend>\n<exec_depend>b</exec_depend>"),
+    ],
+)
+def test_a_dependency_is_put_where_a_person_would(before: str, name: str, after: str) -> None:
+    text, want = (
+        f"<package>\n  {each}\n</package>\n".replace("\n<", "\n  <").replace("  </pa", "</pa")
+        for each in (before, after)
+    )
+    assert apply(text, add_dependency(read(text), "depend", name)) == want
+
+
+def test_an_element_goes_into_an_empty_package() -> None:
+    text = "<package>\n</package>\n"
+    assert apply(text, add_element(read(text), "name", "<name>a</name>")) == "<package>\n  <name>a</name>\n</package>\n"
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("  <name>a</name>", "  <name>a</name>\n  <export>\n    <x/>\n  </export>"),
+        ("  <export/>", "  <export>\n    <x/>\n  </export>"),
+        ("  <export></export>", "  <export>\n    <x/>\n  </export>"),
+        ("  <export>\n     <a/> <!-- b -->\n  </export>", "  <export>\n     <a/> <!-- b -->\n     <x/>\n  </export>"),
+        ("\t<export>\n\t\t<a/>\n\t</export>", "\t<export>\n\t\t<a/>\n\t\t<x/>\n\t</export>"),
+    ],
+)
+def test_an_export_is_made_or_extended(before: str, after: str) -> None:
+    text = f"<package>\n{before}\n</package>\n"
+    assert apply(text, add_export(read(text), "<x/>")) == f"<package>\n{after}\n</package>\n"
+
+
+def test_attributes_texts_and_names_are_changed_in_place() -> None:
+    text = "<package  format = '2' >\n  <url type='a'  >x</url>\n  <depend />\n  <depend >b</depend >\n</package>"
+    manifest = read(text)
+    url, empty, full = manifest.root.children
+    edits = [
+        set_attribute(manifest, manifest.root, "format", "3"),
+        remove_attribute(manifest, url, "type"),
+        set_text(manifest, url, "a & b"),
+        *rename_tag(manifest, full, "exec_depend"),
+        set_text(manifest, empty, "c"),
+    ]
+    assert apply(text, *edits) == (
+        "<package  format = '3' >\n  <url  >a &amp; b</url>\n  <depend>c</depend>\n"
+        "  <exec_depend >b</exec_depend >\n</package>"
+    )
+    condition = set_attribute(manifest, full, "condition", 'a < "b"')
+    assert "<depend condition='a &lt; \"b\"' >b" in apply(text, condition)
+
+
+def test_an_element_goes_with_its_line_or_alone() -> None:
+    text = "<package>\n  <depend>a</depend>\n  <depend>b</depend> <depend>c</depend>\n</package>\n"
+    first, second, _ = read(text).root.children
+    assert apply(text, remove_element(read(text), first)) == text.replace("  <depend>a</depend>\n", "")
+    assert apply(text, remove_element(read(text), second)) == text.replace("<depend>b</depend>", "")
+
+
+def test_format_1_becomes_format_3() -> None:
+    text = (
+        '<?xml version="1.0"?>\n<?xml-model href="http://download.ros.org/schema/package_format1.xsd"?>\n<package>\n'
+        "  <build_depend>a</build_depend>\n  <run_depend>a</run_depend>\n  <run_depend version_gte='1'>b</run_depend>\n"
+        "</package>\n"
+    )
+    assert apply(text, *to_format_3(read(text))) == (
+        '<?xml version="1.0"?>\n<?xml-model href="http://download.ros.org/schema/package_format3.xsd"?>\n'
+        "<package format=\"3\">\n  <depend>a</depend>\n  <build_export_depend version_gte='1'>b</build_export_depend>\n"
+        "  <exec_depend version_gte='1'>b</exec_depend>\n</package>\n"
+    )

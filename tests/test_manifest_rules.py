@@ -1,0 +1,282 @@
+"""What the rules of package.xml say beyond their examples, and where they keep quiet."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, manifest
+from rospkg_cli.finding import Severity
+from rospkg_cli.testing import lint_files
+
+PYTHON = {path: text for path, text in BACKDROPS["ament_python"].items() if text is not None}
+INTERFACES = {
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package", 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/A.msg")\nament_package'
+    ),
+    "msg/A.msg": "int32 a\n",
+}
+
+
+def found(body: str = "", files: dict[str, str] | None = None, codes: str = "XML", **changes: str) -> list[str]:
+    """The codes for a package whose manifest has `body` as dependencies; `changes` are texts to replace, old=new."""
+    text = manifest(body)
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    results = lint_files({**PYTHON, "package.xml": text, **(files or {})})
+    return [f.code for f in results.findings if f.code.startswith(codes)]
+
+
+def cmake(body: str = "", files: dict[str, str] | None = None, text: str = "") -> list[str]:
+    every = {
+        "package.xml": text or manifest(body, build_type="ament_cmake"),
+        "CMakeLists.txt": CMAKE,
+        "LICENSE": "MIT\n",
+    }
+    return [f.code for f in lint_files({**every, **(files or {})}).findings if f.code.startswith("XML")]
+
+
+def test_three_faults_are_three_findings() -> None:
+    body = "  <exec_depend>a</exec_depend>\n  <exec_depnd>b</exec_depnd>\n  <exec_depend>a</exec_depend>\n"
+    results = lint_files(
+        {**PYTHON, "package.xml": manifest(body).replace("1.0.0", "1.0")}, ["XML001", "XML103", "XML201"]
+    )
+    assert [f.code for f in results.findings] == ["XML103", "XML001", "XML201"]
+    assert "did you mean `exec_depend`?" in results.findings[1].message
+
+
+@pytest.mark.parametrize(
+    "license",
+    [
+        "Apache License, Version 2.0", "GPLv2 or later", "BSD 3-Clause License", "MIT OR Apache-2.0", "Proprietary",
+        "GPL-2.0-only WITH Classpath-exception-2.0", "Boost Software License 1.0", "GNU General Public License v3",
+        "Creative Commons Attribution-NonCommercial-ShareAlike 4.0 International", "BSD",
+        'GNU Library or "Lesser" General Public License version 2.1 or any later version',
+    ],
+)  # fmt: skip
+def test_one_license_is_clear(license: str) -> None:
+    assert "XML106" not in found(**{"Apache-2.0": license})
+
+
+@pytest.mark.parametrize(
+    "license",
+    [
+        "BSD, MIT",
+        "BSD/Apache 2.0",
+        "MIT and Apache-2.0",
+        "GPLv2 &amp; LGPL",
+        "refer to the file LICENSE",
+        "https://x.org/l",
+    ],
+)
+def test_several_licenses_or_a_story_are_unclear(license: str) -> None:
+    assert "XML106" in found(**{"Apache-2.0": license})
+
+
+@pytest.mark.parametrize(
+    "description",
+    ["Todo lists on a robot", "A package for arms", "The driver package of the my_pkg robot", "Descriptions"],
+)
+def test_descriptions_that_say_something(description: str) -> None:
+    assert "XML104" not in found(**{"Drives my robot": description})
+
+
+@pytest.mark.parametrize(
+    "description", ["TODO", "TODO: Package description", "my_pkg", "The my_pkg package.", "none", "tbd"]
+)
+def test_descriptions_that_say_nothing(description: str) -> None:
+    assert "XML104" in found(**{"Drives my robot": description})
+
+
+def test_an_empty_description_is_an_error() -> None:
+    text = manifest().replace("Drives my robot", " ")
+    assert [f.severity for f in lint_files({**PYTHON, "package.xml": text}, ["XML104"]).findings] == [Severity.ERROR]
+
+
+@pytest.mark.parametrize("inside", ["<p>It drives.</p>", "<![CDATA[It drives]]>", "<img src='a.png'/>"])
+def test_xhtml_is_a_description(inside: str) -> None:
+    assert found(**{"Drives my robot": inside}) == []
+
+
+def test_names() -> None:
+    def level(name: str, **files: str) -> Severity | None:
+        text = manifest(build_type="ament_cmake").replace("my_pkg", name)
+        results = lint_files({"package.xml": text, "CMakeLists.txt": CMAKE, **files}, ["XML101"])
+        return next((f.severity for f in results.findings), None)
+
+    assert level("my-pkg") is level("MyPkg") is Severity.WARNING
+    assert level("my-pkg", **{"msg/A.msg": "int32 a\n"}) is Severity.ERROR
+    assert [level(name) for name in ("a", "my__pkg", "my_pkg_", "1pkg", "my pkg", "")] == [Severity.ERROR] * 6
+    assert level("m2") is None
+
+
+@pytest.mark.parametrize(
+    "one, other, clash",
+    [
+        ("", "", True),
+        ("", ' condition="$ROS_VERSION == 2"', True),
+        (' condition="$ROS_DISTRO == humble"', ' condition="$ROS_DISTRO == jazzy"', False),
+        (' condition="$ROS_DISTRO == humble"', ' condition="$ROS_DISTRO != jazzy"', True),
+        ("", ' condition="$ROS_VERSION == 1"', False),
+        ("", ' condition="$OURS == 1"', False),
+        (' condition="$OURS == 1"', ' condition="$OURS == 1"', True),
+        (' version_gte="1"', "", True),
+    ],
+)
+def test_depend_beside_one_of_its_parts(one: str, other: str, clash: bool) -> None:
+    body = f"  <depend{one}>rclcpp</depend>\n  <exec_depend{other}>rclcpp</exec_depend>\n"
+    assert ("XML202" in cmake(body)) is clash
+
+
+def test_the_fix_of_a_redundant_dependency_loses_nothing() -> None:
+    body = '  <depend condition="$ROS_DISTRO == humble">x</depend>\n  <exec_depend>x</exec_depend>\n'
+    finding = lint_files({**PYTHON, "package.xml": manifest(body)}, ["XML202"]).findings[0]
+    assert finding.fix is None
+
+
+def test_test_dependencies_may_repeat_others_since_format_2() -> None:
+    body = "  <depend>rclcpp</depend>\n  <test_depend>rclcpp</test_depend>\n"
+    assert "XML202" not in cmake(body)
+    one = manifest("  <build_depend>x</build_depend>\n  <test_depend>x</test_depend>\n", build_type="ament_cmake")
+    assert "XML202" in cmake(text=one.replace('format="3"', 'format="1"').replace("format3", "format1"))
+
+
+def test_the_same_name_with_other_limits_or_conditions_is_no_duplicate() -> None:
+    body = (
+        '  <exec_depend condition="$ROS_DISTRO == humble">x</exec_depend>\n'
+        '  <exec_depend condition="$ROS_DISTRO != humble">x</exec_depend>\n'
+        '  <test_depend version_gte="1">y</test_depend>\n  <test_depend version_lt="2">y</test_depend>\n'
+    )
+    assert found(body) == []
+
+
+@pytest.mark.parametrize(
+    "condition, code",
+    [
+        ("$ROS_DISTRO >= jazzy", None),
+        ("$ROS_VERSION > 1", None),
+        ("$ROS_VERSION == '2' and ($ROS_DISTRO == humble or $ROS_DISTRO == &quot;jazzy&quot;)", None),
+        ("$ROS_PYTHON_VERSION &lt; 10", "XML204"),
+        ("ROS_VERSION == 2", "XML204"),
+        ("$ROS_VERSION = 2", "XML204"),
+        ("$ROS_VERSION", "XML204"),
+        ("", "XML204"),
+        ("$USER == me", "XML204"),
+    ],
+)
+def test_conditions(condition: str, code: str | None) -> None:
+    assert found(f'  <exec_depend condition="{condition}">x</exec_depend>\n') == ([code] if code else [])
+
+
+@pytest.mark.parametrize(
+    "limits, wrong",
+    [
+        ('version_gte="1" version_lt="2"', False),
+        ('version_gte="1.0" version_lte="1"', False),
+        ('version_gt="1.0" version_lte="1"', True),
+        ('version_eq="1.2.3"', False),
+        ('version_eq="1" version_eq="2"', None),
+        ('version_gt="1" version_gte="1" version_lt="3"', True),
+        ('version_lt="1.x"', True),
+    ],
+)
+def test_version_limits(limits: str, wrong: bool | None) -> None:
+    codes = found(f"  <exec_depend {limits}>x</exec_depend>\n", codes="")
+    assert codes == (["RPK001"] if wrong is None else ["XML205"] * wrong)
+
+
+@pytest.mark.parametrize(
+    "name", ["ament_cmake", "ament_cmake_auto", "ament_cmake_ros", "autoware_cmake", "eigen3_cmake_module"]
+)
+def test_everything_of_cmake_is_a_buildtool(name: str) -> None:
+    text = manifest(build_type="ament_cmake").replace("<buildtool_depend>ament_cmake<", f"<buildtool_depend>{name}<")
+    assert cmake(text=text) == []
+
+
+@pytest.mark.parametrize(
+    "files, guess",
+    [
+        ({"setup.py": "from setuptools import setup\nsetup()\n"}, "ament_python"),
+        ({"CMakeLists.txt": CMAKE}, "ament_cmake"),
+        ({"CMakeLists.txt": "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n"}, "cmake"),
+        ({}, None),
+    ],
+)
+def test_the_build_type_is_guessed_by_the_files(files: dict[str, str], guess: str | None) -> None:
+    text = manifest().replace("<build_type>ament_python</build_type>", "")
+    (finding,) = lint_files({"package.xml": text, **files}, ["XML301"]).findings
+    assert (guess is None) is (finding.fix is None)
+    assert guess is None or f"`<build_type>{guess}</build_type>`" in finding.message
+
+
+def test_packages_of_ros_1_are_left_alone() -> None:
+    text = manifest("  <buildtool_depend>catkin</buildtool_depend>\n").replace(
+        "<build_type>ament_python</build_type>", ""
+    )
+    assert (
+        lint_files({"package.xml": text, "CMakeLists.txt": "find_package(catkin REQUIRED)\n"}, ["XML301"]).findings
+        == ()
+    )
+
+
+def test_build_types_for_two_worlds() -> None:
+    types = (
+        '<build_type condition="$ROS_VERSION == 1">catkin</build_type>\n'
+        '    <build_type condition="$ROS_VERSION == 2">ament_cmake</build_type>'
+    )
+    body = (
+        '  <buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>\n'
+        '  <buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>\n'
+    )
+    text = manifest(body).replace("<build_type>ament_python</build_type>", types)
+    assert cmake(text=text, files={"setup.py": "from setuptools import setup\nsetup()\n"}) == []
+    assert "XML303" in cmake(text=text.replace('type condition="$ROS_VERSION == 1"', "type"))
+
+
+@pytest.mark.parametrize("option", ["SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"])
+def test_interfaces_that_are_kept_at_home_need_no_group(option: str) -> None:
+    def says(files: dict[str, str]) -> list[str]:
+        results = lint_files({"package.xml": manifest(build_type="ament_cmake"), **files}, ["XML305"])
+        return [f.message for f in results.findings]
+
+    assert any("the group is missing" in each for each in says(INTERFACES))
+    kept = INTERFACES["CMakeLists.txt"].replace('"msg/A.msg"', f'"msg/A.msg" {option}')
+    assert not any("the group is missing" in each for each in says({**INTERFACES, "CMakeLists.txt": kept}))
+
+
+def test_interfaces_of_tests_need_no_runtime() -> None:
+    tests = (
+        INTERFACES["CMakeLists.txt"]
+        .replace("rosidl_gen", "if(BUILD_TESTING)\nrosidl_gen")
+        .replace('.msg")', '.msg")\nendif()')
+    )
+    results = lint_files(
+        {"package.xml": manifest(build_type="ament_cmake"), **INTERFACES, "CMakeLists.txt": tests}, ["XML305"]
+    )
+    assert ["group" in f.message for f in results.findings] == [True]
+
+
+def test_a_group_in_format_2_brings_format_3_with_it() -> None:
+    text = manifest(build_type="ament_cmake").replace('format="3"', 'format="2"').replace("format3", "format2")
+    findings = lint_files({"package.xml": text, **INTERFACES}, ["XML305"]).findings
+    (fix,) = [f.fix for f in findings if "the group is missing" in f.message]
+    assert fix is not None
+    assert {getattr(operation, "text", "") for operation in fix.operations} >= {"3"}
+
+
+def test_a_license_text_may_lie_above_the_package() -> None:
+    files = {"src/my_pkg/package.xml": manifest(build_type="ament_cmake"), "src/my_pkg/CMakeLists.txt": CMAKE}
+    assert lint_files({**files, "LICENSES/Apache-2.0.txt": "Apache\n"}, ["XML111"]).findings == ()
+    assert lint_files({**files, "src/COPYING": "Apache\n"}, ["XML111"]).findings == ()
+    assert len(lint_files({**files, "other/LICENSE": "Apache\n"}, ["XML111"]).findings) == 1
+
+
+def test_something_else_called_package_xml_is_one_finding() -> None:
+    results = lint_files({"package.xml": "<launch><node/></launch>\n", "CMakeLists.txt": CMAKE})
+    assert [f.code for f in results.findings if f.place.path == "package.xml"] == ["RPK001"]
+
+
+def test_export_for_ros_1_may_name_what_is_not_there() -> None:
+    text = manifest(build_type="ament_cmake")
+    line = '<rqt_gui condition="$ROS_VERSION == 1" plugin="${prefix}/plugin.xml"/>'
+    assert cmake(text=text.replace("  </export>", f"    {line}\n  </export>")) == []
