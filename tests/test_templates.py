@@ -13,6 +13,7 @@ from planned import plan, texts
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold.kinds import all_kinds
+from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
 
 NODES = {
@@ -32,7 +33,30 @@ COMBINATIONS = {
 
 @pytest.mark.parametrize("distro, license, nodes, depends", sorted(COMBINATIONS))
 def test_every_combination_is_written_without_a_finding(distro: str, license: str, nodes: str, depends: str) -> None:
-    planned = plan(distro=distro, license=license, nodes=NODES[nodes], depends=DEPENDS[depends])
+    faultless(plan(distro=distro, license=license, nodes=NODES[nodes], depends=DEPENDS[depends]))
+
+
+DISTROS_AND_LICENSES = [*((d.name, "MIT-0") for d in DISTROS), *(("jazzy", each.spdx) for each in LICENSES)]
+INTERFACES = {
+    "default": {},
+    "msg": {"msgs": ("RobotStatus:float32 battery_level, string current_task", "Other")},
+    "srv": {"srvs": ("Go:geometry_msgs/Pose goal --- bool ok", "Other")},
+    "action": {"actions": ("Fly",)},
+    "all": {"msgs": ("A:B[] b", "B:std_msgs/Header h"), "srvs": ("A",), "actions": ("A:B goal --- ---",)},
+}
+
+
+@pytest.mark.parametrize("depends", [(), ("nav_msgs", "ament_cmake_pytest")])
+@pytest.mark.parametrize("asked", INTERFACES)
+@pytest.mark.parametrize(
+    "distro, license", [*((d.name, "MIT") for d in DISTROS), *(("jazzy", e.spdx) for e in LICENSES)]
+)
+def test_every_package_of_interfaces_is_too(distro: str, license: str, asked: str, depends: tuple[str, ...]) -> None:
+    options = {"distro": distro, "license": license, "depends": depends, **INTERFACES[asked]}
+    faultless(plan("my_interfaces", template="interfaces", **options))
+
+
+def faultless(planned: Plan) -> None:
     assert [(f.code, f.place.path, f.message) for f in planned.findings] == []
     for path, text in texts(planned).items():
         assert text == "" or (text.endswith("\n") and not text.endswith("\n\n")), path

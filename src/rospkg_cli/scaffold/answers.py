@@ -8,6 +8,7 @@ from typing import Any
 
 from ..ros.distros import Distro
 from ..ros.licenses import License
+from .interface import Interface
 from .kinds import Kind, Parameter
 from .told import Told
 
@@ -24,6 +25,10 @@ class Request:
     nodes: tuple[str, ...] = ()
     """`NAME` or `NAME:KIND`."""
     depends: tuple[str, ...] = ()
+    msgs: tuple[str, ...] = ()
+    """`NAME` or `NAME:FIELDS`; so are the next two."""
+    srvs: tuple[str, ...] = ()
+    actions: tuple[str, ...] = ()
     description: str = ""
     license: str = ""
     maintainer: str = ""
@@ -54,6 +59,7 @@ class Node:
 class Answers:
     name: str
     nodes: tuple[Node, ...]
+    interfaces: tuple[Interface, ...]
     depends: tuple[str, ...]
     """What was asked for beside what the template needs: sorted, each once."""
     test_depends: tuple[str, ...]
@@ -72,9 +78,13 @@ class Answers:
         return tuple(dict.fromkeys(node.kind.logic for node in self.nodes if node.kind.logic))
 
     @property
-    def interfaces(self) -> tuple[str, ...]:
-        """The packages of the nodes' messages, each once."""
-        return tuple(dict.fromkeys(package for node in self.nodes for package in node.kind.interfaces))
+    def message_packages(self) -> tuple[str, ...]:
+        """The packages of the messages that nodes and interfaces use, each once."""
+        used = [package for node in self.nodes for package in node.kind.interfaces]
+        used += [package for interface in self.interfaces for package in interface.packages]
+        if self.distro.name == "humble" and any(interface.form == "action" for interface in self.interfaces):
+            used.append("action_msgs")  # later distributions bring it with rosidl itself
+        return tuple(package for package in dict.fromkeys(used) if package != self.name)
 
     @property
     def sections(self) -> dict[str, tuple[Parameter, ...]]:

@@ -10,9 +10,11 @@ from ..ros.licenses import LICENSES, License, offered, spdx_id
 from ..ros.manifest import VERSION
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .answers import Node
+from .answers import Node, Request
+from .interface import Interface, interfaces_of
 from .kinds import all_kinds
 from .names import LONGEST, check_node_name
+from .template import Template
 
 KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
 """Names of ROS packages and of rosdep keys."""
@@ -27,6 +29,11 @@ def nodes_of(asked: tuple[str, ...], package: str, kinds: tuple[str, ...]) -> tu
 
     `kinds` are those of the template, first the one that is written where none is named.
     """
+    if not kinds and asked:
+        command = f"rospkg new {package.removesuffix('_interfaces')}_nodes --node {asked[0]}"
+        raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
+    if not kinds:
+        return ()
     nodes: dict[str, Node] = {}
     for text in asked or (default_node(package),):
         name, colon, kind = text.partition(":")
@@ -38,6 +45,18 @@ def nodes_of(asked: tuple[str, ...], package: str, kinds: tuple[str, ...]) -> tu
             raise ScaffoldError(f"the node `{name}` is named twice; name each once")
         nodes[name] = Node(name, all_kinds()[kind or kinds[0]])
     return tuple(nodes.values())
+
+
+def asked_interfaces(request: Request, template: Template) -> tuple[Interface, ...]:
+    """Return the interfaces; one message where none was asked for, in a package that is for them."""
+    asked = {"msg": request.msgs, "srv": request.srvs, "action": request.actions}
+    if template.interfaces:
+        return interfaces_of(asked if any(asked.values()) else {"msg": ("Status",)})
+    for form, texts in asked.items():
+        if texts:
+            command = f"rospkg new {request.name}_interfaces --type interfaces --{form} {texts[0].partition(':')[0]}"
+            raise ScaffoldError(f"--{form} wants a package that only holds interfaces: {command}")
+    return ()
 
 
 def default_node(package: str) -> str:

@@ -6,6 +6,7 @@ import keyword
 import re
 import sys
 
+from ..ros.interfaces import CPP_KEYWORDS
 from ..ros.manifest import PACKAGE_NAME
 from . import ScaffoldError
 
@@ -17,14 +18,6 @@ ALSO_STDLIB = frozenset(
     "nntplib ossaudiodev pipes smtpd sndhdr spwd sunau telnetlib test uu xdrlib".split()
 )
 """`test`, and modules that one Python between 3.10 and 3.14 has and another lacks."""
-
-CPP_KEYWORDS = frozenset(
-    "alignas alignof and_eq asm auto bitand bitor bool catch char class compl concept const consteval constexpr "
-    "constinit const_cast decltype default delete do double dynamic_cast enum explicit export extern float friend goto "
-    "inline int long mutable namespace new noexcept not_eq nullptr operator or_eq private protected public register "
-    "reinterpret_cast requires short signed sizeof static static_assert static_cast struct switch template this "
-    "thread_local throw typedef typeid typename union unsigned using virtual void volatile wchar_t xor xor_eq".split()
-)
 
 TAKEN = frozenset(
     "ament_copyright ament_flake8 ament_index_python ament_mypy ament_pep257 ament_xmllint launch launch_ros "

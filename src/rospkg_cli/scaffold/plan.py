@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..finding import Finding, Severity
+from ..ros.interfaces import SEPARATORS
 from ..ros.names import BUILT_IN
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers, Request
-from .ask import depends_of, distro_of, license_of, nodes_of, version_of
+from .ask import asked_interfaces, depends_of, distro_of, license_of, nodes_of, version_of
 from .identity import Who, who
 from .names import check_package_name
 from .proof import lint_written
@@ -20,7 +21,7 @@ from .render import Written, render, render_line
 from .template import Template, load_template, template_names
 from .told import Told, told
 
-COMING = ("ament_cmake", "mixed", "interfaces", "description", "bringup")
+COMING = ("ament_cmake", "mixed", "description", "bringup")
 """Types of packages that have no template yet."""
 
 LICENSE = "Apache-2.0"
@@ -81,6 +82,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, notes: lis
     answers = Answers(
         name=request.name,
         nodes=nodes_of(request.nodes, request.name, template.kinds),
+        interfaces=asked_interfaces(request, template),
         depends=depends,
         test_depends=test_depends,
         description=told("the description", request.description),
@@ -101,7 +103,11 @@ def answers_of(request: Request, maintainer: Who, template: Template, notes: lis
 
 
 def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
+    """Raise ScaffoldError for an error in what was asked for, OwnFaultError for any other."""
     faults = [finding for finding in findings if finding.severity is Severity.ERROR]
+    for finding in faults:
+        if finding.place.path.endswith(tuple(f".{form}" for form in SEPARATORS)):
+            raise ScaffoldError(f"{finding.place.path.partition('/')[2]}: {finding.message}")
     if faults:
         shown = "; ".join(f"{each.place.path}:{each.place.line}: {each.code} {each.message}" for each in faults)
         raise OwnFaultError(f"the template `{template.name}` writes what our own linter refuses: {shown}")

@@ -41,7 +41,7 @@ def render(template: Template, answers: Answers) -> tuple[Written, ...]:
 
 def known_values(answers: Answers) -> dict[str, Any]:
     """Return what every file of a template knows."""
-    computed = ("copyright", "interfaces", "logics", "sections", "section_of")
+    computed = ("copyright", "logics", "message_packages", "sections", "section_of")
     return {**vars(answers), **{name: getattr(answers, name) for name in computed}}
 
 

@@ -41,6 +41,8 @@ class Template:
     """Of a package whose user gave none, with `{{ }}`."""
     kinds: tuple[str, ...]
     """The kinds of nodes that it can write, first the one that is written where none is named."""
+    interfaces: bool
+    """Whether it generates messages, services and actions."""
     files: tuple[TemplateFile, ...]
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace, with `{{ }}`."""
@@ -65,6 +67,7 @@ def load_template(name: str) -> Template:
         build_type=data["build-type"],
         description=data["description"],
         kinds=tuple(data["kinds"]),
+        interfaces=data.get("interfaces", False),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),
     )

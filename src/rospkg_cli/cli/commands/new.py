@@ -12,15 +12,28 @@ from . import one_of, split
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
+TYPE = "ament_python or interfaces."
+NODE = (
+    "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
+    "lifecycle, empty."
+)
+MSG = "A message; repeatable: Status:'float32 battery, string task'."
+
 Names = list[str] | None
 
 
 def new(
     name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.")],
     type: Annotated[
-        str, Option("--type", "-t", "--build-type", metavar="TYPE", help="ament_python.", rich_help_panel=WHAT)
+        str,
+        Option(
+            "--type", "-t", "--build-type", metavar="TYPE", help="ament_python or interfaces.", rich_help_panel=WHAT
+        ),
     ] = "ament_python",
-    node: Annotated[Names, Option(metavar="NAME", help="A node; repeatable.", rich_help_panel=WHAT)] = None,
+    node: Annotated[Names, Option(metavar="NAME[:KIND]", help=NODE, rich_help_panel=WHAT)] = None,
+    msg: Annotated[Names, Option(metavar="NAME[:FIELDS]", help=MSG, rich_help_panel=WHAT)] = None,
+    srv: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="A service.", rich_help_panel=WHAT)] = None,
+    action: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="An action.", rich_help_panel=WHAT)] = None,
     depends: Annotated[
         Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
     ] = None,
@@ -32,6 +45,7 @@ def new(
     maintainer: Annotated[str, Option(metavar="NAME", help="Else git's.", rich_help_panel=WHO)] = "",
     email: Annotated[str, Option(help="Else git's.", rich_help_panel=WHO)] = "",
     version: Annotated[str, Option(help="MAJOR.MINOR.PATCH.", rich_help_panel=WHO)] = "",
+    year: Annotated[int, Option(help="Of the copyright; else this one.", rich_help_panel=WHO)] = 0,
     into: Annotated[Path, Option(metavar="DIR", help="The folder to put it in.", rich_help_panel=WHERE)] = Path(),
     dry_run: Annotated[
         bool, Option("--dry-run", help="Show the tree and every file; write nothing.", rich_help_panel=WHERE)
@@ -48,11 +62,15 @@ def new(
         template=type,
         nodes=split(node),
         depends=split(depends),
+        msgs=tuple(msg or ()),
+        srvs=tuple(srv or ()),
+        actions=tuple(action or ()),
         description=description,
         license=license,
         maintainer=maintainer,
         email=email,
         version=version,
         distro=distro,
+        year=year,
     )
     return write_new(request, into, dry_run, color)

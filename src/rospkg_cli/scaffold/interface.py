@@ -1,0 +1,102 @@
+"""Messages, services and actions as they are asked for: `Status:"float32 battery_level, string task"`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ..model.interface.text import parse_interface
+from ..ros.core_messages import CORE_MESSAGES
+from ..ros.interfaces import INTERFACE_NAME, SEPARATORS
+from ..source import Source
+from . import ScaffoldError
+
+UNASKED = {
+    "msg": "builtin_interfaces/Time stamp, string text",
+    "srv": "--- bool success, string message",
+    "action": "float32 target --- bool success, string message --- float32 progress",
+}
+"""The fields of what was named without any."""
+
+SEPARATOR = re.compile(r"(?:^|(?<=[\s,;]))---+(?=[\s,;]|$)")
+
+
+@dataclass(frozen=True)
+class Interface:
+    form: str
+    """`msg`, `srv` or `action`."""
+    name: str
+    text: str
+    packages: tuple[str, ...]
+    """Whose messages it uses, each once."""
+
+    @property
+    def path(self) -> str:
+        return f"{self.form}/{self.name}.{self.form}"
+
+
+def interfaces_of(asked: dict[str, tuple[str, ...]]) -> tuple[Interface, ...]:
+    """Return what was asked for under `msg`, `srv` and `action`; raises ScaffoldError."""
+    found: dict[str, Interface] = {}
+    messages = {text.partition(":")[0] for text in asked.get("msg", ())}
+    for form, texts in asked.items():
+        for text in texts:
+            one = interface_of(form, text, messages)
+            if one.path in found:
+                raise ScaffoldError(f"--{form} {one.name} is given twice; give each name once")
+            found[one.path] = one
+    return tuple(found.values())
+
+
+def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
+    name, colon, fields = asked.partition(":")
+    if not INTERFACE_NAME.fullmatch(name):
+        better = "".join(word[:1].upper() + word[1:] for word in re.findall(r"[A-Za-z0-9]+", name))
+        hint = f"; try `{better}`" if INTERFACE_NAME.fullmatch(better) else ""
+        raise ScaffoldError(f"`{name}` can't be the name of a {form}: letters and digits, a capital first{hint}")
+    text = text_of(form, name, fields if colon else UNASKED[form])
+    parsed = parse_interface(Source(f"{form}/{name}.{form}", text), form)
+    for problem in parsed.problems:
+        line = text.splitlines()[parsed.source.position(problem.span.start)[0] - 1]
+        raise ScaffoldError(f"--{form} {name}: {problem.message} (in `{line}`)")
+    types = [member.type for section in parsed.sections for member in section.members]
+    for type in types:
+        if not type.primitive and not type.package and type.base not in messages:
+            raise ScaffoldError(f"--{form} {name}: there is no message `{type.base}` here; {whose(type.base)}")
+    return Interface(form, name, text, tuple(dict.fromkeys(type.package for type in types if type.package)))
+
+
+def whose(message: str) -> str:
+    """Return what to write for a message that no package is named of."""
+    owners = [f"`{package}/{message}`" for package, names in CORE_MESSAGES.items() if message in names]
+    if owners:
+        return f"write {' or '.join(owners)}"
+    return f"write the name of its package before it, or ask for it: --msg {message}"
+
+
+def text_of(form: str, name: str, fields: str) -> str:
+    """Return the lines of the file; raises ScaffoldError where there is a part too many or too few."""
+    parts = SEPARATOR.split(fields.replace("\n", ","))
+    if len(parts) != SEPARATORS[form] + 1:
+        count = {0: "no `---`", 1: "one `---`, between request and response", 2: "two `---`: goal, result, feedback"}
+        raise ScaffoldError(f"--{form} {name}: a {form} has {count[SEPARATORS[form]]}; here are {len(parts) - 1}")
+    return "---\n".join("".join(f"{line}\n" for line in lines_of(part)) for part in parts)
+
+
+def lines_of(part: str) -> Iterator[str]:
+    """Yield the fields of a part: they stand between commas or semicolons that are in no brackets and no quotes."""
+    line, depth, quote = "", 0, ""
+    for char in part + ",":
+        if not quote and not depth and char in ",;":
+            if line.strip():
+                yield " ".join(line.split()) if not re.search("[\"'#]", line) else line.strip()
+            line = ""
+            continue
+        line += char
+        if quote:
+            quote = "" if char == quote else quote
+        elif char in "\"'":
+            quote = char
+        else:
+            depth += (char in "[(") - (char in "])")
