@@ -9,7 +9,7 @@ import typer
 
 from .. import __version__
 from . import UsageError
-from .commands import explain, format, lint, new
+from .commands import explain, format, inspect, lint, new
 
 app = typer.Typer(
     name="rospkg",
@@ -23,6 +23,7 @@ app = typer.Typer(
 app.command(epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
+app.command(epilog=inspect.EPILOG)(inspect.inspect)
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)
 

@@ -1,0 +1,66 @@
+"""What `rospkg inspect` tells of a package: the install table, the interfaces, and what can't be told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..ros.distros import Targets
+from ..source import Source
+from .facts import NOWHERE
+from .gather import gather
+from .install import InstallTable, NotKnown, What
+from .package import Package
+from .unreadable import Unreadable, UnreadableError
+
+EVERYTHING: tuple[What, ...] = ("executable", "share", "module")
+SAY_WHAT_IS_INSTALLED = ("package.xml", "setup.py", "setup.cfg", "CMakeLists.txt")
+
+
+@dataclass(frozen=True)
+class Inspection:
+    name: str
+    folder: str
+    """Relative to the root of the run."""
+    build_type: str
+    table: InstallTable
+    interfaces: tuple[str, ...]
+    sources: dict[str, Source]
+    """The files that the table refers to, for lines and columns."""
+
+    def position(self, path: str, offset: int) -> tuple[int, int]:
+        """Return the line and column of an offset in a file of the package, both from 1."""
+        source = self.sources.get(path)
+        return source.position(offset) if source else (1, 1)
+
+
+def inspect_package(package: Package, fallback: str, targets: Targets) -> Inspection:
+    """Return what the build installs; `fallback` names a package whose package.xml can't be read."""
+    facts = gather(package, targets, package.folder, fallback)
+    broken = [each for each in package.unreadable() if each.path in SAY_WHAT_IS_INSTALLED]
+    table = package.parts(InstallTable).only or unread(facts.build_type, broken)
+    paths = {row.path for row in table.rows} | {each.path for each in table.unknown}
+    return Inspection(
+        name=facts.name,
+        folder=package.folder,
+        build_type=facts.build_type,
+        table=table,
+        interfaces=tuple(sorted(facts.interfaces)),
+        sources=readable(package, paths),
+    )
+
+
+def unread(build_type: str, broken: list[Unreadable]) -> InstallTable:
+    """Return the table of a package of which nothing is known, and why."""
+    why = broken[0].message if broken else f"how a package of build type `{build_type}` is installed is not known here"
+    path, span = (broken[0].path, broken[0].span) if broken else ("package.xml", NOWHERE)
+    return InstallTable((), tuple(NotKnown(what, why, path, span) for what in EVERYTHING))
+
+
+def readable(package: Package, paths: set[str]) -> dict[str, Source]:
+    found = {}
+    for path in sorted(path for path in paths if path):
+        try:
+            found[path] = package.files.source(path)
+        except UnreadableError:
+            continue
+    return found

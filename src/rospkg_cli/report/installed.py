@@ -1,0 +1,103 @@
+"""The install table of packages, for people and for programs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import PurePosixPath
+from typing import IO, Any
+
+from .. import __version__
+from ..model.inspection import Inspection
+from ..model.install import PYTHON, Installed, What
+from .style import paint
+
+SCHEMA = 1
+SITE_PACKAGES = "lib/python3.*/site-packages"
+"""How the folder of Python packages is shown: its name depends on the Python that builds."""
+
+TITLES: dict[What, str] = {
+    "executable": "executables",
+    "share": "share files",
+    "module": "Python modules",
+    "library": "libraries",
+    "header": "headers",
+    "other": "other files",
+}
+MAX_WIDTH = 72
+
+
+def destination(row: Installed) -> str:
+    """Return where a row is installed, relative to the prefix."""
+    inside = row.destination.removeprefix(PYTHON + "/")
+    return row.destination if inside == row.destination else f"{SITE_PACKAGES}/{inside}"
+
+
+def render_text(inspections: Sequence[Inspection], root: str, stream: IO[str], color: bool) -> None:
+    """Write a list for each package; `root` is the way from the working directory to the root of the run."""
+    for number, inspection in enumerate(inspections):
+        where = str(PurePosixPath(root, inspection.folder))
+        kind = f"{inspection.build_type}, {where}" if inspection.build_type else where
+        stream.write("\n" * bool(number) + f"{paint(inspection.name, 'bold', color)} ({kind})\n")
+        for line in lines(inspection, color):
+            stream.write(line.rstrip() + "\n")
+
+
+def lines(inspection: Inspection, color: bool) -> Iterator[str]:
+    for what, title in TITLES.items():
+        rows = sorted(inspection.table.of(what), key=destination)
+        if rows:
+            yield f"  {paint(title, 'cyan', color)}"
+        width = min(max((len(destination(row)) for row in rows), default=0), MAX_WIDTH)
+        for row in rows:
+            made = row.entry or row.source or "made by the build"
+            yield f"    {destination(row):<{width}}  {paint('<- ' + made, 'dim', color)}"
+    if inspection.interfaces:
+        yield f"  {paint('interfaces', 'cyan', color)}"
+        yield from (f"    {name}" for name in inspection.interfaces)
+    if inspection.table.unknown:
+        yield f"  {paint('not known', 'yellow', color)}"
+        yield from (f"    {text}" for text in dict.fromkeys(not_known(inspection)))
+
+
+def not_known(inspection: Inspection) -> Iterator[str]:
+    reasons: dict[str, list[str]] = {}
+    for each in inspection.table.unknown:
+        line, _ = inspection.position(each.path, each.span.start)
+        reasons.setdefault(f"{each.why} ({each.path}:{line})", []).append(TITLES[each.what])
+    return (f"{', '.join(dict.fromkeys(titles))}: {reason}" for reason, titles in reasons.items())
+
+
+def render_json(inspections: Sequence[Inspection], root: str, stream: IO[str]) -> None:
+    """Write one document; paths are relative to the working directory, lines and columns count from 1."""
+    packages = [document(inspection, root) for inspection in inspections]
+    tool = {"name": "rospkg", "version": __version__}
+    json.dump({"schema": SCHEMA, "tool": tool, "packages": packages}, stream, indent=2, ensure_ascii=False)
+    stream.write("\n")
+
+
+def document(inspection: Inspection, root: str) -> dict[str, Any]:
+    def at(path: str, offset: int) -> dict[str, Any]:
+        line, column = inspection.position(path, offset)
+        return {"path": str(PurePosixPath(root, inspection.folder, path)), "line": line, "column": column}
+
+    return {
+        "name": inspection.name,
+        "path": str(PurePosixPath(root, inspection.folder)),
+        "build_type": inspection.build_type,
+        "installed": [
+            {
+                "what": row.what,
+                "destination": destination(row),
+                "source": row.source,
+                "entry": row.entry,
+                "said": at(row.path, row.span.start) if row.path else None,
+            }
+            for row in sorted(inspection.table.rows, key=lambda row: (row.destination, row.source))
+        ],
+        "interfaces": list(inspection.interfaces),
+        "unknown": [
+            {"what": each.what, "why": each.why, "said": at(each.path, each.span.start)}
+            for each in inspection.table.unknown
+        ],
+    }

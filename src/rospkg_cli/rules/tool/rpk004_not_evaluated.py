@@ -1,0 +1,60 @@
+"""RPK004 not-evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from ...example import SETUP_PY, Example
+from ...finding import Hit, Severity
+from ...model.install import InstallTable, NotKnown, What
+from ...rule import Profile, rule
+from ...source import Span
+
+SOURCES = "['resource/' + package_name]"
+QUIET: dict[tuple[bool, What], tuple[str, str]] = {
+    (True, "share"): ("the files in share/", "SET201–SET209, LCH004"),
+    (True, "executable"): ("the executables", "SET101–SET106, LCH002"),
+    (True, "module"): ("the Python modules", "SET105, SET302"),
+    (False, "share"): ("the files in share/", "CMK101, LCH004"),
+    (False, "executable"): ("the executables", "CMK103, LCH002"),
+    (False, "module"): ("the Python modules", "CMK109"),
+}
+"""What can't be told, of setup.py or of CMake, and who keeps quiet for it."""
+
+
+@rule(
+    "RPK004",
+    "not-evaluated",
+    over=InstallTable,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            bad={
+                "setup.py": "import os\n\n"
+                + SETUP_PY.replace(SOURCES, f"{SOURCES}),\n        ('share/' + package_name, [«os.environ['EXTRA']»]")
+            },
+            good={"setup.py": SETUP_PY},
+        ),
+    ),
+)
+def not_evaluated(table: InstallTable) -> Iterator[Hit]:
+    """
+    ## What it does
+    Says which expression of setup.py or CMakeLists.txt can't be evaluated without running it, so that it is not known
+    what is installed where, and which rules keep quiet for that.
+
+    ## Why is this bad?
+    It isn't. But what is not known is not checked, and whoever reads an empty report should know.
+    """
+    for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
+        python = not path.endswith(("CMakeLists.txt", ".cmake"))
+        told = [QUIET[key] for each in group if (key := (python, each.what)) in QUIET]
+        if told:
+            whats, rules = (", ".join(dict.fromkeys(part)) for part in zip(*told, strict=True))
+            yield Hit(path, span, f"{why}. Not all is known of {whats}: {rules} keep quiet")
+
+
+def place(unknown: NotKnown) -> tuple[str, Span, str]:
+    return unknown.path, unknown.span, unknown.why

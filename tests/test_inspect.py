@@ -1,0 +1,92 @@
+"""`rospkg inspect`: the install table, printed for people and for programs."""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.cli import UsageError
+from rospkg_cli.cli.inspect import inspect
+from rospkg_cli.example import BACKDROPS, SETUP_PY, scripts, setup_py
+
+FILES = {
+    **{path: text for path, text in BACKDROPS["ament_python"].items() if text is not None},
+    "setup.py": "import os\n\n" + setup_py(scripts("talker = my_pkg.talker:main")),
+    "my_pkg/talker.py": "def main(): ...\n",
+}
+TEXT = """\
+my_pkg (ament_python, ws/my_pkg)
+  executables
+    lib/my_pkg/talker  <- my_pkg.talker:main
+  share files
+    share/ament_index/resource_index/packages/my_pkg  <- resource/my_pkg
+    share/my_pkg/package.xml                          <- package.xml
+  Python modules
+    lib/python3.*/site-packages/my_pkg/__init__.py  <- my_pkg/__init__.py
+    lib/python3.*/site-packages/my_pkg/talker.py    <- my_pkg/talker.py
+"""
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    write(tmp_path / "ws/my_pkg", FILES)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path / "ws"
+
+
+def write(folder: Path, files: dict[str, str]) -> None:
+    for path, text in files.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+
+
+def printed(*paths: Path, format: str = "text") -> str:
+    stream = io.StringIO()
+    assert inspect(paths, format=format, stream=stream) == 0
+    return stream.getvalue()
+
+
+def test_text(workspace: Path) -> None:
+    assert printed(workspace) == TEXT
+
+
+def test_a_file_means_its_package(workspace: Path) -> None:
+    assert printed(workspace / "my_pkg/setup.py") == TEXT
+
+
+def test_json(workspace: Path) -> None:
+    (package,) = json.loads(printed(workspace, format="json"))["packages"]
+    assert (package["name"], package["path"], package["build_type"]) == ("my_pkg", "ws/my_pkg", "ament_python")
+    assert package["unknown"] == []
+    (talker,) = [row for row in package["installed"] if row["what"] == "executable"]
+    said = talker.pop("said")
+    assert talker == {
+        "what": "executable",
+        "destination": "lib/my_pkg/talker",
+        "source": "",
+        "entry": "my_pkg.talker:main",
+    }
+    line = FILES["setup.py"].splitlines()[said["line"] - 1]
+    assert said["path"] == "ws/my_pkg/setup.py"
+    assert line[said["column"] - 1 :].startswith("talker = ")
+
+
+def test_what_is_not_known_is_said_with_its_place(workspace: Path) -> None:
+    text = "import os\n\n" + SETUP_PY.replace("['package.xml']", "[os.environ['EXTRA']]")
+    write(workspace / "my_pkg", {"setup.py": text})
+    shown = printed(workspace)
+    assert "  not known\n    share files, executables: `os.environ['EXTRA']` depends on the environment" in shown
+    assert f"(setup.py:{text[: text.index('EXTRA')].count(chr(10)) + 1})" in shown
+
+
+def test_a_broken_setup_py_is_said(workspace: Path) -> None:
+    write(workspace / "my_pkg", {"setup.py": "setup(\n"})
+    assert "`setup.py` is not valid Python" in printed(workspace)
+
+
+def test_nothing_to_inspect(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no package"):
+        inspect([tmp_path])
