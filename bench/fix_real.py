@@ -93,7 +93,12 @@ def judge(root: Path, unsafe: bool) -> tuple[int, int, int]:
     faults += [
         f"{path}: {before[path]} became {after.get(path)}" for path in before if broke(before[path], after, path)
     ]
-    depends = {f["path"] for f in report_before["findings"] if f["code"].startswith(("DEP", "XML2", "XML30"))}
+    depends = {
+        edit["path"]
+        for f in report_before["findings"]
+        if f["fix"] and f["code"].startswith(("DEP", "XML2", "XML30"))
+        for edit in f["fix"]["edits"]
+    }
     faults += [
         f"{path}: the dependencies changed"
         for path in before
