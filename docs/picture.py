@@ -19,7 +19,8 @@ WIDTH = 92
 ENTRY = """\
     entry_points={
         'console_scripts': [
-            'planner = my_pkg.path_planer:main',
+            'planner = my_pkg.path_planner:main',
+            'recorder = my_pkg.recordr:main',
         ],
     },
 )
@@ -35,6 +36,7 @@ def package() -> dict[str, str]:
         **files,
         "setup.py": files["setup.py"].rstrip(")\n") + "\n" + ENTRY,
         "my_pkg/path_planner.py": NODE,
+        "my_pkg/recorder.py": NODE.replace("nav_msgs.msg import Path", "rclpy.node import Node"),
         "package.xml": files["package.xml"].replace("  <export>", "  <exec_depend>rclpy</exec_depend>\n  <export>"),
     }
 
@@ -55,6 +57,7 @@ def main() -> None:
     console = Console(record=True, width=WIDTH, file=io.StringIO(), force_terminal=True)
     console.print(Text(f"$ {COMMAND}"), Text.from_ansi(said), sep="\n")
     svg = console.export_svg(title="rospkg")
+    svg = svg.replace("<svg ", '<svg xml:space="preserve" ', 1)
     svg = re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL).replace("Fira Code", "DejaVu Sans Mono")
     Path(__file__).with_name("lint.svg").write_text(svg)
 
