@@ -8,7 +8,7 @@ from functools import cached_property
 from ..ros.distros import Targets
 from ..ros.interfaces import KINDS
 from ..ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
-from .cmake.read import CMakeFile
+from .cmake.project import CMake
 from .facts import PackageFacts
 from .files import PackageFiles
 from .install import InstallTable
@@ -66,32 +66,29 @@ class ManifestAndInstalls:
 
 @dataclass(frozen=True)
 class ManifestAndCMake:
-    """Made only where every CMake file of the package can be read."""
+    """Made only where the CMake files of the package, if it has some, can be read."""
 
     manifest: Manifest
-    cmake: tuple[CMakeFile, ...]
+    cmake: CMake | None
     files: PackageFiles
     targets: Targets
 
     @cached_property
     def found(self) -> frozenset[str]:
         """The names that `find_package` asks for, wherever it stands."""
-        return frozenset(
-            command.arguments[0].text
-            for file in self.cmake
-            for command in file.syntax.commands
-            if command.name == "find_package" and command.arguments
-        )
+        return frozenset(each.name for each in self.cmake.packages) if self.cmake else frozenset()
 
-    def calls(self, name: str) -> bool:
-        """Return whether a command of this name (in lower case) is called anywhere."""
-        return any(command.name == name for file in self.cmake for command in file.syntax.commands)
+    @property
+    def ends_a_package(self) -> bool:
+        """Whether CMake calls `ament_package`, by whatever name."""
+        return self.cmake is not None and self.cmake.ends_a_package
 
     @property
     def installs_python(self) -> bool:
         """Return whether CMake has to do with Python packages, so that a setup.py beside it is no oversight."""
         words = ("ament_cmake_python", "catkin", "Python3", "PythonInterp", "pybind11", "pybind11_vendor")
-        return self.calls("ament_python_install_package") or not self.found.isdisjoint(words)
+        called = self.cmake is not None and self.cmake.named("ament_python_install_package")
+        return bool(called) or not self.found.isdisjoint(words)
 
     @property
     def is_catkin(self) -> bool:
@@ -104,7 +101,7 @@ class ManifestAndCMake:
         """The build type that its files speak of; "" where they speak of none, or of two."""
         if not self.files.exists("CMakeLists.txt"):
             return "ament_python" if self.files.exists("setup.py") else ""
-        if self.calls("ament_package") or any(name.startswith("ament_cmake") for name in self.found):
+        if self.ends_a_package or any(name.startswith("ament_cmake") for name in self.found):
             return "ament_cmake"
         return "" if self.files.exists("setup.py") or self.uses_wrappers else "cmake"
 

@@ -46,10 +46,10 @@ def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
     manifest = package.manifest
-    if not package.cmake or any(FAMILY.fullmatch(each.name) for each in manifest.dependencies):
+    if any(FAMILY.fullmatch(each.name) for each in manifest.dependencies):
         return
     asked = sorted(name for name in package.found if name.startswith("ament_cmake"))
-    if not asked and not package.calls("ament_package"):
+    if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
     for element in manifest.build_types(package.targets):
