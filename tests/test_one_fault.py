@@ -26,3 +26,12 @@ def test_an_executable_in_bin_is_no_unknown_one(clean) -> None:
     assert codes({path: text for path, text in files.items() if path != "setup.cfg"}) == ["SET001"]
     moved = files["setup.cfg"].replace("install_scripts=$base/lib/my_pkg", "install_scripts=$base/lib/other")
     assert codes({**files, "setup.cfg": moved}) == ["SET002"]
+
+
+def test_a_name_with_signs_in_it_is_the_same_name(clean) -> None:
+    manifest = clean["package.xml"].replace(">Ada<", ">Ada &lt;L&gt; &amp; Co<")
+    setup = clean["setup.py"].replace("maintainer='Ada'", "maintainer='Ada <L> & Co'")
+    files = {**clean, "package.xml": manifest, "setup.py": setup}
+    assert [f.message for f in lint_files(files, ["SET403"]).findings] == []
+    other = {**files, "setup.py": setup.replace("& Co", "& Sons")}
+    assert [f.code for f in lint_files(other, ["SET403"]).findings] == ["SET403"]

@@ -55,7 +55,8 @@ class Metadata:
         if said is None or not elements:
             return
         ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(said.text)}
-        if not ours <= {folded(element.text) for element in elements}:
+        theirs = {folded(element.text) for element in elements}
+        if not ours <= theirs and folded(said.text) not in theirs:
             yield "maintainer", said, elements[0].text if len(elements) == 1 else "", elements[0]
 
     def email(self) -> Iterator[Difference]:
