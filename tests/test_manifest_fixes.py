@@ -12,6 +12,7 @@ from rospkg_cli.edits.upgrade import to_format_3
 from rospkg_cli.engine.apply import edited
 from rospkg_cli.engine.fix import repair
 from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.example import manifest
 from rospkg_cli.finding import Edit, Safety
 from rospkg_cli.model.manifest import Manifest, manifest_of
 from rospkg_cli.rule import all_rules
@@ -185,3 +186,16 @@ def test_format_1_becomes_format_3() -> None:
         "<package format=\"3\">\n  <depend>a</depend>\n  <build_export_depend version_gte='1'>b</build_export_depend>\n"
         "  <exec_depend version_gte='1'>b</exec_depend>\n</package>\n"
     )
+
+
+def test_a_fix_keeps_encoding_and_line_ends() -> None:
+    head = '<?xml version="1.0" encoding="ISO-8859-1"?>\n'
+    text = head + manifest("  <depend/>\n").partition("\n")[2].replace("Ada", "Zoë")
+    data = text.replace("\n", "\r\n").encode("latin-1")
+    session = Session(
+        MemoryTree.of({"package.xml": data}), Scope(("",), frozenset({""}), "my_pkg"), frozenset({"XML210"})
+    )
+    outcome = repair(session, lambda results: results, (Safety.SAFE,))
+    after = outcome.changes["package.xml"]
+    assert after is not None
+    assert after.data == data.replace(b"  <depend/>\r\n", b"")

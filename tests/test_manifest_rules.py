@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import pytest
 
 from rospkg_cli.example import BACKDROPS, CMAKE, manifest
@@ -43,6 +45,35 @@ def test_three_faults_are_three_findings() -> None:
     )
     assert [f.code for f in results.findings] == ["XML103", "XML001", "XML201"]
     assert "did you mean `exec_depend`?" in results.findings[1].message
+
+
+FAULTS = {
+    "XML001 missing": lambda t: t.replace("  <license>Apache-2.0</license>\n", ""),
+    "XML001 unknown": lambda t: t.replace("  <export>", "  <bogus/>\n  <export>"),
+    "XML001 attribute": lambda t: t.replace("<license>", '<license lang="en">'),
+    "XML002": lambda t: t.replace("  <version>", "  <author>Bob</author>\n  <version>"),
+    "XML101": lambda t: t.replace("<name>my_pkg", "<name>my__pkg"),
+    "XML103": lambda t: t.replace("<version>1.0.0", "<version>1.0"),
+    "XML104": lambda t: t.replace("Drives my robot", "TODO"),
+    "XML105": lambda t: t.replace("ada@example.org", "ada"),
+    "XML204": lambda t: t.replace("<exec_depend>", '<exec_depend condition="$ROS_VERSION = 2">'),
+    "XML205": lambda t: t.replace("<test_depend>", '<test_depend version_gt="x">'),
+    "XML210": lambda t: t.replace("  <export>", "  <depend/>\n  <export>"),
+    "XML302": lambda t: t.replace("<build_type>ament_python", "<build_type>ament_pyton"),
+}
+
+
+def test_any_three_faults_are_three_findings() -> None:
+    good = manifest("  <exec_depend>rclpy</exec_depend>\n  <test_depend>python3-pytest</test_depend>\n")
+    rules = sorted({name.partition(" ")[0] for name in FAULTS})
+    for three in combinations(FAULTS, 3):
+        text = good
+        for name in three:
+            text = FAULTS[name](text)
+        seen = [f.code for f in lint_files({**PYTHON, "package.xml": text}, rules).findings]
+        if {"XML001 missing", "XML001 attribute"} <= set(three):  # the license is gone with its attribute
+            seen.append("XML001")
+        assert sorted(seen) == sorted(name.partition(" ")[0] for name in three), three
 
 
 @pytest.mark.parametrize(
