@@ -8,8 +8,9 @@ from typing import Literal
 from ..source import Span
 
 Unknown = Literal[
-    "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments"
-]
+    "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments",
+    "plugins", "loaders"
+]  # fmt: skip
 
 
 NOWHERE = Span(0, 0)
@@ -24,6 +25,22 @@ class Need:
     span: Span = NOWHERE
     certain: bool = True
     """Whether it holds for every target."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plugin:
+    """A class that a plug-in description of the package has."""
+
+    name: str
+    """By which it is loaded."""
+    type: str
+    base: str
+    """Its base class."""
+    packages: frozenset[str]
+    """Those that its description is exported to."""
+    path: str
+    span: Span = NOWHERE
+    """Of the name in the description."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +73,9 @@ class PackageFacts:
     """Dotted names of the Python modules that are installed."""
     headers: frozenset[str] = frozenset()
     """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
+    plugins: tuple[Plugin, ...] = ()
+    loaders: frozenset[tuple[str, str]] = frozenset()
+    """What it loads: the package that the descriptions must be exported to, and the base class."""
     launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
     """For each launch file in share/<name>: the arguments that it declares."""
     unknown: frozenset[Unknown] = frozenset()

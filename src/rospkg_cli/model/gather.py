@@ -15,6 +15,7 @@ from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .needs import dependencies, group_needs, groups
+from .plugins.facts import plugin_facts
 
 
 def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
@@ -30,6 +31,8 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     unknown |= installed.unknown
     components, complete = registered_components(reading)
     unknown |= set() if complete else {"components"}
+    plugins = plugin_facts(reading)
+    unknown |= plugins.unknown
     return PackageFacts(
         name=manifest.name or PurePosixPath(folder).name or fallback,
         folder=folder,
@@ -46,6 +49,8 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         share_files=installed.share_files,
         components=components,
         modules=installed.modules,
+        plugins=plugins.plugins,
+        loaders=plugins.loaders,
         unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),
         headers=header_folders(reading.files),

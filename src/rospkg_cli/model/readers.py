@@ -21,6 +21,9 @@ from .manifest import Manifest, read_manifest
 from .modules import Modules, read_installed_modules, read_modules
 from .params.file import ParameterFile
 from .params.reader import read_parameter_files
+from .plugins.description import PluginDescription
+from .plugins.loaders import PluginLoaders, read_plugin_loaders
+from .plugins.read import read_plugin_descriptions
 from .python import PythonFile
 from .setup.cfg import SetupCfg, read_setup_cfg
 from .setup.setup_py import SetupPy, read_setup_py
@@ -41,6 +44,8 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     CMakeFile: read_cmake_files,
     CppFile: read_cpp_files,
     Interface: read_interfaces,
+    PluginDescription: read_plugin_descriptions,
+    PluginLoaders: read_plugin_loaders,
     ParameterFile: read_parameter_files,
     RobotFile: read_robot_files,
     PythonUse: read_python_use,

@@ -8,6 +8,7 @@ from functools import cached_property
 from ..ros.distros import Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
+from ..ros.plugins import LOADED_FROM
 from .facts import PackageFacts
 
 
@@ -53,6 +54,18 @@ class Workspace:
             return Known.PACKAGE
         found = self.index.what(name, targets)
         return Known.CANT_TELL if found is Known.UNKNOWN and not self.complete else found
+
+    @cached_property
+    def _loading(self) -> dict[str, set[str]]:
+        found = {base: {package} for base, package in LOADED_FROM.items()}
+        for facts in self.packages:
+            for package, base in facts.loaders:
+                found.setdefault(base, set()).add(package)
+        return found
+
+    def loading(self, base: str) -> frozenset[str]:
+        """Return the packages whose plug-ins of a base class are loaded, as far as that is known."""
+        return frozenset(self._loading.get(base, ()))
 
     @cached_property
     def _by_module(self) -> dict[str, str]:

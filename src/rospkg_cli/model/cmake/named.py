@@ -88,9 +88,8 @@ class NamedPaths:
 
 INSTALLERS = frozenset({
     "install", "ament_auto_package", "autoware_ament_auto_package", "ament_python_install_package",
-    "ament_python_install_module",
+    "ament_python_install_module", "pluginlib_export_plugin_description_file",
 })  # fmt: skip
-"""A plug-in description that is missing is another rule's."""
 
 
 def sources_in(call: Call) -> list[Word]:

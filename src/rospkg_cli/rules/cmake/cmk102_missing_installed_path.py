@@ -62,5 +62,7 @@ def consequence(named: Named) -> str:
             return (
                 "the build stops when it installs (git keeps no empty folder); add it with a file in it, or take it out"
             )
+        case _ if named.call.name.startswith("pluginlib_"):
+            return "CMake stops at once; name the plug-in description that is meant"
         case _:
             return "the build stops when it installs; name the file that is meant, or take it out"

@@ -9,6 +9,7 @@ from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...model.condition import possible
 from ...model.manifest_slices import ManifestAndInstalls
+from ...ros.plugins import RQT
 from ...rule import rule
 from ...suggest import nearest
 
@@ -18,7 +19,6 @@ GOOD = manifest(build_type="ament_cmake").replace(
 
 INSTALLED = CMAKE.replace("ament_package", "install(FILES plugin.xml DESTINATION share/${PROJECT_NAME})\nament_package")
 CORE = GOOD.replace("rqt_gui", "nav2_core")
-READ_BY_RQT = ("rqt_gui", "qt_gui")
 
 
 @rule(
@@ -71,7 +71,7 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         if attribute is None or not attribute.value.endswith(".xml"):
             continue
         path = posixpath.normpath(attribute.value.strip().replace("${prefix}", "").lstrip("/"))
-        rqt = element.tag in READ_BY_RQT
+        rqt = element.tag in RQT
         what = f"`{path}`, exported to `{element.tag}`,"
         if "$" in path or not possible(element.get("condition"), package.targets.environments()):
             continue

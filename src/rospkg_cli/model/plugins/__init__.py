@@ -1,0 +1,1 @@
+"""Plug-ins: what descriptions say of them, what sources export, who loads them."""

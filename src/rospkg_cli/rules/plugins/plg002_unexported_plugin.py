@@ -1,0 +1,140 @@
+"""PLG002 unexported-plugin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import add_before
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.plugins.description import PluginDescription
+from ...model.plugins.exported import ExportedClass
+from ...model.plugins.package import Entry, PluginPackage
+from ...rule import rule
+
+EXPORT = "pluginlib_export_plugin_description_file(nav2_core plugins.xml)\n"
+PACKAGE = CMAKE.replace(
+    "ament_package()",
+    f"""\
+find_package(nav2_core REQUIRED)
+find_package(pluginlib REQUIRED)
+add_library(my_planner SHARED src/planner.cpp)
+target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
+install(TARGETS my_planner DESTINATION lib)
+{EXPORT}ament_package()""",
+)
+NEEDS = manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake")
+XML = """\
+<library path="my_planner">
+  <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
+</library>
+"""
+SOURCE = """\
+#include <pluginlib/class_list_macros.hpp>
+PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
+"""
+
+
+@rule(
+    "PLG002",
+    "unexported-plugin",
+    over=PluginPackage,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "a source exports a class, and no description has it"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": NEEDS,
+                "CMakeLists.txt": PACKAGE,
+                "plugins.xml": XML.replace("my_pkg::Planner", "«my_pgk::Planner»"),
+                "src/planner.cpp": SOURCE,
+            },
+            good={"plugins.xml": XML},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": NEEDS,
+                "CMakeLists.txt": PACKAGE,
+                "plugins.xml": XML,
+                "src/planner.cpp": SOURCE + "PLUGINLIB_EXPORT_CLASS(«my_pkg::Other», nav2_core::GlobalPlanner)\n",
+            },
+            good={"src/planner.cpp": SOURCE},
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": NEEDS,
+                "CMakeLists.txt": PACKAGE.replace(EXPORT, ""),
+                "plugins.xml": "«" + XML.replace('">\n', '">»\n', 1),
+                "src/planner.cpp": SOURCE,
+            },
+            good={"CMakeLists.txt": PACKAGE},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Compares both sides of a plug-in: what the descriptions (`<class type="…">`) name, and what sources export with
+    PLUGINLIB_EXPORT_CLASS. Finds classes of a description that no source exports, exported classes without a
+    description, and descriptions that CMake does not export with `pluginlib_export_plugin_description_file`.
+
+    Only sources that certainly become part of a library count; what a macro of another package may register, or what
+    is compiled conditionally, is left alone.
+
+    ## Why is this bad?
+    pluginlib finds a plug-in by its description, and in the library by exactly the text that the macro was given. A
+    class that has one without the other is not offered, or can't be created; nothing fails at build time.
+
+    ## Fix safety
+    The type of a description is set to what the source exports. That an export of the description is missing in CMake
+    is mended only with `--unsafe-fixes`: the package that it goes to is taken from the base class.
+    """
+    for entry in package.unmade():
+        yield unmade(package, entry)
+    for description, exported in package.unexported():
+        yield unexported(package, description, exported)
+    for exported in package.undescribed():
+        message = (
+            f"`{exported.type}` is exported here, and no plug-in description has it: nobody can load it by name; add "
+            f'`<class type="{exported.type}" base_class_type="{exported.base}">` to one, or take the macro out'
+        )
+        yield Hit(exported.path, exported.span, message, Severity.WARNING)
+
+
+def unmade(package: PluginPackage, entry: Entry) -> Hit:
+    kind, file, meant = entry.plugin.type, entry.description.file, package.meant(entry)
+    if meant is None:
+        message = (
+            f"no source exports `{entry.type}`: loading the plug-in `{entry.plugin.called}` fails; add "
+            f"`PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})` to its source, or take it out here"
+        )
+        return Hit(file, kind.value_span, message)
+    safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
+    message = (
+        f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same text "
+        f"on both sides, so loading `{entry.plugin.called}` fails; write `{meant.type}`"
+    )
+    fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
+    return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)
+
+
+def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
+    base = exported.base.lstrip(":").partition("::")[0]
+    call = f"pluginlib_export_plugin_description_file({base} {description.file})"
+    message = (
+        f"CMakeLists.txt does not export `{description.file}`: nobody finds `{exported.type}` at run time; add "
+        f"`{call}` (`{base}`: the package that loads it)"
+    )
+    place = next(iter(description.exported), None)
+    where = (place.path, place.span) if place else (description.file, description.document.root.open)
+    before = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None)
+    fix = None
+    if before is not None and before.path == package.cmake.root.path and not before.inside:
+        edit = add_before(package.cmake.root, before.command, call)
+        fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
+    return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)

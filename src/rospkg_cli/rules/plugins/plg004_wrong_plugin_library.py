@@ -1,0 +1,119 @@
+"""PLG004 wrong-plugin-library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import add_before, indent_of
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.plugins.library import PluginLibraries, WrongLibrary
+from ...rule import rule
+from ...suggest import did_you_mean
+
+INSTALL = """\
+install(TARGETS my_planner
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+"""
+PACKAGE = CMAKE.replace(
+    "ament_package()",
+    f"""\
+find_package(nav2_core REQUIRED)
+find_package(pluginlib REQUIRED)
+add_library(my_planner SHARED src/planner.cpp)
+target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
+pluginlib_export_plugin_description_file(nav2_core plugins.xml)
+{INSTALL}ament_package()""",
+)
+NEEDS = manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake")
+XML = """\
+<library path="my_planner">
+  <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
+</library>
+"""
+SOURCE = """\
+#include <pluginlib/class_list_macros.hpp>
+PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
+"""
+FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOURCE}
+
+
+@rule(
+    "PLG004",
+    "wrong-plugin-library",
+    over=PluginLibraries,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the path begins with `lib`: pluginlib finds it, and warns at each start"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "plugins.xml": XML.replace('"my_planner"', '"«my_palnner»"')},
+            good={"plugins.xml": XML},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "plugins.xml": XML.replace('"my_planner"', '"«libmy_planner»"')},
+            good={"plugins.xml": XML},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={
+                **FILES,
+                "CMakeLists.txt": PACKAGE.replace(INSTALL, ""),
+                "plugins.xml": XML.replace('"my_planner"', '"«my_planner»"'),
+            },
+            good={"CMakeLists.txt": PACKAGE, "plugins.xml": XML},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
+    """
+    ## What it does
+    Checks the library that a plug-in description names (`<library path="…">`): a target of the package makes it, its
+    name is given without `lib`, folder and suffix, it is no static library, and it is installed.
+
+    ## Why is this bad?
+    pluginlib looks for `lib<path>.so` below the prefix of the package, and only when the plug-in is asked for: "Could
+    not find library corresponding to plugin … Make sure the plugin description XML file has the correct name".
+    """
+    for wrong in libraries.wrong():
+        level = Severity.WARNING if wrong.fault == "prefixed" else None
+        fix = fixed(libraries, wrong)
+        yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
+
+
+def told(libraries: PluginLibraries, wrong: WrongLibrary) -> str:
+    path, meant, plugin = wrong.path.value, wrong.meant, wrong.entry.plugin.called
+    match wrong.fault:
+        case "prefixed":
+            return f"`{path}` is found, and pluginlib warns at each start: leave `lib` away, and write `{meant}`"
+        case "static":
+            return f"`{path}` is a static library, which can't be loaded at run time: make it `SHARED`"
+        case "absent":
+            return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {meant} …)`"
+    if wrong.certain:
+        return f"no target makes a library `{path}`, `{plugin}` is compiled into `{meant}`: write that"
+    known = [each.name for each in libraries.cmake.targets if each.library and each.built]
+    hint = f" (did you mean `{meant}`?)" if meant else did_you_mean(path, known)
+    return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded"
+
+
+def fixed(libraries: PluginLibraries, wrong: WrongLibrary) -> Fix | None:
+    if wrong.fault in ("prefixed", "unknown") and wrong.meant:
+        safety = Safety.SAFE if wrong.certain else Safety.UNSAFE
+        edit = Edit(wrong.entry.description.file, wrong.path.value_span, wrong.meant)
+        return Fix(f"write `{wrong.meant}`", (edit,), safety)
+    root = libraries.cmake.root
+    before = next(iter(libraries.cmake.named("ament_package", "ament_auto_package")), None)
+    if wrong.fault == "absent" and before is not None and before.path == root.path and not before.inside:
+        places = ("ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin")
+        lines = "".join(f"\n{indent_of(root)}{place}" for place in places)
+        edit = add_before(root, before.command, f"install(TARGETS {wrong.meant}{lines}\n)")
+        return Fix(f"install `{wrong.meant}`", (edit,))
+    return None

@@ -1,0 +1,75 @@
+"""PLG006 unlisted-rqt-plugin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_export
+from ...example import SETUP_PY, Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.manifest import Manifest
+from ...model.plugins.description import PluginDescription
+from ...model.plugins.rqt import RqtPlugins
+from ...rule import rule
+
+NEEDS = manifest("  <exec_depend>rqt_gui_py</exec_depend>\n")
+LISTED = NEEDS.replace("  </export>", '    <rqt_gui plugin="${prefix}/plugin.xml"/>\n  </export>')
+XML = """\
+«<library path="my_pkg">»
+  <class name="my_pkg/Panel" type="my_pkg.panel.Panel" base_class_type="rqt_gui_py::Plugin"/>
+</library>
+"""
+
+
+@rule(
+    "PLG006",
+    "unlisted-rqt-plugin",
+    over=RqtPlugins,
+    severity=Severity.ERROR,
+    levels={Severity.INFO: "it is in C++, so that rqt finds it, and package.xml has its siblings"},
+    examples=(
+        Example(
+            bad={
+                "package.xml": NEEDS,
+                "plugin.xml": XML,
+                "my_pkg/panel.py": "from rqt_gui_py.plugin import Plugin\n\n\nclass Panel(Plugin):\n    pass\n",
+                "setup.py": SETUP_PY.replace("['package.xml']", "['package.xml', 'plugin.xml']"),
+            },
+            good={"package.xml": LISTED, "plugin.xml": XML.replace("«", "").replace("»", "")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds descriptions of rqt plug-ins (`base_class_type="rqt_gui_py::Plugin"`) that package.xml does not export with
+    `<rqt_gui plugin="${prefix}/…"/>`. Of plug-ins in C++, which rqt finds by what CMake exports, one that is left out
+    while package.xml has the others is reported as information.
+
+    ## Why is this bad?
+    rqt reads the package.xml of every installed package to find its plug-ins in Python: one that is not in there is
+    missing from the menu, and nothing says why.
+    """
+    for description in plugins.hidden():
+        line = export_of(description)
+        message = f"package.xml does not list `{description.file}`: rqt does not offer it; add `{line}` to `<export>`"
+        fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
+        yield Hit(description.file, description.document.root.open, message, fix=fix)
+    for description, others in plugins.odd():
+        at = next(each for each in description.exported if each.indexed)
+        files = ", ".join(f"`{each.file}`" for each in others)
+        message = f"package.xml lists {files}, and not `{description.file}`, which CMake exports as well"
+        line = export_of(description)
+        fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
+        related = (listed_in(plugins.manifest, others[-1]),)
+        yield Hit(at.path, at.span, f"{message}; add `{line}` to `<export>`", Severity.INFO, related, fix)
+
+
+def export_of(description: PluginDescription) -> str:
+    return f'<rqt_gui plugin="${{prefix}}/{description.file}"/>'
+
+
+def listed_in(manifest: Manifest, description: PluginDescription) -> Related:
+    at = next(each for each in description.exported if not each.indexed)
+    return Related(manifest.path, at.span, "its sibling")

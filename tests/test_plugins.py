@@ -1,0 +1,250 @@
+"""Plug-ins: what descriptions say, what sources export, who loads them."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+HEAD = "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\nfind_package(ament_cmake REQUIRED)\n"
+LIBRARY = "add_library(planner SHARED src/planner.cpp)\ninstall(TARGETS planner DESTINATION lib)\n"
+EXPORT = "pluginlib_export_plugin_description_file(nav2_core plugins.xml)\n"
+TAIL = "ament_package()\n"
+MACRO = "PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)\n"
+
+
+def described(*types: str, path: str = "planner", base: str = "nav2_core::GlobalPlanner", name: str = "") -> str:
+    classes = "".join(f'  <class {name} type="{each}" base_class_type="{base}"/>\n' for each in types)
+    return f'<library path="{path}">\n{classes}</library>\n'
+
+
+def package(cmake: str = LIBRARY + EXPORT, **files: str) -> dict[str, str]:
+    """Return a package with one plug-in; `files` by path, with `__` for `/` and `_DOT_` for `.`."""
+    named = {path.replace("__", "/").replace("_DOT_", "."): text for path, text in files.items()}
+    return {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": HEAD + cmake + TAIL,
+        "plugins.xml": described("my_pkg::Planner"),
+        "src/planner.cpp": MACRO,
+        **named,
+    }
+
+
+def said(files: dict[str, str], code: str) -> list[tuple[str, str]]:
+    return [(f.place.path, f.message) for f in lint_files(files, [code]).findings]
+
+
+def test_both_sides_agree() -> None:
+    assert said(package(), "PLG002") == []
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "// " + MACRO,
+        "#if 0\n" + MACRO + "#endif\n",
+        "",
+        MACRO.replace("Planner,", "Walker,"),
+        'const char * s = "PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)";\n',
+        'RCLCPP_INFO(logger, "%s", my_pkg::Planner::NAME);\n',
+    ],
+)
+def test_no_source_exports_it(source: str) -> None:
+    found = said(package(src__planner_DOT_cpp=source), "PLG002")
+    assert [path for path, _ in found] == ["plugins.xml"]
+    assert "no source exports `my_pkg::Planner`" in found[0][1]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "CLASS_LOADER_REGISTER_CLASS(my_pkg::Planner,\n  nav2_core::GlobalPlanner)\n",
+        "#ifdef FAST\n" + MACRO + "#endif\n",
+        "MY_PLUGIN_REGISTER(my_pkg::Planner)\n",
+        "#define MINE(x) PLUGINLIB_EXPORT_CLASS(x, nav2_core::GlobalPlanner)\nOUR_MACRO(Planner)\n",
+    ],
+)
+def test_it_may_be_exported_otherwise(source: str) -> None:
+    assert said(package(src__planner_DOT_cpp=source), "PLG002") == []
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        "add_library(planner SHARED ${CMAKE_CURRENT_BINARY_DIR}/made.cpp)\n" + EXPORT,
+        "add_library(planner SHARED ../shared/planner.cpp)\n" + EXPORT,
+        "add_library(planner SHARED IMPORTED)\nadd_library(${NAME} SHARED src/planner.cpp)\n" + EXPORT,
+        "include(FetchContent)\nFetchContent_Declare(planner URL x)\nFetchContent_MakeAvailable(planner)\n" + EXPORT,
+    ],
+)
+def test_sources_that_are_not_seen(cmake: str) -> None:
+    files = package(cmake, src__planner_DOT_cpp="")
+    if "IMPORTED" in cmake:
+        files["plugins.xml"] = described("my_pkg::Planner", path="other")
+    assert said(files, "PLG002") == []
+
+
+def test_a_prebuilt_library() -> None:
+    files = package(EXPORT, src__planner_DOT_cpp="", lib__libplanner_DOT_so="")
+    assert said(files, "PLG002") == []
+    files = package(EXPORT, src__planner_DOT_cpp="", lib__libother_DOT_so="")
+    assert len(said(files, "PLG002")) == 1
+
+
+def test_a_source_in_an_old_encoding_may_export_it() -> None:
+    assert said({**package(), "src/planner.cpp": b"// \xe9\n"}, "PLG002") == []  # type: ignore[dict-item]
+
+
+def test_python_plugins_are_exported_by_no_macro() -> None:
+    python = described("my_pkg.my_module.MyPlugin", path="src", base="rqt_gui_py::Plugin")
+    assert said(package(plugins_DOT_xml=python, src__planner_DOT_cpp=""), "PLG002") == []
+
+
+def test_the_class_that_is_meant_is_written() -> None:
+    files = package(plugins_DOT_xml=described("my_pgk::Planner", name='name="my_pkg/Planner"'))
+    (finding,) = lint_files(files, ["PLG002"]).findings
+    assert finding.fix is not None
+    assert finding.fix.title == "write `my_pkg::Planner`"
+    assert "`src/planner.cpp` exports `my_pkg::Planner`" in finding.message
+
+
+def test_two_that_may_be_meant_are_none() -> None:
+    source = MACRO + MACRO.replace("my_pkg", "other")
+    found = lint_files(package(plugins_DOT_xml=described("a::Planner"), src__planner_DOT_cpp=source), ["PLG002"])
+    first = found.findings[0]
+    assert (first.place.path, first.fix) == ("plugins.xml", None)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"plugins_DOT_xml": described("my_pkg::Planner"), "test__test_planner_DOT_cpp": MACRO.replace("my", "your")},
+        {"src__planner_DOT_cpp": MACRO + "#ifdef X\n" + MACRO.replace("my", "your") + "#endif\n"},
+        {"src__unused_DOT_cpp": MACRO.replace("my", "your")},
+        {"include__planner_DOT_hpp": MACRO.replace("my", "your")},
+        {"src__planner_DOT_cpp": MACRO + MACRO.replace("my_pkg", "_NAMESPACE_")},
+    ],
+)
+def test_what_is_exported_for_others_eyes(change: dict[str, str]) -> None:
+    assert said(package(**change), "PLG002") == []
+
+
+def test_a_description_that_package_xml_alone_exports_is_not_found() -> None:
+    files = package(LIBRARY)
+    files["package.xml"] = files["package.xml"].replace(
+        "</build_type>", '</build_type>\n    <nav2_core plugin="${prefix}/plugins.xml"/>'
+    )
+    ((path, message),) = said(files, "PLG002")
+    assert path == "package.xml"
+    assert "pluginlib_export_plugin_description_file(nav2_core plugins.xml)" in message
+
+
+def test_an_old_description_beside_the_exported_one_is_left_alone() -> None:
+    assert said(package(old__plugin_DOT_xml=described("my_pkg::Planner", "my_pkg::Gone")), "PLG002") == []
+
+
+def test_a_description_that_is_missing_is_said_once() -> None:
+    files = package()
+    del files["plugins.xml"]
+    found = lint_files({**files, "plugin.xml": described("my_pkg::Planner")}, ["CMK102", "PLG002", "XML306"]).findings
+    assert [f.code for f in found if f.place.path == "CMakeLists.txt"] == ["CMK102"]
+    assert "(did you mean `plugin.xml`?): CMake stops" in found[0].message
+
+
+def test_what_is_exported_to_rqt_by_package_xml_is_found() -> None:
+    files = package(LIBRARY, plugins_DOT_xml=described("my_pkg::Planner", base="qt_gui_cpp::PluginProvider"))
+    export = '<qt_gui plugin="${prefix}/plugins.xml"/>'
+    files["package.xml"] = files["package.xml"].replace("  </export>", f"    {export}\n  </export>")
+    assert said(files, "PLG002") == []
+
+
+LIBRARIES = [
+    ("planner", None),
+    ("planer", "is compiled into `planner`"),
+    ("lib/libplanner", "is compiled into `planner`"),
+    ("libplanner.so", "is compiled into `planner`"),
+    ("libplanner", "leave `lib` away"),
+]
+
+
+@pytest.mark.parametrize("path, told", LIBRARIES)
+def test_the_library_of_a_description(path: str, told: str | None) -> None:
+    found = said(package(plugins_DOT_xml=described("my_pkg::Planner", path=path)), "PLG004")
+    assert [told in message for _, message in found] == ([True] if told else []), found
+
+
+def test_the_name_of_the_file_counts() -> None:
+    renamed = LIBRARY + "set_target_properties(planner PROPERTIES OUTPUT_NAME my_planner)\n" + EXPORT
+    assert said(package(renamed, plugins_DOT_xml=described("my_pkg::Planner", path="my_planner")), "PLG004") == []
+    ((_, message),) = said(package(renamed, plugins_DOT_xml=described("my_pkg::Planner", path="my_planer")), "PLG004")
+    assert "`my_planner`" in message
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        "add_library(${NAME} SHARED src/planner.cpp)\n",
+        "include(ExternalProject)\nExternalProject_Add(other URL x)\n" + LIBRARY,
+        LIBRARY + "set_target_properties(planner PROPERTIES OUTPUT_NAME ${NAME})\n",
+    ],
+)
+def test_libraries_that_may_be_made_otherwise(cmake: str) -> None:
+    files = package(cmake + EXPORT, plugins_DOT_xml=described("my_pkg::Planner", path="other"))
+    assert said(files, "PLG004") == []
+
+
+def test_a_static_library_can_not_be_loaded() -> None:
+    ((_, message),) = said(package(LIBRARY.replace("SHARED", "STATIC") + EXPORT), "PLG004")
+    assert "make it `SHARED`" in message
+
+
+@pytest.mark.parametrize(
+    "install",
+    [
+        "install(TARGETS planner LIBRARY DESTINATION lib/${PROJECT_NAME})\n",
+        "set(all planner other)\ninstall(TARGETS ${all} DESTINATION lib)\n",
+        "install(TARGETS ${UNKNOWN} DESTINATION lib)\n",
+        "install(FILES $<TARGET_FILE:planner> DESTINATION lib)\n",
+    ],
+)
+def test_libraries_that_are_installed(install: str) -> None:
+    assert said(package("add_library(planner SHARED src/planner.cpp)\n" + install + EXPORT), "PLG004") == []
+
+
+def test_a_library_that_is_not_installed() -> None:
+    bare = "add_library(planner SHARED src/planner.cpp)\n"
+    ((_, message),) = said(package(bare + EXPORT), "PLG004")
+    assert "`planner` is not installed" in message
+    tests = f"if(BUILD_TESTING)\n{bare}{EXPORT}endif()\n"
+    assert said(package(tests), "PLG004") == []
+    auto = "find_package(ament_cmake_auto)\nament_auto_add_library(planner SHARED src/planner.cpp)\n" + EXPORT
+    files = package(auto)
+    files["CMakeLists.txt"] = files["CMakeLists.txt"].replace("ament_package", "ament_auto_package")
+    assert said(files, "PLG004") == []
+
+
+def rqt(base: str, *listed: str, cmake: str = "") -> dict[str, str]:
+    kind = "my_pkg.panel.Panel" if "_py" in base else "my_pkg::Panel"
+    lines = "".join(f'    <rqt_gui plugin="${{prefix}}/{file}"/>\n' for file in listed)
+    return {
+        "package.xml": manifest("", "ament_cmake").replace("  </export>", lines + "  </export>"),
+        "CMakeLists.txt": HEAD + cmake + TAIL,
+        "a.xml": described(kind, base=base),
+        "b.xml": described(kind + "2", base=base),
+    }
+
+
+def test_rqt_plugins_in_python_are_listed_in_package_xml() -> None:
+    assert said(rqt("rqt_gui_py::Plugin", "a.xml", "b.xml"), "PLG006") == []
+    ((path, message),) = said(rqt("rqt_gui_py::Plugin", "a.xml"), "PLG006")
+    assert path == "b.xml"
+    assert '<rqt_gui plugin="${prefix}/b.xml"/>' in message
+
+
+def test_rqt_plugins_in_cpp_need_not_be() -> None:
+    cmake = "".join(f"pluginlib_export_plugin_description_file(rqt_gui {file})\n" for file in ("a.xml", "b.xml"))
+    assert said(rqt("rqt_gui_cpp::Plugin", cmake=cmake), "PLG006") == []
+    ((path, message),) = said(rqt("rqt_gui_cpp::Plugin", "a.xml", cmake=cmake), "PLG006")
+    assert path == "CMakeLists.txt"
+    assert "lists `a.xml`, and not `b.xml`" in message
