@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 
 TABLE = Path(__file__).parents[1] / "src/rospkg_cli/ros/tables/brings.txt"
 TAGS = frozenset({"depend", "build_export_depend", "buildtool_export_depend"})
+TESTS = frozenset({"test", "tests"})
 SAYS = "# What comes with a package for whoever builds against it: package, then what it exports. By bench/brings.py.\n"
 
 
@@ -22,7 +23,7 @@ def lines(folder: Path) -> Iterator[str]:
     for path in folder.rglob("package.xml"):
         root = ElementTree.parse(path).getroot()
         needs = {child.text.strip() for child in root if child.tag in TAGS and child.text}
-        if "test" not in path.relative_to(folder).as_posix():
+        if not TESTS.intersection(path.relative_to(folder).parts):
             yield " ".join([(root.findtext("name") or "").strip(), *sorted(needs)])
 
 

@@ -303,3 +303,179 @@ def test_executables_that_are_computed_keep_the_rule_quiet() -> None:
 def test_launch_files_that_launch_can_load(text: str, fires: bool) -> None:
     files = {**PYTHON, "launch/a.launch.py": text, "launch/helpers.py": "", "test/b_launch.py": ""}
     assert bool(lint_files(files, ["LCH001"]).findings) is fires
+
+
+def names(body: str, code: str = "DEP001", build_type: str = "ament_python") -> list[str]:
+    """Return the names that a rule about names complains of, and what it offers in their place."""
+    files = {"package.xml": manifest(body, build_type), "setup.py": "", "CMakeLists.txt": ""}
+    found = lint_files(files, [code]).findings
+    return [" → ".join([f.message.split("`")[1], *([f.fix.title.split("`")[1]] if f.fix else [])]) for f in found]
+
+
+def line(name: str, tag: str = "exec_depend") -> str:
+    return f"  <{tag}>{name}</{tag}>\n"
+
+
+@pytest.mark.parametrize(
+    "name, meant",
+    [
+        ("opencv-python", "python3-opencv"),
+        ("pyserial", "python3-serial"),
+        ("pytest", "python3-pytest"),
+        ("Eigen3", "eigen"),
+        ("OpenCV", "libopencv-dev"),
+        ("std_svrs", "std_srvs"),
+        ("rclcpp_component", "rclcpp_components"),
+    ],
+)
+def test_names_from_elsewhere(name: str, meant: str) -> None:
+    assert names(line(name)) == [f"{name} → {meant}"]
+
+
+def test_what_comes_with_python_needs_no_dependency() -> None:
+    assert names(line("python3-threading")) == ["python3-threading"]
+
+
+@pytest.mark.parametrize("name", ["rclpy", "python3-numpy", "my_companys_driver", "ament_python", "rospy", "tf"])
+def test_names_that_are_right_or_that_nobody_can_tell(name: str) -> None:
+    assert names(line(name)) == []
+
+
+def test_a_cpp_package_may_have_a_private_dependency_of_a_name_on_pypi() -> None:
+    assert names(line("serial", "depend"), build_type="ament_cmake") == []
+
+
+def test_docs_have_names_of_their_own() -> None:
+    assert names(line("lark", "doc_depend")) == []
+
+
+def test_a_package_that_its_family_renamed() -> None:
+    files = {f"{name}/package.xml": manifest("", "cmake", name) for name in ("acme_arm", "acme_hand", "acme_eye")}
+    files["acme_base/package.xml"] = manifest(line("arm"), "cmake", "acme_base")
+    assert ["acme_arm" in f.message for f in lint_files(files, ["DEP001"]).findings] == [True]
+
+
+def test_ros_1_names() -> None:
+    assert names(line("rospy") + line("roscpp", "depend"), "DEP203") == ["rospy", "roscpp"]
+    assert names('  <exec_depend condition="$ROS_VERSION == 1">rospy</exec_depend>\n', "DEP203") == []
+    assert names(line("roscpp"), "DEP203", "catkin") == []
+
+
+def test_pip_keys_of_the_targets() -> None:
+    assert names(line("python3-ultralytics-pip") + line("python3-numpy"), "DEP002") == ["python3-ultralytics-pip"]
+
+
+def cmake(*lines: str) -> str:
+    return CMAKE.replace("ament_package()", "\n".join([*lines, "ament_package()"]))
+
+
+def built(code: str, text: str, body: str = "", **more: str | None) -> list[str]:
+    """Return the dependencies that a rule names in an ament_cmake package."""
+    files: dict[str, str | None] = dict.fromkeys(PYTHON)
+    files |= {"package.xml": manifest(body, "ament_cmake"), "CMakeLists.txt": text, **more}
+    return said(code, files)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["find_package(rclcpp QUIET)"],
+        ["find_package(rclcpp)"],
+        ["if(WIN32)", "find_package(rclcpp REQUIRED)", "endif()"],
+        ["find_package(Threads REQUIRED)", "find_package(Python3 REQUIRED)", "find_package(PkgConfig REQUIRED)"],
+        ["find_package(ament_cmake_python REQUIRED)"],
+        ["find_package(nobody_knows_this REQUIRED)"],
+        ["find_package(${WHICH} REQUIRED)"],
+    ],
+)
+def test_what_cmake_looks_for_without_need(lines: list[str]) -> None:
+    assert built("DEP104", cmake(*lines)) == []
+
+
+@pytest.mark.parametrize(
+    "lines, name",
+    [
+        (["find_package(rclcpp REQUIRED)"], "rclcpp"),
+        (["set(NEEDS rclcpp)", "foreach(need ${NEEDS})", "find_package(${need} REQUIRED)", "endforeach()"], "rclcpp"),
+        (["find_package(rclcpp)", "add_library(a a.cpp)", "target_link_libraries(a rclcpp::rclcpp)"], "rclcpp"),
+        (["find_package(rclcpp)", "ament_export_dependencies(rclcpp)"], "rclcpp"),
+        (["find_package(Eigen3 REQUIRED)"], "Eigen3"),
+    ],
+)
+def test_what_cmake_needs(lines: list[str], name: str) -> None:
+    assert built("DEP104", cmake(*lines)) == [name]
+
+
+def test_any_key_of_a_library_will_do() -> None:
+    text = cmake("find_package(Boost REQUIRED)", "find_package(OpenCV REQUIRED)", "find_package(Eigen3 REQUIRED)")
+    body = line("libboost-filesystem-dev", "depend") + line("cv_bridge", "depend") + line("eigen", "build_depend")
+    assert built("DEP104", text, body) == []
+
+
+def test_what_another_dependency_brings_is_milder() -> None:
+    def levels(text: str, body: str) -> list[str]:
+        files = {"package.xml": manifest(body, "ament_cmake"), "CMakeLists.txt": text}
+        return [f.severity.value for f in lint_files(files, ["DEP104"]).findings]
+
+    assert levels(cmake("find_package(std_msgs REQUIRED)"), "") == ["error"]
+    assert levels(cmake("find_package(std_msgs REQUIRED)"), line("sensor_msgs", "depend")) == ["warning"]
+    assert levels(cmake("find_package(std_msgs REQUIRED)"), line("who_knows_what", "depend")) == ["warning"]
+    assert levels(cmake("if(BUILD_TESTING)", "find_package(std_msgs REQUIRED)", "endif()"), "") == ["warning"]
+
+
+NODE = cmake("add_executable(node src/node.cpp)")
+
+
+@pytest.mark.parametrize(
+    "text, found",
+    [
+        ("#include <rclcpp/rclcpp.hpp>\n", ["rclcpp"]),
+        ('#include "geometry_msgs/msg/pose.hpp"\n', ["geometry_msgs"]),
+        ("#include <opencv2/core.hpp>\n", ["libopencv-dev"]),
+        ("#include <yaml-cpp/yaml.h>\n", ["yaml-cpp"]),
+        ("#include <vector>\n#include <sys/types.h>\n", []),
+        ('#include "my_pkg/node.hpp"\n#include "detail/x.hpp"\n', []),
+        ("#ifdef WITH_X\n#include <rclcpp/rclcpp.hpp>\n#endif\n", []),
+        ("// #include <rclcpp/rclcpp.hpp>\n", []),
+        ("#include <moveit/robot_model/robot_model.h>\n", []),
+    ],
+)
+def test_includes(text: str, found: list[str]) -> None:
+    assert built("DEP105", NODE, **{"src/node.cpp": text, "src/detail/x.hpp": ""}) == found
+
+
+def test_files_that_nothing_compiles_include_what_they_like() -> None:
+    text = "#include <rclcpp/rclcpp.hpp>\n"
+    assert built("DEP105", NODE, **{"src/node.cpp": "", "src/old.cpp": text}) == []
+    assert built("DEP105", NODE, **{"src/node.cpp": '#include "old.hpp"\n', "src/old.hpp": text}) == ["rclcpp"]
+    assert built("DEP105", NODE, **{"src/node.cpp": "", "include/my_pkg/public.hpp": text}) == ["rclcpp"]
+
+
+def test_an_include_that_find_package_names_is_said_once() -> None:
+    text = cmake("find_package(rclcpp REQUIRED)", "add_executable(node src/node.cpp)")
+    source = "#include <rclcpp/rclcpp.hpp>\n"
+    assert built("DEP105", text, **{"src/node.cpp": source}) == []
+    assert built("DEP104", text, **{"src/node.cpp": source}) == ["rclcpp"]
+
+
+def test_headers_of_packages_around_are_known_by_their_folder() -> None:
+    files = {
+        "core/package.xml": manifest("", "ament_cmake", "acme_core"),
+        "core/CMakeLists.txt": CMAKE.replace("my_pkg", "acme_core"),
+        "core/include/acme/core/core.hpp": "",
+        "app/package.xml": manifest("", "ament_cmake"),
+        "app/CMakeLists.txt": NODE,
+        "app/include/acme/app/app.hpp": "",
+        "app/src/node.cpp": "#include <acme/core/core.hpp>\n#include <acme/app/app.hpp>\n",
+    }
+    assert [f.message.split("`")[1] for f in lint_files(files, ["DEP105"]).findings] == ["acme_core"]
+
+
+def test_types_of_other_packages() -> None:
+    text = "geometry_msgs/Pose pose\nOwn own\nmy_pkg/Own too\nstring name\n"
+    generate = cmake('rosidl_generate_interfaces(${PROJECT_NAME} "msg/A.msg" DEPENDENCIES geometry_msgs)')
+    files = {"msg/A.msg": text, "msg/Own.msg": ""}
+    assert built("DEP108", generate, **files) == ["geometry_msgs"]
+    assert built("DEP108", generate, line("geometry_msgs", "depend"), **files) == []
+    found = cmake("find_package(geometry_msgs REQUIRED)", 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/A.msg")')
+    assert built("DEP104", found, **files) == []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..model.manifest import Manifest
+from ..model.manifest import Dependency, Manifest
 from ..model.xml_tree import Comment, Element
 from ..ros.manifest import DEPENDENCY_TAGS, place_of
 from ..source import Span
@@ -93,3 +93,8 @@ def remove_element(manifest: Manifest, element: Element) -> Edit:
     if alone:
         return Edit(manifest.path, Span(start, min(end + 1, len(source.text))), "")
     return Edit(manifest.path, element.span, "")
+
+
+def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> Edit:
+    """Put another name in the place of a dependency's."""
+    return Edit(manifest.path, dependency.span, escaped(name))

@@ -79,7 +79,7 @@ class Declared:
                 needs = [need.name for need in facts.dependencies if need.tag in EXPORTED]
             else:
                 needs = list(table.get(name, ()))
-                known &= name in table or self.workspace.index.is_key(name)
+                known &= name in table or name.startswith("ament_") or self.workspace.index.is_key(name)
             waiting += [need for need in needs if need not in found]
             found.update(needs)
         return frozenset(found), known
@@ -98,7 +98,7 @@ class Declared:
             facts = self.workspace.named(waiting.pop())
             if facts is not None and facts.name not in seen:
                 seen.add(facts.name)
-                waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
+                waiting += [need.name for need in facts.dependencies if need.tag != "doc_depend"]
             if self.facts.name in waiting:
                 return True
         return False

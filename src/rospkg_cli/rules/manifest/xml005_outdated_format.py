@@ -13,10 +13,10 @@ from ...rule import Profile, rule
 GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
 BAD = GOOD.replace('format="3"', 'format="«2»"').replace("format3.xsd", "format2.xsd")
 ONE = manifest(
-    "  <build_depend>rclpy</build_depend>\n  <run_depend>numpy</run_depend>\n  <run_depend>rclpy</run_depend>\n"
+    "  <build_depend>rclpy</build_depend>\n  <run_depend>rcl</run_depend>\n  <run_depend>rclpy</run_depend>\n"
 )
 ONE_AS_3 = manifest(
-    "  <build_export_depend>numpy</build_export_depend>\n  <exec_depend>numpy</exec_depend>\n  <depend>rclpy</depend>\n"
+    "  <build_export_depend>rcl</build_export_depend>\n  <exec_depend>rcl</exec_depend>\n  <depend>rclpy</depend>\n"
 )
 
 

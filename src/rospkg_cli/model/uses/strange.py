@@ -1,0 +1,130 @@
+"""Dependencies whose names nobody knows, and what is meant by them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...ros.aliases import NOTHING_NEEDED, key_for_pip, keys_for_cmake, successors
+from ...ros.distros import DISTROS, Targets
+from ...ros.imports import STANDARD
+from ...ros.names import Known
+from ...suggest import near, nearest
+from ..manifest import Dependency
+from .declared import Declared
+
+BUILD_TYPES_ALONE = frozenset({"ament_python"})
+NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
+"""Tags that ask for nothing to be installed: rosdoc2 reads names of its own in doc_depend."""
+
+PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
+
+MIN_LETTERS = 5
+"""A shorter name is too near to too many others."""
+
+MIN_FAMILY = 3
+"""So many packages around begin with a word before it is the family's name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Strange:
+    """A dependency that is no name of anything."""
+
+    dependency: Dependency
+    meant: str | None
+    why: str
+    """What the name is instead, as a sentence goes on."""
+
+
+@dataclass(frozen=True)
+class NamesDeclared:
+    declared: Declared
+    targets: Targets
+
+    def active(self) -> Iterator[Dependency]:
+        """Yield the dependencies that hold for a target, of a package of ROS 2; a name only where it comes first."""
+        seen: set[str] = set()
+        for each in self.declared.manifest.dependencies if self.declared.judged else ():
+            if (
+                each.name
+                and each.tag not in NO_NEEDS
+                and each.name not in seen | BUILD_TYPES_ALONE
+                and each.active(self.targets)
+            ):
+                seen.add(each.name)
+                yield each
+
+    def again(self, first: Dependency) -> list[Dependency]:
+        """Return the dependencies of the same name that come later."""
+        return [d for d in self.declared.manifest.dependencies if d.name == first.name and d is not first]
+
+    def of_ros1(self) -> Iterator[tuple[Dependency, tuple[str, ...]]]:
+        """Yield the dependencies that only ROS 1 has, and what took their place."""
+        for each in self.active():
+            taken = successors(each.name)
+            if taken is not None and self.declared.workspace.named(each.name) is None:
+                yield each, taken
+
+    def pip_keys(self) -> Iterator[Dependency]:
+        """Yield the dependencies that PyPI serves on a target."""
+        for each in self.active():
+            workspace = self.declared.workspace
+            if workspace.named(each.name) is None and workspace.index.is_pip(each.name, self.targets):
+                yield each
+
+    def strange(self) -> Iterator[Strange]:
+        """Yield the dependencies that no package and no key is called like, as far as that is certain."""
+        for each in self.active():
+            known = self.declared.workspace.what(each.name, self.targets)
+            if known in (Known.PACKAGE, Known.KEY) or successors(each.name) is not None:
+                continue
+            if self.declared.workspace.index.is_package(each.name):
+                continue
+            found = self.meant(each)
+            if found is not None:
+                yield found
+            elif known is Known.UNKNOWN:
+                meant = nearest(each.name, self.declared.workspace.index.all())
+                yield Strange(each, meant, "no ROS package and no rosdep key is called so")
+
+    def meant(self, dependency: Dependency) -> Strange | None:
+        """Return what is meant by a name that is wrong for certain, whatever an index would say."""
+        name = dependency.name
+        listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
+        if listed and not name.islower():
+            return Strange(dependency, listed[0], "is what CMake calls it")
+        if name.removeprefix("python3-").replace("-", "_") in STANDARD:
+            return Strange(dependency, None, "comes with Python itself")
+        key = key_for_pip(name, self.declared.workspace.index) if self.is_for_python(dependency) else None
+        if key is not None:
+            return Strange(dependency, key, "is its name on PyPI")
+        if (member := self.renamed(name)) is not None:
+            return Strange(dependency, member, "is no package of this workspace or any other that is known")
+        if (core := self.misspelt(name)) is not None:
+            return Strange(dependency, core, "is no package and no key that is known")
+        return None
+
+    def is_for_python(self, dependency: Dependency) -> bool:
+        """Return whether a name may well be one of PyPI: a C++ package may have a private dependency of that name."""
+        python = self.declared.facts.build_type == "ament_python"
+        return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
+
+    def renamed(self, name: str) -> str | None:
+        """Return the one package around that is called like a name but for the word that its family begins with."""
+        fitting = [each for each in self.declared.workspace.names if each.endswith(f"_{name}")]
+        if len(fitting) != 1:
+            return None
+        prefix = fitting[0].removesuffix(name)
+        family = [each for each in self.declared.workspace.names if each.startswith(prefix)]
+        return fitting[0] if "_" not in prefix[:-1] and len(family) >= MIN_FAMILY else None
+
+    def misspelt(self, name: str) -> str | None:
+        """Return the one package that every distribution has and that is one letter away."""
+        found = near(name, self.core_names, 1) if len(name) >= MIN_LETTERS else []
+        return found[0] if len(found) == 1 else None
+
+    @cached_property
+    def core_names(self) -> frozenset[str]:
+        packages = self.declared.workspace.index.packages
+        return frozenset(name for name, distros in packages.items() if len(distros) == len(DISTROS))

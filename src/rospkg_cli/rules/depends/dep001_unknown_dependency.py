@@ -1,0 +1,68 @@
+"""DEP001 unknown-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import rename_dependency
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.uses.strange import NamesDeclared
+from ...rule import rule
+
+LINE = "  <exec_depend>{}</exec_depend>\n"
+
+
+@rule(
+    "DEP001",
+    "unknown-dependency",
+    over=NamesDeclared,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={"package.xml": manifest(LINE.format("«opencv-python»"))},
+            good={"package.xml": manifest(LINE.format("python3-opencv"))},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={"package.xml": manifest(LINE.format("«sensor_msg»"))},
+            good={"package.xml": manifest(LINE.format("sensor_msgs"))},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": manifest(LINE.format("«Eigen3»"), "ament_cmake")},
+            good={"package.xml": manifest(LINE.format("eigen"), "ament_cmake")},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds dependencies whose name is no ROS package of the target, none of the workspace or of an installed prefix, and
+    no rosdep key: names of PyPI or CMake for what rosdep calls otherwise, modules of Python itself, packages that were
+    renamed, and names that are one letter away from a package of every distribution. Any other unknown name is reported
+    only where `rospkg index update` has fetched the names; where a `.repos` file says that more packages belong to the
+    workspace, it can't be told.
+
+    ## Why is this bad?
+    `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
+
+    ## Fix safety
+    The name that is meant is put in its place; where only a letter differs, another one may have been meant.
+    """
+    manifest = names.declared.manifest
+    for each in names.strange():
+        name = each.dependency.name
+        instead = f"; write `{each.meant}`" if each.meant else ""
+        if each.meant is None and "Python itself" in each.why:
+            instead = "; take the line out"
+        others = names.again(each.dependency)
+        fix = None
+        if each.meant:
+            edits = tuple(rename_dependency(manifest, d, each.meant) for d in (each.dependency, *others))
+            fix = Fix(f"write `{each.meant}`", edits, Safety.UNSAFE)
+        related = tuple(Related(manifest.path, other.span, "and here") for other in others)
+        fails = f'`rosdep install` ends with "Cannot locate rosdep definition for [{name}]"'
+        yield Hit(manifest.path, each.dependency.span, f"`{name}` {each.why}: {fails}{instead}", None, related, fix)

@@ -1,0 +1,43 @@
+"""DEP002 pip-key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.uses.strange import NamesDeclared
+from ...rule import Profile, rule
+
+
+@rule(
+    "DEP002",
+    "pip-key",
+    over=NamesDeclared,
+    severity=Severity.WARNING,
+    profile=Profile.RELEASE,
+    examples=(
+        Example(
+            bad={"package.xml": manifest("  <exec_depend>«python3-ultralytics-pip»</exec_depend>\n")},
+            good={"package.xml": manifest()},
+        ),
+    ),
+)
+def pip_key(names: NamesDeclared) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds dependencies on rosdep keys that are installed from PyPI on a target.
+
+    ## Why is this bad?
+    A package with such a dependency can't be released into a ROS distribution: the build farm makes Debian packages,
+    and these depend on Debian packages alone.
+
+    ## References
+    - rosdistro, REVIEW_GUIDELINES.md
+    """
+    for each in names.pip_keys():
+        message = (
+            f"`{each.name}` is installed from PyPI: a package that depends on it can't be released; depend on a key "
+            f"that Ubuntu serves, or have the library packaged"
+        )
+        yield Hit(names.declared.manifest.path, each.span, message)

@@ -1,0 +1,49 @@
+"""DEP203 ros1-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Related, Severity
+from ...model.uses.strange import NamesDeclared
+from ...rule import rule
+
+
+@rule(
+    "DEP203",
+    "ros1-dependency",
+    over=NamesDeclared,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},
+            good={"package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n")},
+        ),
+        Example(
+            bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},
+            good={
+                "package.xml": manifest('  <exec_depend condition="$ROS_VERSION == 1">rospy</exec_depend>\n'),
+            },
+        ),
+    ),
+)
+def ros1_dependency(names: NamesDeclared) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds dependencies that only ROS 1 has (`rospy`, `roscpp`, `catkin`, `message_generation` …) in a package of ROS 2.
+    Those whose condition leaves ROS 2 out are left alone.
+
+    ## Why is this bad?
+    `rosdep install` ends with "Cannot locate rosdep definition for [rospy]".
+    """
+    for each, taken in names.of_ros1():
+        instead = " or ".join(f"`{name}`" for name in taken)
+        todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 has nothing in its place: take the line out"
+        message = (
+            f'`{each.name}` is a package of ROS 1: `rosdep install` ends with "Cannot locate rosdep definition for '
+            f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
+        )
+        path = names.declared.manifest.path
+        related = tuple(Related(path, other.span, "and here") for other in names.again(each))
+        yield Hit(path, each.span, message, related=related)
