@@ -1,0 +1,1 @@
+"""Example ROS2 package for Physical AI textbook."""
