@@ -55,13 +55,14 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     """
     manifest = package.manifest
     newer = manifest.schema_format > 1
+    wholes: dict[str, list[Dependency]] = {}
+    for each in manifest.dependencies:
+        if each.tag in (("depend",) if newer else ("build_depend", "run_depend")):
+            wholes.setdefault(each.name, []).append(each)
     for each in manifest.dependencies:
         if each.tag not in (PART_OF_DEPEND if newer else ("test_depend",)) or not each.name:
             continue
-        wholes = ("depend",) if newer else ("build_depend", "run_depend")
-        for whole in manifest.dependencies:
-            if whole.name != each.name or whole.tag not in wholes:
-                continue
+        for whole in wholes.get(each.name, ()):
             refused = whole.key == each.key
             if refused or (newer and together(each.condition, whole.condition, package.targets.environments())):
                 yield hit(manifest, each, whole, refused)
