@@ -110,6 +110,7 @@ ON_DISK = [
     "x = open('README.md').read()",
     "with open('README.md', encoding='utf-8') as f:\n    x = [line.strip() for line in f]",
     "from pathlib import Path\nx = Path('README.md').read_text().splitlines()",
+    "f = open('README.md')\nx = [f.readline(), f.read(), f.readlines(), list(f)]",
     "import os\nx = [os.path.exists('launch'), os.path.isdir('launch'), os.path.isfile('nope')]",
 ]
 

@@ -26,18 +26,20 @@ def items_of(machine: Machine, value: Value) -> list[Value] | None:
             machine.tick(len(value.text))
             return [Text(value.span, char) for char in value.text]
         case Opened():
-            content = read_text(machine, value)
-            return None if content is None else [Text(value.span, line) for line in content.splitlines(keepends=True)]
+            left = read_rest(machine, value)
+            return None if left is None else [Text(value.span, line) for line in left.splitlines(keepends=True)]
     return None
 
 
-def read_text(machine: Machine, opened: Opened) -> str | None:
+def read_rest(machine: Machine, opened: Opened) -> str | None:
+    """Return what was not read yet, and take it as read; None where the file has no text."""
     try:
         text = machine.folder.files.source(opened.path).text
     except UnreadableError:
         return None
     machine.tick(len(text) // 100)
-    return text
+    rest, opened.at = text[opened.at :], len(text)
+    return rest
 
 
 def many(item: Value) -> bool:

@@ -9,7 +9,7 @@ from .bounds import MAX_TEXT
 from .dict_methods import DICTS
 from .folder import OutsideError
 from .formatting import as_text, braces
-from .iteration import items_of, many, pure, read_text
+from .iteration import items_of, many, pure, read_rest
 from .list_methods import LISTS, unfollowed
 from .machine import Machine
 from .operators import path_join
@@ -73,17 +73,19 @@ def fits(text: str, call: Call) -> bool:
 
 
 def file_method(machine: Machine, value: Opened, call: Call) -> Value | None:
-    content = read_text(machine, value)
-    if content is None or call.arguments:
-        return Constant(call.span, None) if call.callee == "close" else None
-    match call.callee:
-        case "read":
-            return Text(call.span, content)
-        case "readlines":
-            return machine.new_list(call.span, [Text(call.span, line) for line in content.splitlines(keepends=True)])
-        case "close":
-            return Constant(call.span, None)
-    return None
+    if call.callee == "close":
+        return Constant(call.span, None)
+    start = value.at
+    rest = read_rest(machine, value) if call.callee in ("read", "readline", "readlines") else None
+    if rest is None or call.arguments:
+        return None
+    lines = rest.splitlines(keepends=True)
+    if call.callee == "read":
+        return Text(call.span, rest)
+    if call.callee == "readline":
+        value.at = start + len(lines[0] if lines else "")
+        return Text(call.span, lines[0] if lines else "")
+    return machine.new_list(call.span, [Text(call.span, line) for line in lines])
 
 
 BY_FUNCTION = {
@@ -118,7 +120,7 @@ def path_method(machine: Machine, value: Text, call: Call) -> Value | None:
             return None if inside.startswith("..") else Text(call.span, inside, path=True)
         case "read_text":
             opened = path_method(machine, value, replace(call, callee="open", arguments=()))
-            content = read_text(machine, opened) if isinstance(opened, Opened) else None
+            content = read_rest(machine, opened) if isinstance(opened, Opened) else None
             return None if content is None else Text(call.span, content)
         case "glob" | "rglob" | "iterdir":
             return path_listing(machine, value, call, first)

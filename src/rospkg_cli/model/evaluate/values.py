@@ -180,12 +180,14 @@ class Attribute:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, eq=False)
 class Opened:
     """A file of the package that was opened for reading."""
 
     span: Span
     path: str
+    at: int = 0
+    """How many characters of it were read."""
 
 
 @dataclass(frozen=True, slots=True)
