@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 
 ENTRY = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
@@ -35,3 +36,15 @@ def test_a_name_with_signs_in_it_is_the_same_name(clean) -> None:
     assert [f.message for f in lint_files(files, ["SET403"]).findings] == []
     other = {**files, "setup.py": setup.replace("& Co", "& Sons")}
     assert [f.code for f in lint_files(other, ["SET403"]).findings] == ["SET403"]
+
+
+def test_ament_lint_common_stands_for_the_linters_of_cmake() -> None:
+    test = "if(BUILD_TESTING)\n  find_package(ament_cmake_flake8 REQUIRED)\nendif()\nament_package()"
+    files = {"CMakeLists.txt": CMAKE.replace("ament_package()", test)}
+
+    def missing(depends: str) -> list[str]:
+        tree = {**files, "package.xml": manifest(depends, "ament_cmake")}
+        return [f.code for f in lint_files(tree, ["DEP104"]).findings]
+
+    assert missing("") == ["DEP104"]
+    assert missing("  <test_depend>ament_lint_common</test_depend>\n") == []

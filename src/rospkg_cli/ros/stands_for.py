@@ -47,6 +47,10 @@ IN_CMAKE: Mapping[str, frozenset[str]] = {
     "ament_cmake_ros": frozenset({"ament_cmake", "ament_cmake_gmock", "ament_cmake_gtest", "ament_cmake_pytest"}),
     "ament_cmake_ros_core": frozenset({"ament_cmake"}),
     "ament_lint_auto": frozenset({"ament_cmake_test"}),
+    "ament_lint_common": frozenset(
+        {"ament_cmake_copyright", "ament_cmake_cppcheck", "ament_cmake_cpplint", "ament_cmake_flake8"}
+        | {"ament_cmake_lint_cmake", "ament_cmake_pep257", "ament_cmake_uncrustify", "ament_cmake_xmllint"}
+    ),
     "rosidl_default_generators": frozenset({"rosidl_cmake"}),
 }
 """Build tools that find others for whoever finds them."""
