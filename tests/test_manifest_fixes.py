@@ -199,3 +199,8 @@ def test_a_fix_keeps_encoding_and_line_ends() -> None:
     after = outcome.changes["package.xml"]
     assert after is not None
     assert after.data == data.replace(b"  <depend/>\r\n", b"")
+
+
+def test_a_run_depend_that_format_2_does_not_know_is_left_to_its_author() -> None:
+    text = '<package format="2">\n  <run_depend>a</run_depend>\n</package>\n'
+    assert apply(text, *to_format_3(read(text))) == text.replace('"2"', '"3"')

@@ -15,10 +15,13 @@ SCHEMA = re.compile(r"(?<=package_format)\d(?=\.xsd)")
 
 
 def to_format_3(manifest: Manifest) -> tuple[Edit, ...]:
-    """Return the edits that make a manifest one of format 3: the attribute, the schema's line, run_depend."""
+    """Return the edits that make a manifest one of format 3: the attribute, the schema's line, run_depend of format 1.
+
+    In other formats run_depend has no meaning that could be kept.
+    """
     newest = str(max(FORMATS))
     edits = [set_attribute(manifest, manifest.root, "format", newest), *schema_line(manifest, newest)]
-    return (*edits, *without_run_depend(manifest))
+    return (*edits, *(without_run_depend(manifest) if manifest.schema_format == 1 else ()))
 
 
 def schema_line(manifest: Manifest, format: str) -> tuple[Edit, ...]:
