@@ -248,3 +248,80 @@ def test_rqt_plugins_in_cpp_need_not_be() -> None:
     ((path, message),) = said(rqt("rqt_gui_cpp::Plugin", "a.xml", cmake=cmake), "PLG006")
     assert path == "CMakeLists.txt"
     assert "lists `a.xml`, and not `b.xml`" in message
+
+
+def loading(text: str, name: str = "server") -> dict[str, str]:
+    """Return a package that loads plug-ins."""
+    return {
+        f"{name}/package.xml": manifest("", "ament_cmake", name),
+        f"{name}/CMakeLists.txt": HEAD.replace("my_pkg", name) + "add_library(s src/s.cpp)\n" + TAIL,
+        f"{name}/include/s.hpp": "class S { pluginlib::ClassLoader<Base> loader_; };\n",
+        f"{name}/src/s.cpp": text,
+    }
+
+
+def beside(files: dict[str, str]) -> dict[str, str]:
+    return {f"my_pkg/{path}": text for path, text in files.items()}
+
+
+OURS = package(
+    LIBRARY + EXPORT.replace("nav2_core", "server"), plugins_DOT_xml=described("my_pkg::Planner", base="srv::Base")
+)
+MOVED = {**OURS, "CMakeLists.txt": OURS["CMakeLists.txt"].replace("file(server", "file(server_core")}
+LOADS = 'S::S() : loader_("server", "srv::Base") {}\n'
+
+
+def test_a_loader_of_the_workspace_says_where_its_plugins_go() -> None:
+    assert said({**loading(LOADS), **beside(OURS)}, "PLG005") == []
+    ((path, message),) = said({**loading(LOADS), **beside(MOVED)}, "PLG005")
+    assert path == "my_pkg/CMakeLists.txt"
+    assert "`srv::Base` is loaded from `server`" in message
+
+
+@pytest.mark.parametrize(
+    "loads",
+    [
+        'S::S() : loader_("server", "srv::Other") {}\n',
+        'S::S() : loader_(name, "srv::Base") {}\n',
+        '// S::S() : loader_("server", "srv::Base") {}\n',
+    ],
+)
+def test_without_a_loader_nothing_is_said(loads: str) -> None:
+    assert said({**loading(loads), **beside(MOVED)}, "PLG005") == []
+
+
+def test_a_package_that_is_known_may_load_them_too() -> None:
+    moved = OURS["CMakeLists.txt"].replace("file(server", "file(rviz_common")
+    assert said({**loading(LOADS), **beside({**OURS, "CMakeLists.txt": moved})}, "PLG005") == []
+
+
+def test_two_bases_in_one_description_are_exported_twice() -> None:
+    xml = "<class_libraries>\n" + described("my_pkg::Planner", base="srv::Base")
+    xml += described("my_pkg::Planner", base="nav2_core::GlobalPlanner") + "</class_libraries>\n"
+    both = package(LIBRARY + EXPORT + EXPORT.replace("nav2_core", "server"), plugins_DOT_xml=xml)
+    assert said({**loading(LOADS), **beside(both)}, "PLG005") == []
+
+
+@pytest.mark.parametrize(
+    "base, found",
+    [
+        ("nav2_core::GlobalPlaner", True),
+        ("nav2_core::SomethingNew", False),
+        ("mine::GlobalPlanner", False),
+        ("nav2_core::GlobalPlanner", False),
+    ],
+)
+def test_the_name_of_the_base(base: str, found: bool) -> None:
+    source = MACRO.replace("nav2_core::GlobalPlanner", "Base")
+    files = package(plugins_DOT_xml=described("my_pkg::Planner", base=base), src__planner_DOT_cpp=source)
+    assert len(said(files, "PLG005")) == found
+
+
+def test_a_loader_that_goes_astray() -> None:
+    files = {**loading(LOADS.replace('"server"', '"srv"')), **beside(OURS)}
+    ((path, message),) = said(files, "PLG005")
+    assert path == "server/src/s.cpp"
+    assert "`srv` is no package that is known" in message
+    assert "exported to `server`" in message
+    alone = loading(LOADS.replace('"server"', '"srv"'))
+    assert said(alone, "PLG005") == []

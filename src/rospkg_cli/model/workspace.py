@@ -9,7 +9,7 @@ from ..ros.distros import Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
-from .facts import PackageFacts
+from .facts import PackageFacts, Plugin
 
 
 @dataclass(frozen=True)
@@ -60,12 +60,21 @@ class Workspace:
         found = {base: {package} for base, package in LOADED_FROM.items()}
         for facts in self.packages:
             for package, base in facts.loaders:
-                found.setdefault(base, set()).add(package)
+                if self.what(package) is Known.PACKAGE:
+                    found.setdefault(base, set()).add(package)
         return found
 
     def loading(self, base: str) -> frozenset[str]:
         """Return the packages whose plug-ins of a base class are loaded, as far as that is known."""
         return frozenset(self._loading.get(base, ()))
+
+    def loaded_from(self, package: str) -> frozenset[str]:
+        """Return the base classes whose plug-ins must be exported to a package, as far as that is known."""
+        return frozenset(base for base, packages in self._loading.items() if package in packages)
+
+    def plugins_of(self, base: str) -> list[Plugin]:
+        """Return the described plug-ins of a base class."""
+        return [plugin for facts in self.packages for plugin in facts.plugins if plugin.base == base]
 
     @cached_property
     def _by_module(self) -> dict[str, str]:

@@ -1,0 +1,119 @@
+"""PLG005 wrong-plugin-base."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import literal
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.plugins.bases import Astray, Misnamed, Misplaced, PluginBases
+from ...rule import rule
+from ...source import Source
+
+PACKAGE = CMAKE.replace(
+    "ament_package()",
+    """\
+find_package(nav2_core REQUIRED)
+find_package(pluginlib REQUIRED)
+add_library(my_planner SHARED src/planner.cpp)
+target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
+install(TARGETS my_planner DESTINATION lib)
+pluginlib_export_plugin_description_file(nav2_core plugins.xml)
+ament_package()""",
+)
+XML = """\
+<library path="my_planner">
+  <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
+</library>
+"""
+FILES = {
+    "package.xml": manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake"),
+    "CMakeLists.txt": PACKAGE,
+    "plugins.xml": XML,
+    "src/planner.cpp": """\
+#include <pluginlib/class_list_macros.hpp>
+PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
+""",
+}
+
+
+@rule(
+    "PLG005",
+    "wrong-plugin-base",
+    over=PluginBases,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "CMakeLists.txt": PACKAGE.replace("file(nav2_core", "file(«my_core»")},
+            good={"CMakeLists.txt": PACKAGE},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "plugins.xml": XML.replace("nav2_core::GlobalPlanner", "«nav2_core::Planner»")},
+            good={"plugins.xml": XML},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
+    """
+    ## What it does
+    Checks that plug-ins and their loaders find each other. A description must be exported to the package that the
+    loader names (`pluginlib::ClassLoader<Base>("package", "Base")`), and its `base_class_type` must be the text that
+    the loader has. Known are the loaders of the packages around, and those of navigation2, moveit2, ros2_control and
+    rviz; of other base classes nothing is said.
+
+    ## Why is this bad?
+    The plug-in does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
+    type … does not exist". A loader for a package that isn't there throws at once.
+
+    ## Fix safety
+    The text of the base class is written as the loader has it. Another package is written only with `--unsafe-fixes`.
+    """
+    for misplaced in bases.misplaced():
+        yield at_export(bases, misplaced)
+    for misnamed in bases.misnamed():
+        yield at_class(misnamed)
+    for astray in bases.astray():
+        yield at_loader(astray)
+
+
+def at_export(bases: PluginBases, found: Misplaced) -> Hit:
+    at, file = found.exported, found.description.file
+    if not found.owners:
+        return Hit(at.path, at.base_span, f"`{file}` is exported to `{at.base}`, which is no package that is known")
+    owners = " and ".join(f"`{owner}`" for owner in found.owners)
+    message = f"`{file}` is exported to `{at.base}`, and `{found.base}` is loaded from {owners}: nobody finds it there"
+    if len(found.owners) > 1:
+        return Hit(at.path, at.base_span, message)
+    fix = written(bases, found)
+    return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=fix)
+
+
+def written(bases: PluginBases, found: Misplaced) -> Fix | None:
+    """Return the fix that writes another package, where this one stands there as it is."""
+    assert bases.package is not None
+    source: Source = bases.package.cmake.file(found.exported.path).source
+    span = literal(source, found.exported.base_span, found.exported.base)
+    edit = None if span is None else Edit(source.path, span, found.owners[0])
+    return Fix(f"export it to `{found.owners[0]}`", (edit,), Safety.UNSAFE) if edit else None
+
+
+def at_class(found: Misnamed) -> Hit:
+    base, file = found.plugin.base, found.description.file
+    message = f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.meant}`"
+    fix = Fix(f"write `{found.meant}`", (Edit(file, base.value_span, found.meant),))
+    return Hit(file, base.value_span, message, fix=fix)
+
+
+def at_loader(found: Astray) -> Hit:
+    package, base = found.loader.names
+    argument = found.loader.package
+    message = f"`{package}` is no package that is known, so the loader of `{base}` throws when it is made"
+    if found.meant is None:
+        return Hit(found.loader.path, argument.inner, message)
+    fix = Fix(f"write `{found.meant}`", (Edit(found.loader.path, argument.inner, found.meant),), Safety.UNSAFE)
+    return Hit(found.loader.path, argument.inner, f"{message}; plug-ins of it are exported to `{found.meant}`", fix=fix)
