@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..source import Span
+from .params.declared import DeclaredParameter
 
 Unknown = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments",
@@ -76,6 +77,8 @@ class PackageFacts:
     plugins: tuple[Plugin, ...] = ()
     loaders: frozenset[tuple[str, str]] = frozenset()
     """What it loads: the package that the descriptions must be exported to, and the base class."""
+    parameters: tuple[DeclaredParameter, ...] = ()
+    """What its code declares, each with the file that says so."""
     launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
     """For each launch file in share/<name>: the arguments that it declares."""
     unknown: frozenset[Unknown] = frozenset()

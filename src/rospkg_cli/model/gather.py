@@ -15,6 +15,7 @@ from .interface.inventory import interface_names
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .needs import dependencies, group_needs, groups
+from .params.gathered import declared_parameters
 from .plugins.facts import plugin_facts
 
 
@@ -46,6 +47,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         executables=installed.executables,
         astray=installed.astray,
         interfaces=interfaces,
+        parameters=declared_parameters(reading),
         share_files=installed.share_files,
         components=components,
         modules=installed.modules,

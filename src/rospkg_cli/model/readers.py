@@ -20,6 +20,7 @@ from .launch.reader import read_launch_files
 from .manifest import Manifest, read_manifest
 from .modules import Modules, read_installed_modules, read_modules
 from .params.file import ParameterFile
+from .params.library import ParameterLibrary, read_parameter_libraries
 from .params.reader import read_parameter_files
 from .plugins.description import PluginDescription
 from .plugins.loaders import PluginLoaders, read_plugin_loaders
@@ -47,6 +48,7 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     PluginDescription: read_plugin_descriptions,
     PluginLoaders: read_plugin_loaders,
     ParameterFile: read_parameter_files,
+    ParameterLibrary: read_parameter_libraries,
     RobotFile: read_robot_files,
     PythonUse: read_python_use,
     LaunchFile: read_launch_files,

@@ -10,6 +10,7 @@ from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
 from .facts import PackageFacts, Plugin
+from .params.index import ParameterIndex
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,11 @@ class Workspace:
     @cached_property
     def _by_folder(self) -> dict[str, PackageFacts]:
         return {facts.folder: facts for facts in self.packages}
+
+    @cached_property
+    def parameters(self) -> ParameterIndex:
+        """What the code of all packages declares."""
+        return ParameterIndex(self.packages)
 
     @property
     def names(self) -> frozenset[str]:

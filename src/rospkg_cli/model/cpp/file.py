@@ -14,7 +14,9 @@ from .lexer import Token, tokens
 INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
 DEFINED = re.compile(r"\w+")
 VARIABLE = re.compile(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
-WANTED = re.compile(r"\w*(REGISTER|EXPORT)\w*|ClassLoader|declare_parameters?")
+WANTED = re.compile(
+    r"\w*(REGISTER|EXPORT)\w*|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?"
+)
 BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
 
 
@@ -43,8 +45,9 @@ class CppFile:
     includes: tuple[Include, ...]
     defines: tuple[Define, ...]
     calls: tuple[Call, ...]
-    """Macros whose name says that they register or export something, `ClassLoader<…>`, `declare_parameter(s)`, and what
-    is given a string and the name of a class as two literals: `loader_("package", "ns::Base")`. In order."""
+    """Macros whose name says that they register or export something, `ClassLoader<…>`, functions that declare or get
+    parameters, and what is given a string and the name of a class as two literals: `loader_("package", "ns::Base")`.
+    In order."""
 
     @property
     def path(self) -> str:

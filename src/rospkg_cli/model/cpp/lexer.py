@@ -20,7 +20,7 @@ TOKEN = re.compile(
     r"""|(?P<string>"(?:[^"\\\n]|\\[\s\S])*")"""
     r"""|(?P<char>(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.)+')"""
     rf"""|(?P<directive>\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|define)\b{REST})"""
-    r"""|(?P<name>\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|declare_parameters?)(?=\s*(?P<opening>[<(])))"""
+    r"""|(?P<name>\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)(?=\s*(?P<opening>[<(])))"""
 )
 DIRECTIVE = re.compile(r"#[ \t]*(\w+)[ \t]*")
 NEVER = re.compile(r"0\b|false\b")

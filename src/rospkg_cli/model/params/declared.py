@@ -1,0 +1,36 @@
+"""Parameters that a package's code declares: what files of parameters are compared with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class DeclaredParameter:
+    """One declaration, or one read, of a parameter."""
+
+    name: str
+    """As rcl names it, with dots; where `tail`, what stands behind a piece that is made when the node runs."""
+    tail: bool
+    type: str
+    """bool, int, double or string, with `[]` for a list of them; "" where that can't be told."""
+    required: bool
+    """Declared without a default value: the node stops where nobody gives one."""
+    path: str
+    """The file that says so."""
+
+    def fits(self, name: str) -> bool:
+        """Return whether a parameter of this name is meant."""
+        if not self.tail:
+            return name == self.name
+        return name.endswith(self.name if self.name.startswith(".") else f".{self.name}") or name == self.name
+
+
+NONE = ""
+
+
+def type_named(declared: Iterable[DeclaredParameter], name: str) -> str:
+    """Return the one type that all declarations of a name have; "" where they differ, or one can't be told."""
+    types = {each.type for each in declared if each.fits(name)}
+    return types.pop() if len(types) == 1 else NONE

@@ -1,0 +1,27 @@
+"""The parameters that the packages of a workspace declare, found by name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ..facts import PackageFacts
+from .declared import DeclaredParameter
+
+
+class ParameterIndex:
+    """Declared parameters by the last piece of their names."""
+
+    def __init__(self, packages: Iterable[PackageFacts]) -> None:
+        self.by_last: dict[str, list[tuple[PackageFacts, DeclaredParameter]]] = {}
+        for facts in packages:
+            for each in facts.parameters:
+                self.by_last.setdefault(each.name.rpartition(".")[2], []).append((facts, each))
+
+    def counts(self, names: Iterable[str]) -> list[tuple[PackageFacts, int]]:
+        """Return for each package how many of the names it declares."""
+        found: dict[str, tuple[PackageFacts, set[str]]] = {}
+        for name in names:
+            for facts, each in self.by_last.get(name.rpartition(".")[2], ()):
+                if each.fits(name):
+                    found.setdefault(facts.folder, (facts, set()))[1].add(name)
+        return [(facts, len(which)) for facts, which in found.values()]

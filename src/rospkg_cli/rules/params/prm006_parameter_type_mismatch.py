@@ -1,0 +1,82 @@
+"""PRM006 parameter-type-mismatch."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.params.file import Parameter
+from ...model.params.owners import PackageParameters, given_type
+from ...model.params.tree import Scalar, Sequence
+from ...rule import rule
+
+NODE = """\
+class Talker : public rclcpp::Node
+{
+public:
+  Talker() : Node("talker")
+  {
+    declare_parameter("rate", 10.0);
+    declare_parameter<std::vector<std::string>>("frames", {"map"});
+  }
+};
+"""
+GOOD = """\
+talker:
+  ros__parameters:
+    rate: 50.0
+    frames: [odom]
+"""
+
+
+def example(bad: str, good: str, fix: Safety | None = None) -> Example:
+    files = {"include/my_pkg/talker.hpp": NODE, "config/robot.yaml": GOOD.replace(good, bad)}
+    return Example(on="config", bad=files, good={"config/robot.yaml": GOOD}, fix=fix)
+
+
+@rule(
+    "PRM006",
+    "parameter-type-mismatch",
+    over=PackageParameters,
+    severity=Severity.WARNING,
+    examples=(
+        example("rate: «50»", "rate: 50.0", Safety.SAFE),
+        example("frames: «odom»", "frames: [odom]"),
+    ),
+)
+def parameter_type_mismatch(scope: PackageParameters) -> Iterator[Hit]:
+    """
+    ## What it does
+    Compares the values in a parameter file with the types that the code declares: `declare_parameter` and its like in
+    C++ and Python, and definitions for generate_parameter_library. Whose parameters a block holds is told by their
+    names: a package that declares most of them. Where declarations differ, nothing is said.
+
+    ## Why is this bad?
+    A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
+    "parameter 'rate' has invalid type".
+    """
+    for group in scope.groups():
+        for parameter in group.parameters:
+            given, wanted = given_type(parameter.value), group.wanted_type(parameter)
+            if wanted is not None and given and given != wanted[0]:
+                message = f"`{parameter.name}` is declared as {wanted[0]} in `{wanted[1].path}`"
+                fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
+                what = f"{message}; {given} stops the node when it starts"
+                yield Hit(group.file.path, parameter.value.span, what, fix=fix)
+
+
+INTEGERS = (("int", "double"), ("int[]", "double[]"))
+DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)")
+
+
+def as_double(path: str, parameter: Parameter) -> Fix | None:
+    """Put `.0` behind whole numbers that are written in decimal."""
+    value = parameter.value
+    items = value.items if isinstance(value, Sequence) else [value]
+    numbers = [item for item in items if isinstance(item, Scalar) and DECIMAL.fullmatch(item.text)]
+    if len(numbers) != len(items):
+        return None
+    edits = tuple(Edit(path, number.span, f"{number.text}.0") for number in numbers)
+    return Fix("write it with `.0`", edits)

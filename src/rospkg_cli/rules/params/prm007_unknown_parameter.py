@@ -1,0 +1,85 @@
+"""PRM007 unknown-parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.params.owners import PackageParameters
+from ...rule import rule
+
+NODE = """\
+class Talker : public rclcpp::Node
+{
+public:
+  Talker() : Node("talker")
+  {
+    declare_parameter("rate", 10.0);
+    declare_parameter("global_frame", "map");
+    declare_parameter("verbose", false);
+  }
+};
+"""
+GOOD = """\
+talker:
+  ros__parameters:
+    rate: 50.0
+    global_frame: odom
+    verbose: true
+"""
+
+
+@rule(
+    "PRM007",
+    "unknown-parameter",
+    over=PackageParameters,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="config",
+            bad={
+                "include/my_pkg/talker.hpp": NODE,
+                "config/robot.yaml": GOOD.replace("global_frame", "«global_flame»"),
+            },
+            good={"config/robot.yaml": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"include/my_pkg/talker.hpp": NODE.replace("  }\n", '    get_parameter(«"verbos"», verbose_);\n  }\n')},
+            good={"include/my_pkg/talker.hpp": NODE.replace("  }\n", '    get_parameter("verbose", verbose_);\n  }\n')},
+        ),
+    ),
+)
+def unknown_parameter(scope: PackageParameters) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds values for parameters that no code declares, where the package that declares the others of the block has one
+    of a near name that the block does not give.
+
+    In C++ the same is asked of `get_parameter`: a name that nobody declares, in a file that declares a near one which
+    nobody gets.
+
+    ## Why is this bad?
+    Nobody complains: the value is dropped, and the node runs with its default; or it stops at a
+    ParameterNotDeclaredException, or goes on with a variable that was never set.
+
+    ## Fix safety
+    The name that is near may not be the one that was meant.
+    """
+    for group in scope.groups():
+        for parameter, meant in group.unknown():
+            whose = group.owners[0].name
+            last = meant.rpartition(".")[2]
+            message = (
+                f"`{whose}` declares no parameter `{parameter.name}`: the value is dropped (did you mean `{last}`?)"
+            )
+            fix = None
+            if parameter.key.text == parameter.name.rpartition(".")[2]:
+                edit = Edit(group.file.path, parameter.key.span, last)
+                fix = Fix(f"write `{last}`", (edit,), Safety.UNSAFE)
+            yield Hit(group.file.path, parameter.key.span, message, fix=fix)
+    for read in scope.unknown_reads():
+        message = f"nothing declares the parameter `{read.name}`; this file declares `{read.meant}` and never gets it"
+        yield Hit(read.path, read.span, message)
