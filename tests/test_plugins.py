@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from rospkg_cli.engine.locate import locate
+from rospkg_cli.engine.session import Session
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
+from rospkg_cli.tree import DiskTree
 
 HEAD = "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\nfind_package(ament_cmake REQUIRED)\n"
 LIBRARY = "add_library(planner SHARED src/planner.cpp)\ninstall(TARGETS planner DESTINATION lib)\n"
@@ -325,3 +330,79 @@ def test_a_loader_that_goes_astray() -> None:
     assert "exported to `server`" in message
     alone = loading(LOADS.replace('"server"', '"srv"'))
     assert said(alone, "PLG005") == []
+
+
+NAMED = package(plugins_DOT_xml=described("my_pkg::Planner", name='name="my_pkg/Planner"'))
+
+
+def robot(text: str, path: str = "robot/urdf/robot.urdf.xacro") -> dict[str, str]:
+    return {"robot/package.xml": manifest("", "ament_cmake", "robot"), path: text, **beside(NAMED)}
+
+
+def hardware(name: str) -> str:
+    return f"<robot><ros2_control><hardware>\n<plugin>{name}</plugin>\n</hardware></ros2_control></robot>\n"
+
+
+@pytest.mark.parametrize(
+    "text, path",
+    [
+        (hardware("my_pkg/Planer"), "robot/urdf/robot.urdf.xacro"),
+        (hardware("my_pkg::Planner"), "robot/urdf/robot.urdf"),
+        (hardware("old_pkg/Planner"), "robot/urdf/robot.urdf"),
+        ('<robot><param name="device_plugin">my_pkg/Planer</param></robot>', "robot/urdf/robot.urdf"),
+        ("a:\n  plugin: 'my_pkg/Planer'  # mine\n", "robot/config/a.yaml"),
+        ('- Class: "my_pkg/Planer"\n', "robot/rviz/a.rviz"),
+        ("- type: my_pkg/planner/Planner\n", "robot/config/a.yml"),
+    ],
+)
+def test_a_name_that_nobody_describes(text: str, path: str) -> None:
+    (finding,) = lint_files(robot(text, path), ["PLG003"]).findings
+    assert finding.place.path == path
+    assert finding.excerpt[finding.place.column - 1 : finding.place.end_column - 1] in text
+    assert finding.fix is not None
+    assert finding.fix.title == "write `my_pkg/Planner`"
+
+
+@pytest.mark.parametrize(
+    "text, path",
+    [
+        (hardware("my_pkg/Planner"), "robot/urdf/robot.urdf.xacro"),
+        (hardware("nav2_core/Planner"), "robot/urdf/robot.urdf"),
+        (hardware("old_pkg/Other"), "robot/urdf/robot.urdf"),
+        (hardware("$(arg plugin)"), "robot/urdf/robot.urdf.xacro"),
+        (f"<robot><!-- {hardware('my_pkg/Planer')} --></robot>", "robot/urdf/robot.urdf"),
+        ("a:\n  path: my_pkg/Planer\n  type: my_pkg/msg/Planer.msg\n  plugin: Planer\n", "robot/config/a.yaml"),
+        (hardware("my_pkg/Planer"), "robot/test/robot.urdf"),
+        (hardware("my_pkg/Planer"), "robot/urdf/robot.txt"),
+    ],
+)
+def test_names_that_may_be_right(text: str, path: str) -> None:
+    assert said(robot(text, path), "PLG003") == []
+
+
+def test_components_and_interfaces_may_be_named_alike() -> None:
+    register = 'rclcpp_components_register_node(planner PLUGIN "my_pkg::Node" EXECUTABLE node)\n'
+    ours = {
+        **NAMED,
+        "CMakeLists.txt": NAMED["CMakeLists.txt"].replace("ament_package", register + "ament_package"),
+        "msg/Status.msg": "bool ok\n",
+    }
+    for name in ("my_pkg::Node", "my_pkg/Status"):
+        files = {**robot(f"plugin: {name}\ntype: {name}\n", "robot/config/a.yaml"), **beside(ours)}
+        assert said(files, "PLG003") == []
+
+
+def test_a_description_that_is_not_known_keeps_quiet() -> None:
+    unknown = NAMED["CMakeLists.txt"].replace("ament_package", f"{EXPORT.replace('plugins', '${X}')}ament_package")
+    files = {**robot(hardware("my_pkg/Planer")), **beside({**NAMED, "CMakeLists.txt": unknown})}
+    assert said(files, "PLG003") == []
+
+
+def test_where_only_the_description_is_checked_it_is_told_there(tmp_path: Path) -> None:
+    for path, text in robot(hardware("my_pkg::Planner")).items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    located = locate([tmp_path / "my_pkg"], tmp_path)
+    (finding,) = Session(DiskTree(located.root), located.scope, frozenset({"PLG003"})).run().findings
+    assert finding.place.path == "my_pkg/plugins.xml"
+    assert "`robot` asks for the plug-in `my_pkg::Planner`" in finding.message

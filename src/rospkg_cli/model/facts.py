@@ -45,6 +45,15 @@ class Plugin:
 
 
 @dataclass(frozen=True, slots=True)
+class PluginUse:
+    """A place that names a plug-in: `package/Class` or `namespace::Class`."""
+
+    name: str
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class PackageFacts:
     name: str
     folder: str
@@ -75,6 +84,7 @@ class PackageFacts:
     headers: frozenset[str] = frozenset()
     """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
     plugins: tuple[Plugin, ...] = ()
+    plugin_uses: tuple[PluginUse, ...] = ()
     loaders: frozenset[tuple[str, str]] = frozenset()
     """What it loads: the package that the descriptions must be exported to, and the base class."""
     parameters: tuple[DeclaredParameter, ...] = ()

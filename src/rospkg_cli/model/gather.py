@@ -52,6 +52,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         components=components,
         modules=installed.modules,
         plugins=plugins.plugins,
+        plugin_uses=plugins.uses,
         loaders=plugins.loaders,
         unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),

@@ -5,15 +5,17 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ..cmake.project import CMake
-from ..facts import Plugin, Unknown
+from ..facts import Plugin, PluginUse, Unknown
 from ..files import Reading
 from .description import PluginDescription
 from .loaders import PluginLoaders
 from .read import EXPORT, by_cmake
+from .used import plugin_uses
 
 
 class PluginFacts(NamedTuple):
     plugins: tuple[Plugin, ...]
+    uses: tuple[PluginUse, ...]
     loaders: frozenset[tuple[str, str]]
     unknown: frozenset[Unknown]
 
@@ -24,7 +26,8 @@ def plugin_facts(reading: Reading) -> PluginFacts:
     unknown |= set() if loaders.complete else {"loaders"}
     unknown |= set() if are_complete(reading) else {"plugins"}
     plugins = [plugin for each in reading.parts(PluginDescription).good for plugin in plugins_of(each)]
-    return PluginFacts(tuple(plugins), frozenset(each.names for each in loaders.loaders), frozenset(unknown))
+    names = frozenset(each.names for each in loaders.loaders)
+    return PluginFacts(tuple(plugins), plugin_uses(reading), names, frozenset(unknown))
 
 
 def plugins_of(description: PluginDescription) -> list[Plugin]:

@@ -1,0 +1,104 @@
+"""PLG003 unknown-plugin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.plugins.sought import Sought, Unknown
+from ...model.workspace import Workspace
+from ...rule import rule
+
+PACKAGE = CMAKE.replace(
+    "ament_package()",
+    """\
+find_package(nav2_core REQUIRED)
+find_package(pluginlib REQUIRED)
+add_library(my_planner SHARED src/planner.cpp)
+target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
+install(TARGETS my_planner DESTINATION lib)
+install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
+pluginlib_export_plugin_description_file(nav2_core plugins.xml)
+ament_package()""",
+)
+CONFIG = """\
+planner_server:
+  ros__parameters:
+    planner_plugins: [GridBased]
+    GridBased:
+      plugin: my_pkg/Planner
+"""
+FILES = {
+    "package.xml": manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake"),
+    "CMakeLists.txt": PACKAGE,
+    "plugins.xml": """\
+<library path="my_planner">
+  <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
+</library>
+""",
+    "src/planner.cpp": """\
+#include <pluginlib/class_list_macros.hpp>
+PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
+""",
+}
+
+
+@rule(
+    "PLG003",
+    "unknown-plugin",
+    over=Workspace,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "config/nav2.yaml": CONFIG.replace("my_pkg/Planner", "«my_pkg::Planner»")},
+            good={"config/nav2.yaml": CONFIG},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names of plug-ins in parameters, rviz layouts and robots (`plugin: my_pkg/Planner`) that no description has,
+    where a package around should: the one that the name begins with, or, where that is no package at all, the one that
+    has a plug-in of the same class. Components and interfaces, which may be named alike, are left alone.
+
+    Where only the package with the description is checked, it is reported there.
+
+    ## Why is this bad?
+    A plug-in is looked up by its name, letter by letter; `my_pkg/Planner` and `my_pkg::Planner` are two names. The
+    server that should load it stops at start: "… with base class type … does not exist".
+
+    ## Fix safety
+    Another name is written only with `--unsafe-fixes`: the description may be what is wrong.
+    """
+    for unknown in Sought(workspace).unknown():
+        if unknown.user.folder in workspace.given:
+            yield at_use(unknown)
+        elif unknown.meant is not None and unknown.owner.folder in workspace.given:
+            yield at_description(unknown)
+
+
+def at_use(unknown: Unknown) -> Hit:
+    use, owner, meant = unknown.use, unknown.owner, unknown.meant
+    path = unknown.user.at(use.path)
+    if meant is None:
+        known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
+        return Hit(path, use.span, f"`{owner.name}` describes no plug-in `{use.name}` (it has {known})")
+    message = f"no plug-in is called `{use.name}`; `{owner.name}` has `{meant.name}`: write that"
+    related = (Related(owner.at(meant.path), meant.span, "described here"),)
+    fix = Fix(f"write `{meant.name}`", (Edit(path, use.span, meant.name),), Safety.UNSAFE)
+    return Hit(path, use.span, message, related=related, fix=fix)
+
+
+def at_description(unknown: Unknown) -> Hit:
+    use, meant = unknown.use, unknown.meant
+    assert meant is not None
+    message = (
+        f"`{unknown.user.name}` asks for the plug-in `{use.name}`, and this one is called `{meant.name}`: "
+        f"one of them has to be renamed"
+    )
+    related = (Related(unknown.user.at(use.path), use.span, "asked for here"),)
+    return Hit(unknown.owner.at(meant.path), meant.span, message, related=related)
