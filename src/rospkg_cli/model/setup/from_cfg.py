@@ -91,6 +91,11 @@ class FromCfg:
         pairs = [said.text.partition("=") for said in items_of(option.value)] if option else []
         return {key.strip(): value.strip() for key, sign, value in pairs if sign}
 
+    @cached_property
+    def package_data(self) -> Mapping[str, tuple[str, ...]]:
+        options = self.cfg.options("options.package_data") if self.cfg else ()
+        return {option.key: tuple(said.text for said in items_of(option.value)) for option in options}
+
     @property
     def extras(self) -> set[str]:
         """The names of `[options.extras_require]`."""

@@ -183,6 +183,18 @@ class SetupPy:
         pairs = value.items.items() if isinstance(value, MappingValue) else ()
         return {str(key): item.text.rstrip("/") for key, (_, item) in pairs if isinstance(item, Text)}
 
+    @cached_property
+    def package_data(self) -> Mapping[str, tuple[str, ...]]:
+        """Patterns of files that are installed beside modules: name of a package, or "" for all, to patterns."""
+        value = self.value("package_data")
+        if value is None:
+            return self.from_cfg.package_data
+        found: dict[str, tuple[str, ...]] = {}
+        for key, (_, patterns) in value.items.items() if isinstance(value, MappingValue) else ():
+            items = patterns.items if isinstance(patterns, Sequence) else []
+            found[str(key)] = tuple(item.text for item in items if isinstance(item, Text))
+        return found
+
     def folder_of(self, package: str) -> str:
         """Return the folder of a package, relative to setup.py."""
         found = package_folder(package, self.package_dir)

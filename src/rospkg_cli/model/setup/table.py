@@ -8,7 +8,6 @@ from collections.abc import Iterator
 
 from ...source import Span
 from ..evaluate.folder import OutsideError
-from ..evaluate.values import Mapping, Sequence, Text
 from ..facts import NOWHERE
 from ..install import PYTHON, Installed, InstallTable, NotKnown, What
 from .setup_py import SetupPy
@@ -100,16 +99,12 @@ def module_rows(setup: SetupPy, package: str) -> Iterator[Installed]:
         yield Installed("module", posixpath.join(PYTHON, folder, name), path, "", setup.path, at)
     for name in setup.generated:
         yield Installed("module", posixpath.join(PYTHON, package, f"{name}.py"), "", "", setup.path, at)
-    value = setup.value("package_data")
-    for key, (_, patterns) in (value.items if isinstance(value, Mapping) else {}).items():
-        texts = (
-            [item.text for item in patterns.items if isinstance(item, Text)] if isinstance(patterns, Sequence) else []
-        )
-        for each in [said.text for said in setup.packages] if key in ("", "*") else [str(key)]:
-            yield from package_data(setup, each, texts, at)
+    for key, patterns in setup.package_data.items():
+        for each in [said.text for said in setup.packages] if key in ("", "*") else [key]:
+            yield from package_data(setup, each, patterns, at)
 
 
-def package_data(setup: SetupPy, package: str, patterns: list[str], at: Span) -> Iterator[Installed]:
+def package_data(setup: SetupPy, package: str, patterns: tuple[str, ...], at: Span) -> Iterator[Installed]:
     folder = setup.folder_of(package)
     for pattern in patterns:
         try:
