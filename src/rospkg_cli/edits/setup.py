@@ -58,12 +58,19 @@ def add_item(setup: SetupPy, into: Sequence, code: str) -> tuple[Edit, ...]:
 
 
 def add_argument(setup: SetupPy, code: str) -> tuple[Edit, ...]:
-    """Give setup() another argument, behind its last one."""
+    """Give setup() another argument, behind its last one.
+
+    The edit takes a character of the text with it, so that no two arguments are added at once: it might be the same.
+    """
     if setup.call is None:
         return ()
-    start = setup.source.text.index("(", setup.call.span.start)
+    text, start = setup.source.text, setup.source.text.index("(", setup.call.span.start)
     brackets = Span(start, setup.call.span.end)
-    return commas.append(setup.source, brackets, [argument.span for argument in own_arguments(setup)], code)
+    *others, last = commas.append(setup.source, brackets, [argument.span for argument in own_arguments(setup)], code)
+    if last.span.start < last.span.end:
+        return (*others, last)
+    at = last.span.start
+    return (*others, Edit(last.path, Span(at - 1, at), text[at - 1 : at] + last.text))
 
 
 def own_arguments(setup: SetupPy) -> list[Argument]:

@@ -143,7 +143,7 @@ class PythonPackage:
         Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
         """
         started = {entry.module: entry for entry in self.nodes if entry.within is not None}
-        if not started or not self.setup.knows("entry_points"):
+        if not started or not self.setup.knows("entry_points") or any(e.fault for e in self.setup.entry_points):
             return ()
         known = {entry.module for entry in self.setup.entry_points}
         found: list[tuple[str, str, Span, EntryPoint]] = []

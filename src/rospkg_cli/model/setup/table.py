@@ -43,6 +43,10 @@ def python_table(setup: SetupPy, name: str) -> InstallTable:
     if setup.makes_files:
         writes = "setup.py calls what may write files"
         unknown += [NotKnown(what, writes, setup.path, setup.span) for what in GENERATED]
+    if setup.value("include_package_data") and setup.folder.kind("MANIFEST.in"):
+        unknown.append(
+            NotKnown("other", "what MANIFEST.in adds beside modules is not followed", "MANIFEST.in", NOWHERE)
+        )
     rows = [
         *data_rows(setup),
         *implied_rows(setup, name),
