@@ -57,6 +57,39 @@ def add_argument(file: CMakeFile, command: Command, text: str, after: Span | Non
     return Edit(file.path, Span(last.end, last.end), glue + text)
 
 
+def guard(file: CMakeFile, commands: Sequence[Command], wanted: Command) -> tuple[Edit, ...]:
+    """Put the run of neighbouring commands that holds `wanted` into `if(BUILD_TESTING)`; nothing where it is no run."""
+    top = [each for each in file.body if isinstance(each, Command)]
+    if wanted not in top or any(not stands_alone(file.source, each) for each in commands if each in top):
+        return ()
+    run = [wanted]
+    body = list(file.body)
+    at = body.index(wanted)
+    for each in body[at + 1 :]:
+        if not (isinstance(each, Command) and each in commands):
+            break
+        run.append(each)
+    for each in reversed(body[:at]):
+        if not (isinstance(each, Command) and each in commands):
+            break
+        run.insert(0, each)
+    start = file.source.line_span(file.source.position(run[0].span.start)[0]).start
+    end = file.source.line_span(file.source.position(run[-1].span.end)[0]).end
+    indent = indent_of(file)
+    lines = file.source.text[start:end].split("\n")
+    inside = "\n".join(f"{indent}{line}" if line.strip() else line for line in lines)
+    names = in_case_of(file, "if(BUILD_TESTING)\nendif()").split("\n")
+    return (Edit(file.path, Span(start, end), f"{names[0]}\n{inside}\n{names[1]}"),)
+
+
+def stands_alone(source: Source, command: Command) -> bool:
+    """Return whether nothing but a comment stands in the lines of a command."""
+    start = source.line_span(source.position(command.span.start)[0]).start
+    end = source.line_span(source.position(command.span.end)[0]).end
+    behind = source.text[command.span.end : end].strip()
+    return not source.text[start : command.span.start].strip() and (not behind or behind.startswith("#"))
+
+
 def in_case_of(file: CMakeFile, lines: str) -> str:
     """Return commands with their names in the case that the file has."""
     if not is_upper(file):
@@ -66,7 +99,11 @@ def in_case_of(file: CMakeFile, lines: str) -> str:
 
 def is_upper(file: CMakeFile) -> bool:
     names = [file.source.slice(command.name_span) for command in file.syntax.commands]
-    return sum(name.isupper() for name in names) * 2 > len(names)
+    return sum(map(is_upper_name, names)) * 2 > len(names)
+
+
+def is_upper_name(name: str) -> bool:
+    return name.isupper()
 
 
 def indent_of(file: CMakeFile) -> str:

@@ -79,6 +79,8 @@ class PackageFacts:
     share_files: frozenset[str] = frozenset()
     """What stands in share/<name> after the build, relative to it."""
     components: frozenset[str] = frozenset()
+    cmake_targets: tuple[str, ...] = ()
+    """The targets that its CMake exports, with their namespace; as far as these can be told."""
     modules: frozenset[str] = frozenset()
     """Dotted names of the Python modules that are installed."""
     headers: frozenset[str] = frozenset()

@@ -6,7 +6,7 @@ from pathlib import PurePosixPath
 from typing import get_args
 
 from ..ros.distros import Targets
-from .cmake.facts import registered_components
+from .cmake.facts import exported_targets, registered_components
 from .facts import PackageFacts, Unknown
 from .files import Reading
 from .header_folders import header_folders
@@ -50,6 +50,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         parameters=declared_parameters(reading),
         share_files=installed.share_files,
         components=components,
+        cmake_targets=exported_targets(reading),
         modules=installed.modules,
         plugins=plugins.plugins,
         plugin_uses=plugins.uses,

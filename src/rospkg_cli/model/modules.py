@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from .files import PackageFiles, Reading
+from .install import InstallTable
 from .python import PythonFile, parse_python
 from .setup.setup_py import SetupPy
 from .unreadable import Unreadable, UnreadableError
@@ -36,8 +37,12 @@ def read_modules(reading: Reading) -> Iterator[Modules]:
 
 
 def read_installed_modules(reading: Reading) -> Iterator[PythonFile | Unreadable]:
-    """Read every module that setup.py installs: one that can't be parsed is a fault that shows at run time."""
+    """Read every module and script that is installed: one that can't be parsed is a fault that shows at run time."""
     setup, modules = reading.parts(SetupPy).only, reading.parts(Modules).only
-    if setup is not None and modules is not None:
-        for path in sorted(set(setup.modules.values())):
+    table = reading.parts(InstallTable).only
+    rows = table.rows if table is not None else ()
+    paths = {row.source for row in rows if row.what in ("module", "executable") and row.source.endswith(".py")}
+    paths |= set(setup.modules.values()) if setup is not None else set()
+    if modules is not None:
+        for path in sorted(paths):
             yield modules.read(path)

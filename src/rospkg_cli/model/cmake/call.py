@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from .syntax import Command
+from .syntax import Argument, Command
 from .words import BINARY, HOLE, SOURCE, Word
 
 
@@ -25,6 +25,8 @@ class Call:
     """It runs only under a condition that can't be evaluated."""
     inside: str = ""
     """The function or macro of the package that it stands in."""
+    counts: tuple[int, ...] = ()
+    """How many words each argument of the command stands for."""
 
     @property
     def name(self) -> str:
@@ -33,6 +35,13 @@ class Call:
     @cached_property
     def texts(self) -> tuple[str, ...]:
         return tuple(word.text for word in self.words)
+
+    def by_argument(self) -> Iterator[tuple[Argument, tuple[Word, ...]]]:
+        """Yield the arguments as they are written, each with the words that it stands for."""
+        at = 0
+        for argument, count in zip(self.command.arguments, self.counts, strict=True):
+            yield argument, self.words[at : at + count]
+            at += count
 
     @property
     def first(self) -> Word | None:

@@ -40,9 +40,9 @@ def run_project(machine: Machine, call: Call) -> None:
         for prefix in ("PROJECT", name):
             machine.set_text(f"{prefix}_SOURCE_DIR", here)
             machine.set_text(f"{prefix}_BINARY_DIR", there)
-        machine.set("PROJECT_NAME", call.words[:1])
+        machine.set_text("PROJECT_NAME", name)
         if top:
-            machine.set("CMAKE_PROJECT_NAME", call.words[:1])
+            machine.set_text("CMAKE_PROJECT_NAME", name)
 
 
 def run_find_package(machine: Machine, call: Call) -> None:
@@ -67,7 +67,8 @@ def run_include(machine: Machine, call: Call) -> None:
 def run_add_subdirectory(machine: Machine, call: Call) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
     folder = machine.path(call.texts[0]) if call.texts else None
-    if folder is None:
+    if folder is None or not machine.files.exists(posixpath.join(folder, ROOT)):
+        machine.clouded = True
         return
     outer = machine.scope
     machine.scope = Scope(outer)
@@ -91,6 +92,11 @@ def leave(how: str) -> Callable[[Machine, Call], None]:
         raise LeaveError(how)
 
     return run
+
+
+def unseen(machine: Machine, call: Call) -> None:
+    """What FetchContent brings is read as part of the package."""
+    machine.clouded = True
 
 
 def first_is_output(machine: Machine, call: Call) -> None:
@@ -158,6 +164,8 @@ COMMANDS: Mapping[str, Callable[[Machine, Call], None]] = {
     "file": run_file,
     "execute_process": named_outputs,
     "ament_get_python_install_dir": run_python_install_dir,
+    "fetchcontent_makeavailable": unseen,
+    "fetchcontent_populate": unseen,
     "project": run_project,
     "find_package": run_find_package,
     "include": run_include,

@@ -28,6 +28,7 @@ def run_if(machine: Machine, block: Block) -> None:
     for branch in block.branches:
         reached, live = split(live, verdict(machine, branch, live))
         if reached == (False, False):
+            machine.try_out(branch.body)
             continue
         machine.scope.restore(before)
         how = run_branch(machine, branch, reached)
@@ -71,9 +72,12 @@ def is_sure(machine: Machine, reached: Reached) -> bool:
 
 
 def run_branch(machine: Machine, branch: Branch, reached: Reached) -> str:
-    """Run a branch; return how it left its file or loop, or ""."""
+    """Run a branch; return how it left its file or loop, or "".
+
+    colcon builds with BUILD_TESTING on: what runs only without it is a `maybe`.
+    """
     testing = reached[1] is False
-    sure = reached[0] is True if testing else reached[1] is True and reached[0] is not None
+    sure = reached[0] is True and (testing or reached[1] is True)
     frame = machine.frame
     inner = replace(frame, testing=frame.testing or testing, maybe=frame.maybe or not sure)
     try:
@@ -102,6 +106,9 @@ def run_foreach(machine: Machine, block: Block) -> None:
     before = machine.scope.get(name)
     if values is None:
         run_maybe(machine, block, {name: machine.hole()})
+    elif not values:
+        machine.scope.set(name, machine.hole())
+        machine.try_out(block.branches[0].body)
     else:
         run_rounds(machine, block, name, values)
     if before is None:

@@ -71,6 +71,8 @@ class Frame:
     """CMAKE_CURRENT_SOURCE_DIR, relative to the package."""
     testing: bool = False
     maybe: bool = False
+    idle: bool = False
+    """Nothing of it is really run: a branch that is never taken, a loop over nothing."""
     depth: int = 0
     inside: str = ""
     """The function or macro of the package that is run."""
@@ -98,6 +100,8 @@ class Machine:
     foreign: Callable[[Machine, Call], None]
     """What a command does that is none of CMake's own."""
     calls: list[Call] = field(default_factory=list)
+    idle: list[Call] = field(default_factory=list)
+    """Commands that are never run, evaluated as far as that goes."""
     broken: list[Unreadable] = field(default_factory=list)
     read: dict[str, CMakeFile] = field(default_factory=dict)
     scope: Scope = field(default_factory=Scope)
@@ -111,7 +115,7 @@ class Machine:
     assume: str | None = None
     """What BUILD_TESTING is while a condition is tried."""
     clouded: bool = False
-    """A file was included that we can't see: it may have set anything."""
+    """Something was read that we can't see: it may have set any variable, and made any target."""
     steps: int = 0
     exhausted: bool = False
     """The run did not come to its end."""
@@ -181,7 +185,7 @@ class Machine:
     def command(self, command: Command) -> None:
         self.step()
         call = self.call(command)
-        self.calls.append(call)
+        (self.idle if self.frame.idle else self.calls).append(call)
         if (function := self.functions.get(command.name)) is not None:
             self.invoke(self, function, call)
             return
@@ -189,15 +193,28 @@ class Machine:
 
     def call(self, command: Command) -> Call:
         frame = self.frame
-        words = tuple(self.words(command))
-        return Call(command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside)
+        found = self.by_argument(command)
+        words, counts = tuple(word for each in found for word in each), tuple(map(len, found))
+        return Call(command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside, counts)
 
     def words(self, command: Command) -> list[Word]:
         """Return the evaluated arguments of a command."""
-        found: list[Word] = []
-        for argument in command.arguments:
-            found += words_of(argument, self.frame.path, self.value, environment)
-        return found
+        return [word for each in self.by_argument(command) for word in each]
+
+    def by_argument(self, command: Command) -> list[list[Word]]:
+        return [words_of(argument, self.frame.path, self.value, environment) for argument in command.arguments]
+
+    def try_out(self, body: Sequence[Command | Block]) -> None:
+        """Run what is never run, only to see its commands: nothing of what it does stays."""
+        saved, functions, targets = self.scope.save(), dict(self.functions), set(self.targets)
+        try:
+            with self.framed(replace(self.frame, idle=True, depth=self.frame.depth + 1)):
+                self.body(body)
+        except LeaveError:
+            pass
+        finally:
+            self.scope.restore(saved)
+            self.functions, self.targets = functions, targets
 
     # ---- variables
 

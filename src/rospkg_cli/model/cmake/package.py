@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...ros.distros import Targets
 from ..facts import PackageFacts
 from ..manifest import Manifest
 from .project import CMake
@@ -18,3 +19,9 @@ class CMakePackage:
     @property
     def ament(self) -> bool:
         return self.facts.build_type == "ament_cmake"
+
+
+@dataclass(frozen=True)
+class CMakeForTargets:
+    package: CMakePackage
+    targets: Targets

@@ -27,8 +27,12 @@ class CMake:
     package: PackageFiles = field(repr=False)
     files: tuple[CMakeFile, ...]
     calls: tuple[Call, ...]
+    idle: tuple[Call, ...] = ()
+    """Commands in branches that are never taken and loops over nothing."""
     complete: bool = True
     """False where the run was cut short: nothing may be concluded from what is absent."""
+    clouded: bool = False
+    """Whether it reads files that we can't see: they may make any target."""
 
     @property
     def root(self) -> CMakeFile:
@@ -37,6 +41,22 @@ class CMake:
     def file(self, path: str) -> CMakeFile:
         """Return the file with a path; raises StopIteration."""
         return next(file for file in self.files if file.path == path)
+
+    @cached_property
+    def functions(self) -> frozenset[str]:
+        """The names of the package's own functions and macros."""
+        commands = (command for file in self.files for command in file.syntax.commands)
+        defined = [command for command in commands if command.name in ("function", "macro") and command.arguments]
+        return frozenset(command.arguments[0].text.lower() for command in defined)
+
+    def raw(self, word: Word) -> str:
+        """Return what stands in the file where a word was written: `${LIBRARY}`, `"a b"`."""
+        return self.file(word.path).source.slice(word.span)
+
+    def shown(self, word: Word) -> str:
+        """Return a word for a message, with what stands in the file where that is something else."""
+        raw = self.raw(word).strip('"')
+        return f"`{word.text}`" if raw == word.text or not raw else f"`{word.text}` (`{raw}`)"
 
     @cached_property
     def _by_name(self) -> dict[str, list[Call]]:
@@ -65,6 +85,12 @@ class CMake:
     def ends_a_package(self) -> bool:
         """Whether `ament_package` is called, by whatever name."""
         return any(call.name.endswith(("ament_package", "ament_auto_package")) for call in self.calls)
+
+    @cached_property
+    def exports(self) -> tuple[Call, ...]:
+        """The calls of ament_export_targets that count: those in a sub-folder set a variable that is lost there."""
+        calls = self.named("ament_export_targets", "ament_export_interfaces")
+        return tuple(call for call in calls if not call.folder)
 
     @property
     def only_tests(self) -> bool:
@@ -103,13 +129,21 @@ class CMake:
     @cached_property
     def output_names(self) -> dict[str, str]:
         """Targets whose file is called otherwise than they are."""
-        found: dict[str, str] = {}
+        return dict(self.properties("OUTPUT_NAME"))
+
+    @cached_property
+    def export_names(self) -> dict[str, str]:
+        """Targets that other packages call otherwise."""
+        return dict(self.properties("EXPORT_NAME"))
+
+    def properties(self, name: str) -> Iterator[tuple[str, str]]:
+        """Yield target and value for each place where a property of that name is set."""
         for call in self.named("set_target_properties", "set_property"):
             texts = call.texts
-            if "OUTPUT_NAME" in texts[:-1] and "PROPERTIES" in texts:
-                new = texts[texts.index("OUTPUT_NAME") + 1]
-                found |= dict.fromkeys(texts[: texts.index("PROPERTIES")], new)
-        return found
+            start = "PROPERTIES" if call.name == "set_target_properties" else "PROPERTY"
+            if start in texts and name in texts[texts.index(start) : -1]:
+                value = texts[texts.index(name) + 1]
+                yield from ((target, value) for target in texts[: texts.index(start)] if target != "TARGET")
 
 
 def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
@@ -128,4 +162,5 @@ def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
     if machine.broken:
         yield from machine.broken
     else:
-        yield CMake(reading.files, tuple(machine.read.values()), tuple(machine.calls), not machine.exhausted)
+        files, calls, idle = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.idle)
+        yield CMake(reading.files, files, calls, idle, not machine.exhausted, machine.clouded)

@@ -156,7 +156,7 @@ class Table:
         return self.cmake.package.tree.files().get(path.rstrip("/")) == "link"
 
     def may_install(self, call: Call) -> bool:
-        known = call.name == "install" or call.name in INSTALL_COMMANDS
+        known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions
         return call.name in INSTALLS_ON_ITS_OWN or ("install" in call.name and not known)
 
 

@@ -1,0 +1,50 @@
+"""How a rule that installs executables to the wrong place is mended."""
+
+from __future__ import annotations
+
+from ..finding import Edit
+from ..model.cmake.astray import Astray
+from ..model.cmake.project import CMake
+from ..model.cmake.syntax import Argument
+from ..source import Span
+from .cmake import add_after
+from .cmake_install import LIBEXEC, block
+
+
+def to_libexec(cmake: CMake, astray: Astray) -> tuple[Edit, ...]:
+    """Send an executable to lib/<package>: with its whole rule where that is about executables, else in a new one."""
+    rule = astray.rule
+    file = cmake.file(rule.call.path)
+    arguments = [argument for argument, words in rule.call.by_argument() if words and astray.word in words]
+    place = rule.destination_word
+    alone = all(is_executable(cmake, word.text) for word in rule.items) if rule.kind == "TARGETS" else True
+    if (
+        alone
+        and place is not None
+        and place.path == file.path
+        and len(set((rule.destinations or {"": ""}).values())) == 1
+    ):
+        return tuple(
+            Edit(file.path, argument.span, LIBEXEC)
+            for argument, words in rule.call.by_argument()
+            if len(words) == 1 and is_destination(cmake, rule.call.command.arguments, argument)
+        )
+    if len(arguments) != 1 or len(rule.items) < 2:
+        return ()
+    span = arguments[0].span
+    text = file.source.text
+    start = span.start
+    while text[start - 1] in " \t\n":
+        start -= 1
+    lines = block(file, rule.kind, file.source.slice(span), LIBEXEC)
+    return (Edit(file.path, Span(start, span.end), ""), add_after(file, rule.call.command, f"\n{lines}"))
+
+
+def is_executable(cmake: CMake, name: str) -> bool:
+    target = cmake.target(name)
+    return target is not None and target.executable
+
+
+def is_destination(cmake: CMake, arguments: tuple[Argument, ...], argument: Argument) -> bool:
+    at = arguments.index(argument)
+    return at > 0 and arguments[at - 1].text == "DESTINATION"

@@ -1,0 +1,131 @@
+"""Where install rules go, and how they are written: beside their like, in the file's own layout."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ..finding import Edit
+from ..model.cmake.blocks import Block
+from ..model.cmake.installs import InstallRule
+from ..model.cmake.project import CMake
+from ..model.cmake.read import CMakeFile
+from ..model.cmake.syntax import Command
+from ..source import Span
+from .cmake import add_after, add_argument, add_at_end, add_before, indent_of
+
+SHARE = "share/${PROJECT_NAME}"
+LIBEXEC = "lib/${PROJECT_NAME}"
+ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
+
+
+def install_folder(cmake: CMake, folder: str) -> Edit:
+    """Install a folder into the share directory, with its name."""
+    automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
+    if automatic and (edit := to_share(cmake, automatic[0].command, folder)) is not None:
+        return edit
+    return extend_or_add(
+        cmake,
+        lambda rule: rule.kind == "DIRECTORY" and rule.destination == f"share/{cmake.project_name}" and is_bare(rule),
+        folder,
+        block(cmake.root, "DIRECTORY", folder, SHARE),
+    )
+
+
+def to_share(cmake: CMake, command: Command, folder: str) -> Edit | None:
+    """Name a folder behind INSTALL_TO_SHARE of ament_auto_package, where that stands in CMakeLists.txt itself."""
+    if command not in cmake.root.body:
+        return None
+    texts = [argument.text for argument in command.arguments]
+    if "INSTALL_TO_SHARE" not in texts:
+        behind = command.arguments[-1].span.end if command.arguments else command.inner.start
+        indent = indent_of(cmake.root)
+        return Edit(
+            cmake.root.path, Span(behind, command.inner.end), f"\n{indent}INSTALL_TO_SHARE\n{indent * 2}{folder}\n"
+        )
+    last = next(
+        (i for i, text in enumerate(texts) if i > texts.index("INSTALL_TO_SHARE") and text.isupper()), len(texts)
+    )
+    return add_argument(cmake.root, command, folder, command.arguments[last - 1].span)
+
+
+def install_executable(cmake: CMake, target: str) -> Edit:
+    return extend_or_add(
+        cmake,
+        lambda rule: rule.kind == "TARGETS" and only_executables(cmake, rule),
+        target,
+        block(cmake.root, "TARGETS", target, LIBEXEC),
+    )
+
+
+def install_script(cmake: CMake, path: str) -> Edit:
+    return extend_or_add(
+        cmake,
+        lambda rule: rule.kind == "PROGRAMS" and rule.destination == f"lib/{cmake.project_name}" and not rule.rename,
+        path,
+        block(cmake.root, "PROGRAMS", path, LIBEXEC),
+    )
+
+
+def install_headers(cmake: CMake) -> Edit:
+    """Install include/ to where the targets say that it will be, else to where it is found without a word."""
+    texts = [text for call in cmake.named("target_include_directories") for text in call.texts]
+    own = any("INSTALL_INTERFACE:" in text and f"include/{cmake.project_name}" in text for text in texts)
+    place = "include/${PROJECT_NAME}" if own else "include"
+    return add_rule(cmake, block(cmake.root, "DIRECTORY", "include/", place))
+
+
+def install_library(cmake: CMake, target: str, export: str = "") -> Edit:
+    """Install a library beside other libraries (of the same export, where one is named), else in a rule of its own."""
+
+    def fits(rule: InstallRule) -> bool:
+        targets = [cmake.target(word.text) for word in rule.items]
+        same = rule.export.text == export if rule.export is not None else not export
+        return rule.kind == "TARGETS" and same and all(each is not None and each.library for each in targets)
+
+    indent = indent_of(cmake.root)
+    places = [f"EXPORT {export}"] if export else []
+    places += ["ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin"]
+    lines = "".join(f"\n{indent}{place}" for place in places)
+    return extend_or_add(cmake, fits, target, f"install(TARGETS {target}{lines}\n)")
+
+
+def extend_or_add(cmake: CMake, fits: Callable[[InstallRule], bool], item: str, lines: str) -> Edit:
+    """Put an item into the last rule that fits and stands in CMakeLists.txt itself, else add a rule."""
+    for rule in reversed(cmake.installs):
+        command = rule.call.command
+        if rule.call.path == cmake.root.path and command in cmake.root.body and not rule.call.maybe and fits(rule):
+            written = [argument for argument, words in rule.call.by_argument() if words and words[-1] == rule.items[-1]]
+            if written:
+                return add_argument(cmake.root, command, item, written[0].span)
+    return add_rule(cmake, lines)
+
+
+def add_rule(cmake: CMake, lines: str) -> Edit:
+    """Put a rule below the last one, else before the tests and ament_package()."""
+    root = cmake.root
+    installs = [each for each in root.body if isinstance(each, Command) and each.name == "install"]
+    if installs:
+        return add_after(root, installs[-1], f"\n{lines}")
+    for each in root.body:
+        first = each.command if isinstance(each, Block) else each
+        tests = isinstance(each, Block) and any("BUILD_TESTING" in a.text for a in first.arguments)
+        if tests or first.name in ENDS:
+            return add_before(root, first, f"{lines}\n")
+    return add_at_end(root, lines)
+
+
+def block(file: CMakeFile, kind: str, item: str, destination: str) -> str:
+    indent = indent_of(file)
+    return f"install({kind} {item}\n{indent}DESTINATION {destination}\n)"
+
+
+def is_bare(rule: InstallRule) -> bool:
+    """Return whether a rule for folders copies whole folders, and nothing is said of which files."""
+    return not rule.patterns and not rule.permissions and not any(word.text.endswith("/") for word in rule.items)
+
+
+def only_executables(cmake: CMake, rule: InstallRule) -> bool:
+    targets = [cmake.target(word.text) for word in rule.items]
+    places = set((rule.destinations or {}).values())
+    right = places == {f"lib/{cmake.project_name}"} and rule.export is None
+    return right and all(each is not None and each.executable for each in targets)

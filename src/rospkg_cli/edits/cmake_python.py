@@ -1,0 +1,23 @@
+"""How a Python package gets installed by CMake."""
+
+from __future__ import annotations
+
+from ..finding import Edit
+from ..model.cmake.project import CMake
+from .cmake import add_after
+from .cmake_install import add_rule
+
+FINDER = "ament_cmake_python"
+
+
+def install_python_package(cmake: CMake, name: str) -> tuple[Edit, ...]:
+    """Call ament_python_install_package, and look for what defines it, where nothing does so yet."""
+    shown = "${PROJECT_NAME}" if name == cmake.project_name else name
+    call = add_rule(cmake, f"ament_python_install_package({shown})")
+    if any(each.name == FINDER for each in cmake.packages):
+        return (call,)
+    found = [each.call for each in cmake.packages if each.call.command in cmake.root.body and not each.call.maybe]
+    anchor = next((call for call in found if call.texts[0] == "ament_cmake"), found[-1] if found else None)
+    if anchor is None:
+        return (call,)
+    return (add_after(cmake.root, anchor.command, f"find_package({FINDER} REQUIRED)"), call)

@@ -1,0 +1,49 @@
+"""How an installed script is made executable."""
+
+from __future__ import annotations
+
+from ..finding import Chmod, Edit, Operation
+from ..model.cmake.project import CMake
+from ..model.cmake.scripts import Script, Scripts
+from ..source import Span
+
+SHEBANG = "#!/usr/bin/env python3\n"
+
+
+def make_executable(scripts: Scripts, script: Script) -> tuple[Operation, ...]:
+    """Return what mends a script: PROGRAMS for FILES, a first line, the executable bit, or keeping the bits."""
+    cmake, copy = scripts.package.cmake, script.copy
+    match script.wrong:
+        case "files":
+            return as_programs(cmake, scripts, script)
+        case "no shebang":
+            return (Edit(copy.source, Span(0, 0), SHEBANG),)
+        case "directory":
+            return keeping_permissions(cmake, script)
+        case _:
+            return (Chmod(copy.source, True),)
+
+
+def as_programs(cmake: CMake, scripts: Scripts, script: Script) -> tuple[Operation, ...]:
+    """Write PROGRAMS where all that the rule installs are scripts."""
+    call = script.copy.rule.call
+    ours = [copy.source for copy in scripts.copies if copy.rule is script.copy.rule]
+    if not all(scripts.has_shebang(path) for path in ours) or not call.command.arguments:
+        return ()
+    first = call.command.arguments[0]
+    return (Edit(call.path, first.span, "PROGRAMS"),) if first.text == "FILES" else ()
+
+
+def keeping_permissions(cmake: CMake, script: Script) -> tuple[Operation, ...]:
+    """Add USE_SOURCE_PERMISSIONS behind the destination."""
+    call = script.copy.rule.call
+    arguments = call.command.arguments
+    place = next((i for i, argument in enumerate(arguments[:-1]) if argument.text == "DESTINATION"), None)
+    if place is None:
+        return ()
+    keyword, end = arguments[place], arguments[place + 1].span.end
+    source = cmake.file(call.path).source
+    line = source.line_span(source.position(keyword.span.start)[0])
+    before = source.text[line.start : keyword.span.start]
+    glue = " " if before.strip() else f"\n{before}"
+    return (Edit(call.path, Span(end, end), f"{glue}USE_SOURCE_PERMISSIONS"),)

@@ -1,0 +1,65 @@
+"""CMK004 after-ament-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import add_at_end, remove
+from ...example import CMAKE, Example
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.cmake.order import Late, late_calls
+from ...model.cmake.package import CMakePackage
+from ...rule import rule
+
+HEAD = CMAKE.removesuffix("ament_package()\n")
+EXPORT = "ament_export_include_directories(include/${PROJECT_NAME})\n"
+
+
+@rule(
+    "CMK004",
+    "after-ament-package",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "what comes too late are only the linters"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": f"{HEAD}ament_package()\n«{EXPORT.strip()}»\n"},
+            good={"CMakeLists.txt": f"{HEAD}{EXPORT}\nament_package()\n"},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds calls behind `ament_package()` or `ament_auto_package()` that it would have had to know of: exports, generated
+    interfaces, components, plug-ins, linters, targets of `ament_auto_add_*`.
+
+    ## Why is this bad?
+    Some of them stop CMake. The others do nothing, without a word: the component is not registered, the linters don't
+    run.
+
+    ## Fix safety
+    The call of `ament_package()` goes to the end of the file, past everything that may have been put behind it on
+    purpose.
+    """
+    for late in late_calls(package.cmake):
+        end = late.end.name
+        message = f"`{late.call.name}` comes after `{end}()`: {late.consequence}; call `{end}()` last"
+        place = Related(late.end.path, late.end.command.span, f"`{end}()` is called here")
+        level = Severity.WARNING if late.only_linters else None
+        fix = move_to_end(package, late)
+        yield Hit(late.call.path, late.call.command.span, message, level, related=(place,), fix=fix)
+
+
+def move_to_end(package: CMakePackage, late: Late) -> Fix | None:
+    """Return the fix, where the call stands alone in its lines and outside of any block."""
+    file = package.cmake.root
+    command = late.end.command
+    again = [call for call in package.cmake.named(late.end.name) if call is not late.end]
+    taken = remove(file, command)
+    if command not in file.body or taken.span == command.span or again:
+        return None
+    edits = (taken, add_at_end(file, file.source.slice(command.span)))
+    return Fix(f"call `{late.end.name}()` at the end", edits, Safety.UNSAFE)

@@ -1,0 +1,106 @@
+"""CMK005 removed-command."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_link import link_instead
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.linking import LinkedPackages, Removed, Replacement
+from ...ros.distros import Targets
+from ...rule import rule
+
+BODY = "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"
+SOURCE = "int main() {return 0;}\n"
+FOUND = "find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\nadd_executable(talker src/talker.cpp)\n"
+INSTALL = "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\nament_package"
+ONE = CMAKE.replace("ament_package", f"{FOUND}«ament_target_dependencies»(talker rclcpp std_msgs)\n{INSTALL}")
+LIST = "set(dependencies rclcpp std_msgs)\n"
+MANY = CMAKE.replace(
+    "ament_package", f"{FOUND}{LIST}«ament_target_dependencies»(talker PUBLIC\n  ${{dependencies}}\n)\n{INSTALL}"
+)
+TARGETS = "  rclcpp::rclcpp\n  ${std_msgs_TARGETS}\n"
+FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
+
+
+@rule(
+    "CMK005",
+    "removed-command",
+    over=LinkedPackages,
+    severity=Severity.INFO,
+    levels={
+        Severity.WARNING: "Kilted is a named target: it warns",
+        Severity.ERROR: "Lyrical or a later one is a named target: it does not know the command",
+    },
+    examples=(
+        Example(
+            bad={**FILES, "CMakeLists.txt": ONE},
+            good={
+                "CMakeLists.txt": ONE.replace("«ament_target_dependencies»", "target_link_libraries").replace(
+                    "talker rclcpp std_msgs", "talker PUBLIC rclcpp::rclcpp ${std_msgs_TARGETS}"
+                )
+            },
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={**FILES, "CMakeLists.txt": MANY},
+            good={
+                "CMakeLists.txt": MANY.replace("«ament_target_dependencies»", "target_link_libraries").replace(
+                    "  ${dependencies}\n", TARGETS
+                )
+            },
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+            targets=("lyrical",),
+        ),
+    ),
+)
+def removed_command(linked: LinkedPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds `ament_target_dependencies()`, which Kilted warns about and Lyrical has no more.
+
+    ## Why is this bad?
+    The configuration stops with "Unknown CMake command". Linking targets (`rclcpp::rclcpp`, `${std_msgs_TARGETS}`)
+    works on every supported distribution.
+
+    ## Fix safety
+    The packages are replaced by the targets that are known to be theirs, a package of messages by its variable
+    `${std_msgs_TARGETS}`. Of a package that is not known here nobody can tell whether it exports targets at all. The
+    target is linked as it was: PUBLIC and INTERFACE stay, and where it is linked without a keyword elsewhere, there is
+    none.
+
+    ## References
+    - https://docs.ros.org/en/rolling/Releases/Release-Kilted-Kaiju.html
+    """
+    level = level_for(linked.targets)
+    for removed in linked.removed():
+        replacement = linked.replacement(removed)
+        message = (
+            '`ament_target_dependencies` is deprecated in Kilted and gone in Lyrical, where CMake stops with "Unknown '
+            f'CMake command"; {advice(replacement)}'
+        )
+        yield Hit(removed.file.path, removed.command.name_span, message, level, fix=fix(removed, replacement))
+
+
+def level_for(targets: Targets) -> Severity | None:
+    if targets.named(lambda distro: distro.name in ("lyrical", "rolling")):
+        return Severity.ERROR
+    return Severity.WARNING if targets.named(lambda distro: distro.name == "kilted") else None
+
+
+def advice(replacement: Replacement | None) -> str:
+    if replacement is None:
+        return "link the packages' targets with `target_link_libraries` (which these are can't be told here)"
+    new = [text for part in replacement.parts for text in part.texts or ()]
+    guessed = ", ".join(f"`{name}`" for name in replacement.guessed)
+    doubt = f" (whether {guessed} exports targets can't be told here)" if guessed else ""
+    return f"link `{' '.join(new) or 'nothing'}` with `target_link_libraries`{doubt}"
+
+
+def fix(removed: Removed, replacement: Replacement | None) -> Fix | None:
+    if replacement is None:
+        return None
+    return Fix("link targets with target_link_libraries", link_instead(removed, replacement), Safety.UNSAFE)

@@ -1,0 +1,65 @@
+"""CMK101 cmake-folder-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_install import install_folder
+from ...example import CMAKE, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.shared import RuntimeFolders
+from ...rule import rule
+
+LAUNCH = {
+    "launch/robot.launch.xml": "<launch>\n</launch>\n",
+    "README.md": "Run `ros2 launch my_pkg robot.launch.xml`.\n",
+}
+MESHES = {"meshes/base.stl": "solid base\n", "rviz/robot.rviz": "Panels: []\n"}
+INSTALL = "install(DIRECTORY launch\n  DESTINATION share/${PROJECT_NAME}\n)\n"
+ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})\nament_package")
+
+
+@rule(
+    "CMK101",
+    "cmake-folder-not-installed",
+    over=RuntimeFolders,
+    severity=Severity.WARNING,
+    levels={Severity.ERROR: "a launch file or the README refers to the folder"},
+    examples=(
+        Example(
+            bad={**LAUNCH, "CMakeLists.txt": CMAKE.replace("ament_package()", "«ament_package()»")},
+            good={"CMakeLists.txt": CMAKE.replace("ament_package", f"{INSTALL}\nament_package")},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={**MESHES, "CMakeLists.txt": ONE.replace("install(", "«install(").replace("NAME})", "NAME})»")},
+            good={"CMakeLists.txt": ONE.replace("meshes", "meshes rviz")},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds folders of launch files, parameters, robot descriptions, meshes, worlds or maps of which nothing is installed.
+
+    ## Why is this bad?
+    The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
+    'my_pkg'": only what `install()` names is installed.
+    """
+    package, place = folders.package, folders.place
+    if not package.ament or place is None:
+        return
+    name = package.facts.name
+    for folder in folders.forgotten():
+        files = folders.useful(folder)
+        fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
+        start = f"`ros2 launch {name} …`" if folder == "launch" else "what opens it in the share directory"
+        message = (
+            f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): the build is "
+            f"green, and {start} does not find it; add `{folder}` to an `install(DIRECTORY …)`"
+        )
+        level = Severity.ERROR if folders.refers_to(folder) else None
+        yield Hit(place.path, place.command.span, message, level, fix=fix)

@@ -1,0 +1,108 @@
+"""CMK103 target-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_install import install_executable, install_library
+from ...example import CMAKE, Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.cmake.forgotten import Forgotten, ForgottenTargets
+from ...model.cmake.package import CMakePackage
+from ...rule import rule
+
+MAIN = "int main() {return 0;}\n"
+TWO = """\
+add_executable(talker src/talker.cpp)
+add_executable(«listener» src/listener.cpp)
+install(TARGETS talker
+  DESTINATION lib/${PROJECT_NAME}
+)
+"""
+LIBRARY = """\
+add_library(«core» SHARED src/core.cpp)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker PRIVATE core)
+install(TARGETS talker
+  DESTINATION lib/${PROJECT_NAME}
+)
+"""
+CORE_INSTALLED = """\
+
+install(TARGETS core
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+"""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK103",
+    "target-not-installed",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    levels={Severity.ERROR: "an exported target needs it: CMake stops"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(TWO), "src/talker.cpp": MAIN, "src/listener.cpp": MAIN},
+            good={
+                "CMakeLists.txt": cmake(
+                    TWO.replace("«listener»", "listener").replace("TARGETS talker", "TARGETS talker listener")
+                )
+            },
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(LIBRARY), "src/talker.cpp": MAIN, "src/core.cpp": "int core() {return 1;}\n"},
+            good={"CMakeLists.txt": cmake(LIBRARY.replace("«core»", "core") + CORE_INSTALLED)},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds executables that are built and not installed, and shared libraries that something installed needs: a
+    component, another target, those who use the package. What serves the build or the tests is left alone.
+
+    ## Why is this bad?
+    The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries".
+    A target that an exported one is linked with has to be exported too: CMake stops.
+    """
+    if not package.ament:
+        return
+    for forgotten in ForgottenTargets(package.cmake).all():
+        word = forgotten.target.word
+        level = Severity.ERROR if forgotten.stops else None
+        fix = Fix(f"install `{word.text}`", (edit(package, forgotten),))
+        yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
+
+
+def message(package: CMakePackage, forgotten: Forgotten) -> str:
+    name = package.cmake.shown(forgotten.target.word)
+    if forgotten.stops:
+        return (
+            f"{forgotten.needed_by} is linked with {name}, which no `install(TARGETS … EXPORT …)` names: CMake stops "
+            'with "… requires target … that is not in any export set"; install it with the same export'
+        )
+    if forgotten.target.executable:
+        return (
+            f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
+            f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
+        )
+    return f"the library {name} is built and not installed: {forgotten.needed_by} can't load it; install it into lib"
+
+
+def edit(package: CMakePackage, forgotten: Forgotten) -> Edit:
+    cmake, raw = package.cmake, package.cmake.raw(forgotten.target.word)
+    if forgotten.target.executable:
+        return install_executable(cmake, raw)
+    exports = [rule.export.text for rule in cmake.installs if rule.export is not None and forgotten.stops]
+    return install_library(cmake, raw, exports[0] if exports else "")

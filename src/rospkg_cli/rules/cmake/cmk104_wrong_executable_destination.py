@@ -1,0 +1,82 @@
+"""CMK104 wrong-executable-destination."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_destination import to_libexec
+from ...example import CMAKE, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.astray import AstrayExecutables
+from ...rule import rule
+
+MAIN = "int main() {return 0;}\n"
+WRONG = "add_executable(talker src/talker.cpp)\ninstall(TARGETS «talker» DESTINATION share/${PROJECT_NAME})\n"
+BOTH = """\
+add_library(core SHARED src/core.cpp)
+add_executable(talker src/talker.cpp)
+install(TARGETS
+  core
+  «talker»
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+"""
+SPLIT = """\
+
+install(TARGETS talker
+  DESTINATION lib/${PROJECT_NAME}
+)
+"""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK104",
+    "wrong-executable-destination",
+    over=AstrayExecutables,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it goes to bin/, and neither a launch file nor the README starts it"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(WRONG), "src/talker.cpp": MAIN},
+            good={"CMakeLists.txt": cmake(WRONG.replace("«talker»", "talker").replace("share/", "lib/"))},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={
+                "CMakeLists.txt": cmake(BOTH),
+                "src/talker.cpp": MAIN,
+                "src/core.cpp": "int core() {return 1;}\n",
+                "README.md": "Start it with `ros2 run my_pkg talker`.\n",
+            },
+            good={"CMakeLists.txt": cmake(BOTH.replace("  «talker»\n", "") + SPLIT)},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds nodes and scripts that are installed anywhere but in `lib/${PROJECT_NAME}`. A tool that is no node may stand
+    in bin/.
+
+    ## Why is this bad?
+    `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
+    """
+    name = astray.package.facts.name
+    if not astray.package.ament:
+        return
+    for each in astray.all():
+        start = f"`{each.name}` is installed into `{each.place}`, where neither `ros2 run {name} {each.name}` nor a"
+        message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
+        level = Severity.WARNING if each.place == "bin" and not each.started else None
+        edits = to_libexec(astray.package.cmake, each)
+        fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits) if edits else None
+        yield Hit(each.word.path, each.word.span, message, level, fix=fix)

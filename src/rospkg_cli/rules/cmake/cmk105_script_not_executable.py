@@ -1,0 +1,94 @@
+"""CMK105 script-not-executable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_scripts import make_executable
+from ...example import CMAKE, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.scripts import Script, Scripts
+from ...rule import rule
+
+BARE = "print('hello')\n"
+SHEBANG = "#!/usr/bin/env python3\n"
+FILES = "install(FILES «scripts/hello.py» DESTINATION lib/${PROJECT_NAME})\n"
+PROGRAMS = FILES.replace("FILES", "PROGRAMS")
+FOLDER = "install(DIRECTORY «scripts/» DESTINATION lib/${PROJECT_NAME})\n"
+KEPT = "install(DIRECTORY scripts/ DESTINATION lib/${PROJECT_NAME} USE_SOURCE_PERMISSIONS)\n"
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK105",
+    "script-not-executable",
+    over=Scripts,
+    severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`"
+    },
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(FILES), "scripts/hello.py": SHEBANG + BARE},
+            good={"CMakeLists.txt": cmake(PROGRAMS.replace("«", "").replace("»", ""))},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(FOLDER), "scripts/hello.py": SHEBANG + BARE},
+            good={"CMakeLists.txt": cmake(KEPT)},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(PROGRAMS), "scripts/hello.py": BARE},
+            good={"scripts/hello.py": SHEBANG + BARE},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def script_not_executable(scripts: Scripts) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds scripts in `lib/${PROJECT_NAME}` that can't be executed there: installed with FILES instead of PROGRAMS, with
+    a DIRECTORY that does not keep permissions, without `#!` in their first line, or without an executable bit.
+
+    ## Why is this bad?
+    `ros2 run` says "No executable found", or the script ends with "Exec format error". PROGRAMS sets the bit on a copy;
+    with `colcon build --symlink-install` there is no copy, and the bit of the source counts.
+    """
+    if not scripts.package.ament:
+        return
+    for script in scripts.broken():
+        mild = script.wrong == "no bit" or (script.wrong == "directory" and scripts.uses_programs)
+        level = Severity.WARNING if mild else None
+        operations = make_executable(scripts, script)
+        fix = Fix(f"make `{script.copy.source}` executable", operations) if operations else None
+        yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script), level, fix=fix)
+
+
+def message(scripts: Scripts, script: Script) -> str:
+    path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
+    run = f"`ros2 run {scripts.package.facts.name} {name}`"
+    match script.wrong:
+        case "files":
+            return (
+                f"`{path}` is installed with FILES, which makes it not executable: {run} does not find it; use PROGRAMS"
+            )
+        case "no shebang":
+            return f'`{path}` does not begin with `#!`: {run} ends with "Exec format error"; write `{SHEBANG.strip()}`'
+        case "directory":
+            return (
+                f"the executable bit of `{path}` is not installed: {run} does not find it; add USE_SOURCE_PERMISSIONS"
+            )
+        case "directory, no bit":
+            return f"`{path}` is not executable: {run} does not find it; `chmod +x {path}`"
+        case _:
+            return (
+                f"`{path}` is not executable: after `colcon build --symlink-install` {run} does not find it; "
+                f"`chmod +x {path}`"
+            )

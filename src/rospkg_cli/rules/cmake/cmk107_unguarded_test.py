@@ -1,0 +1,67 @@
+"""CMK107 unguarded-test."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake import guard
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.guarded import Unguarded, unguarded
+from ...model.cmake.package import CMakePackage
+from ...rule import rule
+
+BODY = "  <test_depend>ament_lint_auto</test_depend>\n  <test_depend>ament_lint_common</test_depend>\n"
+LINES = "find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_dependencies()\n"
+MARKED = "\n".join(f"«{line}»" for line in LINES.splitlines()) + "\n"
+GUARDED = (
+    "if(BUILD_TESTING)\n  find_package(ament_lint_auto REQUIRED)\n  ament_lint_auto_find_test_dependencies()\nendif()\n"
+)
+
+
+@rule(
+    "CMK107",
+    "unguarded-test",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", MARKED + "ament_package"),
+                "package.xml": manifest(BODY, "ament_cmake"),
+            },
+            good={"CMakeLists.txt": CMAKE.replace("ament_package", GUARDED + "ament_package")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds test frameworks and linters that CMake looks for, and tests that it makes, outside of `if(BUILD_TESTING)`. A
+    package that is more than a `<test_depend>` is left alone.
+
+    ## Why is this bad?
+    Where packages are built for release, tests are off and their dependencies are not there: "Could not find a package
+    configuration file provided by "ament_lint_auto"".
+
+    ## Fix safety
+    Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer
+    there for the rest of the file when tests are off.
+    """
+    if not package.ament:
+        return
+    found = list(unguarded(package))
+    for each in found:
+        edits = guard(package.cmake.root, [other.call.command for other in found], each.call.command)
+        fix = Fix("put it into `if(BUILD_TESTING)`", edits, Safety.UNSAFE) if edits else None
+        yield Hit(each.call.path, each.call.command.span, message(each), fix=fix)
+
+
+def message(each: Unguarded) -> str:
+    verb = f"`find_package({each.what})`" if each.call.name == "find_package" else f"`{each.what}`"
+    return (
+        f"{verb} is for tests and stands outside of `if(BUILD_TESTING)`: a build without tests, as for a release, "
+        "stops because it is not installed; put it inside"
+    )

@@ -1,0 +1,125 @@
+"""CMK108 unregistered-component."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example, manifest
+from ...finding import Hit, Related, Severity
+from ...model.cmake.components import Component
+from ...model.cmake.registered import MACRO, Components
+from ...rule import rule
+from ...suggest import did_you_mean, nearest
+
+BODY = "  <depend>rclcpp</depend>\n  <depend>rclcpp_components</depend>\n"
+SOURCE = """\
+#include <rclcpp/rclcpp.hpp>
+#include <rclcpp_components/register_node_macro.hpp>
+
+namespace my_pkg
+{
+class Talker : public rclcpp::Node
+{
+public:
+  explicit Talker(const rclcpp::NodeOptions & options)
+  : Node("talker", options) {}
+};
+}  // namespace my_pkg
+
+RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Talker)
+"""
+LINES = """\
+find_package(rclcpp REQUIRED)
+find_package(rclcpp_components REQUIRED)
+add_library(talker SHARED src/talker.cpp)
+target_link_libraries(talker PUBLIC rclcpp::rclcpp rclcpp_components::component)
+install(TARGETS talker
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+rclcpp_components_register_node(talker PLUGIN "my_pkg::Talker" EXECUTABLE talker_node)
+"""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
+
+
+@rule(
+    "CMK108",
+    "unregistered-component",
+    over=Components,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "a source registers a class, and no call of CMake does"},
+    examples=(
+        Example(
+            bad={**FILES, "CMakeLists.txt": cmake(LINES.replace('"my_pkg::Talker"', '«"my_package::Talker"»'))},
+            good={"CMakeLists.txt": cmake(LINES)},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={**FILES, "CMakeLists.txt": cmake(LINES.replace("node(talker", "node(«talkr»"))},
+            good={"CMakeLists.txt": cmake(LINES)},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={
+                **FILES,
+                "CMakeLists.txt": cmake(LINES.replace("talker.cpp", "talker.cpp src/listener.cpp")),
+                "src/listener.cpp": SOURCE.replace("Talker", "Listener").replace(
+                    "NODE(my_pkg::Listener)", "NODE(«my_pkg::Listener»)"
+                ),
+            },
+            good={
+                "CMakeLists.txt": cmake(
+                    LINES.replace("talker.cpp", "talker.cpp src/listener.cpp")
+                    + 'rclcpp_components_register_node(talker PLUGIN "my_pkg::Listener" EXECUTABLE listener_node)\n'
+                )
+            },
+            on="ament_cmake",
+        ),
+    ),
+)
+def unregistered_component(components: Components) -> Iterator[Hit]:
+    """
+    ## What it does
+    Compares the components that CMake registers (`rclcpp_components_register_node(s)`) with the classes that the
+    sources register (`RCLCPP_COMPONENTS_REGISTER_NODE`), and with the targets that are made.
+
+    ## Why is this bad?
+    Both have to say the same, to the letter. The build is green, and loading the component ends with "Failed to find
+    class with the requested plugin name"; its executable starts and ends without a word.
+    """
+    cmake = components.package.cmake
+    if not components.package.ament:
+        return
+    for each in components.without_target():
+        word, made = each.target, [target.name for target in cmake.targets]
+        message = f"nothing makes the target {cmake.shown(word)}{did_you_mean(word.text, made)}: CMake stops"
+        yield Hit(word.path, word.span, f"{message}; name the library that holds `{each.plugin.text}`")
+    for each in components.without_source():
+        yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))
+    for source in components.without_cmake():
+        start = f"`{source.name}` is registered here and by no `rclcpp_components_register_node(…)`"
+        message = f"{start}: it can't be loaded by its name; register it in CMakeLists.txt too"
+        yield Hit(source.path, source.span, message, Severity.WARNING)
+
+
+def unknown(components: Components, component: Component) -> str:
+    names = [each.name for each in components.in_sources]
+    name = component.plugin.text
+    there = f"it is `{names[0]}` that is registered" if len(set(names)) == 1 else "they register others"
+    near = did_you_mean(name, names) or f" ({there})" if names else ""
+    fails = f'no source registers `{name}`{near}: the build is green, and loading it ends with "Failed to find class'
+    return f'{fails} with the requested plugin name"; write `{MACRO}({name})`, or the name that is meant'
+
+
+def meant(components: Components, component: Component) -> tuple[Related, ...]:
+    found = nearest(component.plugin.text, [each.name for each in components.in_sources])
+    return tuple(
+        Related(each.path, each.span, "this one is registered") for each in components.in_sources if each.name == found
+    )

@@ -1,0 +1,67 @@
+"""CMK109 missing-python-install."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_python import install_python_package
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...model.cmake.python_packages import PythonPackages
+from ...rule import rule
+
+SCRIPT = "#!/usr/bin/env python3\nfrom my_pkg.words import HELLO\n\nprint(HELLO)\n"
+INSTALL = "install(PROGRAMS scripts/hello.py DESTINATION lib/${PROJECT_NAME})\n"
+BAD = CMAKE.replace("ament_package()", f"{INSTALL}«ament_package()»")
+FOUND = "find_package(ament_cmake REQUIRED)\n"
+GOOD = (
+    BAD.replace("«", "")
+    .replace("»", "")
+    .replace(FOUND, f"{FOUND}find_package(ament_cmake_python REQUIRED)\n")
+    .replace(INSTALL, f"{INSTALL}\nament_python_install_package(${{PROJECT_NAME}})\n")
+)
+BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
+
+
+@rule(
+    "CMK109",
+    "missing-python-install",
+    over=PythonPackages,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest(BODY, "ament_cmake"),
+                "CMakeLists.txt": BAD,
+                "scripts/hello.py": SCRIPT,
+                "my_pkg/__init__.py": "",
+                "my_pkg/words.py": "HELLO = 'hello'\n",
+            },
+            good={"CMakeLists.txt": GOOD},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds Python packages in a package that CMake builds which an installed script or launch file imports, and which no
+    `ament_python_install_package()` installs.
+
+    ## Why is this bad?
+    The build is green, and the script ends with ModuleNotFoundError.
+    """
+    cmake = packages.package.cmake
+    ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
+    if not packages.package.ament or not ends:
+        return
+    for each in packages.uninstalled():
+        place = ends[-1]
+        start = f"the Python package `{each.folder}` is not installed: the build is green, and `{each.path}`, which"
+        stops = f"imports `{each.module}`, ends with ModuleNotFoundError"
+        message = f"{start} {stops}; call `ament_python_install_package({each.folder})`"
+        edits = install_python_package(cmake, each.folder)
+        fix = Fix(f"install the Python package {each.folder}", edits)
+        related = Related(each.path, each.span, "it is imported here")
+        yield Hit(place.path, place.command.span, message, related=(related,), fix=fix)

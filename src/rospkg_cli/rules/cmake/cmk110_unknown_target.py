@@ -1,0 +1,76 @@
+"""CMK110 unknown-target."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...model.cmake.package import CMakePackage
+from ...model.cmake.references import Reference, References
+from ...rule import rule
+from ...suggest import did_you_mean
+
+TARGET = """\
+add_executable(talker src/talker.cpp)
+target_compile_features(«talkr» PRIVATE cxx_std_17)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+EXPORT = """\
+add_library(core SHARED src/core.cpp)
+install(TARGETS core EXPORT core_targets DESTINATION lib)
+ament_export_targets(«export_core»)
+"""
+SOURCE = "int main() {return 0;}\n"
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK110",
+    "unknown-target",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(TARGET), "src/talker.cpp": SOURCE},
+            good={"CMakeLists.txt": cmake(TARGET.replace("«talkr»", "talker"))},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(EXPORT), "src/core.cpp": "int core() {return 1;}\n"},
+            good={"CMakeLists.txt": cmake(EXPORT.replace("«export_core»", "core_targets"))},
+            on="ament_cmake",
+        ),
+    ),
+)
+def unknown_target(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds targets that `install(TARGETS)`, `target_link_libraries()` and the like name and that nothing makes, and
+    exports (`ament_export_targets()`) that no `install(… EXPORT …)` fills.
+
+    ## Why is this bad?
+    CMake stops. This is what is left when a target was renamed or removed.
+    """
+    references = References(package.cmake)
+    for reference in references.broken():
+        known = references.targets if reference.kind == "target" else references.exports
+        near = did_you_mean(reference.word.text, known)
+        message = f"{said(package, reference)}{near}: CMake stops with {stops(reference)}"
+        yield Hit(reference.word.path, reference.word.span, message)
+
+
+def said(package: CMakePackage, reference: Reference) -> str:
+    name = package.cmake.shown(reference.word)
+    if reference.kind == "export":
+        return f"no `install(… EXPORT …)` fills {name}, which `{reference.call.name}` exports"
+    return f"`{reference.call.name}` names the target {name}, which nothing makes"
+
+
+def stops(reference: Reference) -> str:
+    if reference.kind == "export":
+        return f'"INSTALL(EXPORT) given unknown export"; add `EXPORT {reference.word.text}` to the `install(TARGETS …)`'
+    return '"… which does not exist"; name a target of this package, or take it out'

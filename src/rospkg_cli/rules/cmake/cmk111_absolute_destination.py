@@ -1,0 +1,80 @@
+"""CMK111 absolute-destination."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.cmake.installs import InstallRule
+from ...model.cmake.package import CMakePackage
+from ...model.cmake.words import Word
+from ...rule import rule
+
+SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/share/${PROJECT_NAME}»)\nament_package")
+HOME = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/home/ada/models»)\nament_package")
+URDF = '<robot name="my_robot">\n  <link name="base_link"/>\n</robot>\n'
+
+OUTSIDE = re.compile(r"/|~|\$ENV\{HOME\}")
+STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
+"""What a person meant: a folder below the prefix, with a slash or the path of a workspace before it."""
+
+
+@rule(
+    "CMK111",
+    "absolute-destination",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": SLASH, "urdf/robot.urdf": URDF},
+            good={"CMakeLists.txt": SLASH.replace("«/share/${PROJECT_NAME}»", "share/${PROJECT_NAME}")},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": HOME, "urdf/robot.urdf": URDF},
+            good={"CMakeLists.txt": HOME.replace("«/home/ada/models»", "share/${PROJECT_NAME}")},
+            on="ament_cmake",
+        ),
+    ),
+)
+def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds `install(… DESTINATION …)` with an absolute path: a home folder, a folder of the system, or only a slash too
+    many.
+
+    ## Why is this bad?
+    The files don't go to colcon's install folder: the build fails for lack of permission, or it writes into a folder
+    that nobody else has. No Debian package can be made of it.
+    """
+    seen = set()
+    for install in package.cmake.installs:
+        word = install.destination_word
+        if word is None or install.call.maybe or (word.path, word.span) in seen:
+            continue
+        raw = package.cmake.raw(word).strip('"')
+        if OUTSIDE.match(raw) and install.call.name != "ament_python_install_package":
+            seen.add((word.path, word.span))
+            message = (
+                f"`DESTINATION {raw}` is an absolute path: the files don't go to the install prefix, where ROS looks; "
+                f"write a path below it, such as `{wanted(raw, install)}`"
+            )
+            yield Hit(word.path, word.span, message, fix=fix(package, word, raw))
+
+
+def wanted(raw: str, install: InstallRule) -> str:
+    if found := STANDARD.fullmatch(raw):
+        return found.group(1)
+    return "lib/${PROJECT_NAME}" if install.kind in ("TARGETS", "PROGRAMS") else "share/${PROJECT_NAME}"
+
+
+def fix(package: CMakePackage, word: Word, raw: str) -> Fix | None:
+    found = STANDARD.fullmatch(raw)
+    if found is None:
+        return None
+    quote = '"' if package.cmake.raw(word).startswith('"') else ""
+    edit = Edit(word.path, word.span, f"{quote}{found.group(1)}{quote}")
+    return Fix(f"install into `{found.group(1)}` below the prefix", (edit,))

@@ -1,0 +1,50 @@
+"""CMK112 script-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_install import install_script
+from ...example import CMAKE, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.scripts import Scripts
+from ...rule import rule
+
+SCRIPT = "#!/usr/bin/env python3\nprint('hello')\n"
+ONE = CMAKE.replace(
+    "ament_package",
+    "install(PROGRAMS\n  «scripts/hello.py»\n  DESTINATION lib/${PROJECT_NAME}\n)\nament_package",
+)
+
+
+@rule(
+    "CMK112",
+    "script-not-installed",
+    over=Scripts,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": ONE, "scripts/hello.py": SCRIPT, "scripts/bye.py": SCRIPT},
+            good={"CMakeLists.txt": ONE.replace("«scripts/hello.py»", "scripts/hello.py\n  scripts/bye.py")},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def script_not_installed(scripts: Scripts) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds executable scripts that lie beside scripts installed with `install(PROGRAMS)` and that no rule installs.
+
+    ## Why is this bad?
+    The build is green, and `ros2 run` finds the one and not the other.
+    """
+    if not scripts.package.ament:
+        return
+    for path, beside in scripts.forgotten():
+        message = (
+            f"`{path}` is not installed as `{beside.source}` beside it is: `ros2 run {scripts.package.facts.name} "
+            f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"
+        )
+        fix = Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),))
+        yield Hit(beside.item.path, beside.item.span, message, fix=fix)

@@ -1,0 +1,83 @@
+"""CMK113 missing-export-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_export import export_dependency
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.cmake.exported import ExportedDependencies
+from ...rule import rule
+
+LINES = """\
+find_package(rclcpp REQUIRED)
+find_package(std_msgs REQUIRED)
+
+add_library(core SHARED src/core.cpp)
+target_include_directories(core PUBLIC
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+  $<INSTALL_INTERFACE:include/${PROJECT_NAME}>
+)
+target_link_libraries(core PUBLIC rclcpp::rclcpp «${std_msgs_TARGETS}»)
+install(DIRECTORY include/
+  DESTINATION include/${PROJECT_NAME}
+)
+install(TARGETS core EXPORT export_core
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+ament_export_targets(export_core HAS_LIBRARY_TARGET)
+ament_export_dependencies(rclcpp)
+"""
+GOOD = LINES.replace("«", "").replace("»", "").replace("dependencies(rclcpp", "dependencies(rclcpp std_msgs")
+FILES = {
+    "package.xml": manifest("  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n", "ament_cmake"),
+    "src/core.cpp": "#include <my_pkg/core.hpp>\n",
+    "include/my_pkg/core.hpp": "#pragma once\n#include <rclcpp/rclcpp.hpp>\n#include <std_msgs/msg/string.hpp>\n",
+}
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK113",
+    "missing-export-dependency",
+    over=ExportedDependencies,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={**FILES, "CMakeLists.txt": cmake(LINES)},
+            good={"CMakeLists.txt": cmake(GOOD)},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that an exported library is linked with in public (PUBLIC, INTERFACE, or without a keyword), that one
+    of its installed headers includes, and that `ament_export_dependencies()` does not name. What comes with a package
+    that it does name is left alone.
+
+    ## Why is this bad?
+    This package builds. Another one that links the library stops with "the target was not found", unless it happens to
+    look for the package itself.
+
+    ## Fix safety
+    The package is added. Where the library needs it only inside, linking it as PRIVATE is better.
+    """
+    package = exported.headers.package
+    if not package.ament:
+        return
+    for each in exported.missing():
+        message = (
+            f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
+            f"not name: who links it stops because a target of `{each.package}` was not found; export it"
+        )
+        fix = Fix(f"export {each.package}", (export_dependency(package.cmake, each.package),), Safety.UNSAFE)
+        yield Hit(each.word.path, each.word.span, message, fix=fix)
