@@ -8,13 +8,13 @@ from ...source import Span
 from ..syntax import Syntax
 from .bounds import LimitError
 from .folder import ROOT, Folder
+from .functions import Functions
 from .library import LIBRARY
 from .machine import Intrinsic
-from .statements import Statements
 from .values import Argument, Call, Function, Scope, Text, Unknown, Value
 
 
-class Evaluator(Statements):
+class Evaluator(Functions):
     """A file that was evaluated: its names, and the calls that were left alone.
 
     `knows` adds functions to the library, by full name; each may return None to leave a call alone.

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from .formatting import as_text, in_format
-from .iteration import ITERATION, pure
+from .iteration import pure
 from .machine import Intrinsic, Machine
-from .operators import truth
 from .paths import PATHS
+from .picking import ITERATION
+from .truth import truth
 from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
 from .values import Mapping as MappingValue
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from .iteration import items_of
 from .machine import Machine
-from .operators import compared
 from .plain import NotPlainError, plain
+from .truth import compared
 from .values import Call, Constant, Sequence, Value
 
 

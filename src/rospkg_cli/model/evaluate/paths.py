@@ -8,8 +8,9 @@ from collections.abc import Callable, Mapping
 from .folder import MAGIC, ROOT, Folder, OutsideError, fits
 from .iteration import pure
 from .machine import Intrinsic, Machine
-from .operators import clean, path_join, truth
+from .operators import clean, path_join
 from .plain import lift
+from .truth import truth
 from .values import Call, Constant, Globbed, Opened, Sequence, Text, Value
 
 

@@ -1,0 +1,151 @@
+"""Evaluate what holds items: displays, subscripts, comprehensions, and what stands left of an `=`."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from .dict_methods import set_item
+from .expressions import Expressions
+from .iteration import items_of, many
+from .operators import sliced, subscript
+from .plain import NotPlainError, plain
+from .truth import truth
+from .values import (
+    Argument,
+    Call,
+    Kind,
+    Mapping,
+    Scope,
+    Sequence,
+    Symbol,
+    Unknown,
+    Value,
+)
+
+
+class Containers(Expressions):
+    """Evaluates expressions that hold or take apart items."""
+
+    def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Scope) -> Value:
+        kind: Kind = "list" if isinstance(node, ast.List) else "tuple" if isinstance(node, ast.Tuple) else "set"
+        result = Sequence(self.span(node), kind, display=True, born=len(self.conditions))
+        for each in node.elts:
+            if not isinstance(each, ast.Starred):
+                self.put(result, self.evaluate(each, scope), self.span(each))
+                continue
+            value = self.evaluate(each.value, scope)
+            items = items_of(self, value)
+            if items is None:
+                self.spoil(
+                    result, self.span(each), getattr(value, "why", f"{self.shown(self.span(each))} can't be told")
+                )
+            for item in items or ():
+                self.put(result, item, self.span(each))
+        return result
+
+    on_Tuple = on_Set = on_List
+
+    def on_Dict(self, node: ast.Dict, scope: Scope) -> Value:
+        result = Mapping(self.span(node), display=True, born=len(self.conditions))
+        for key, item in zip(node.keys, node.values, strict=True):
+            value = self.evaluate(item, scope)
+            if key is not None:
+                set_item(self, result, self.evaluate(key, scope), value, self.span(key))
+            elif isinstance(value, Mapping):
+                result.items.update(value.items)
+                result.rest += value.rest
+            else:
+                self.spoil(result, self.span(item), f"{self.shown(self.span(item))} can't be evaluated")
+        return result
+
+    def on_Subscript(self, node: ast.Subscript, scope: Scope) -> Value:
+        value = self.evaluate(node.value, scope)
+        if not isinstance(node.slice, ast.Slice):
+            index = self.evaluate(node.slice, scope)
+            if isinstance(value, Symbol) and (known := self.library.get(f"{value.name}[]")) is not None:
+                asked = Call(self.span(node), value.name, (Argument("", index, index.span),))
+                return self.otherwise(known(self, asked), node, index)
+            return self.otherwise(subscript(value, index, self.span(node)), node, value, index)
+        try:
+            ends = [
+                None if n is None else plain(self.evaluate(n, scope))
+                for n in (node.slice.lower, node.slice.upper, node.slice.step)
+            ]
+            return self.otherwise(sliced(value, slice(*ends), self.span(node)), node, value)
+        except (NotPlainError, TypeError, ValueError):
+            return self.vague(node)
+
+    def on_ListComp(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope) -> Value:
+        kind: Kind = "set" if isinstance(node, ast.SetComp) else "list"
+        result = Sequence(self.span(node), kind, born=len(self.conditions))
+        for inner in self.rounds(node.generators, Scope(scope)):
+            self.put(result, self.evaluate(node.elt, inner), self.span(node.elt))
+        return result
+
+    on_SetComp = on_GeneratorExp = on_ListComp
+
+    def on_DictComp(self, node: ast.DictComp, scope: Scope) -> Value:
+        result = Mapping(self.span(node), born=len(self.conditions))
+        for inner in self.rounds(node.generators, Scope(scope)):
+            set_item(
+                self, result, self.evaluate(node.key, inner), self.evaluate(node.value, inner), self.span(node.key)
+            )
+        return result
+
+    def rounds(self, generators: list[ast.comprehension], scope: Scope) -> Iterator[Scope]:
+        """Yield a scope for each round that a comprehension makes."""
+        if not generators:
+            yield scope
+            return
+        source = self.evaluate(generators[0].iter, scope)
+        items = items_of(self, source)
+        if items is None:
+            why = getattr(source, "why", f"{self.shown(self.span(generators[0].iter))} can't be evaluated")
+            items = [self.unknown(self.span(generators[0].iter), why, many=True)]
+        for item in items:
+            if isinstance(item, Unknown) and item.many:
+                with self.under(item.why):
+                    yield from self.round(generators, Unknown(item.span, item.why), scope)
+            else:
+                yield from self.round(generators, item, scope)
+
+    def round(self, generators: list[ast.comprehension], item: Value, scope: Scope) -> Iterator[Scope]:
+        inner = Scope(scope)
+        self.assign(generators[0].target, item, inner)
+        doubtful = ""
+        for test in generators[0].ifs:
+            verdict = truth(self.evaluate(test, inner))
+            if verdict is False:
+                return
+            doubtful = doubtful or ("" if verdict else f"{self.shown(self.span(test))} can't be evaluated")
+        if not doubtful:
+            yield from self.rounds(generators[1:], inner)
+            return
+        with self.under(doubtful):
+            yield from self.rounds(generators[1:], inner)
+
+    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+        """Bind what stands left of an `=`."""
+        match target:
+            case ast.Name():
+                scope.bind(target.id, value)
+            case ast.Tuple() | ast.List():
+                self.unpack(target.elts, value, scope)
+            case ast.Starred():
+                self.assign(target.value, value, scope)
+            case ast.Subscript():
+                holder = self.evaluate(target.value, scope)
+                if isinstance(holder, Mapping):
+                    set_item(self, holder, self.evaluate(target.slice, scope), value, self.span(target))
+                else:
+                    self.spoil(holder, self.span(target), f"{self.shown(self.span(target))} can't be followed")
+
+    def unpack(self, targets: list[ast.expr], value: Value, scope: Scope) -> None:
+        items = items_of(self, value)
+        plain_targets = not any(isinstance(target, ast.Starred) for target in targets)
+        if items is None or any(map(many, items)) or not plain_targets or len(items) != len(targets):
+            why = getattr(value, "why", "it can't be taken apart")
+            items = [self.unknown(self.span(target), why) for target in targets]
+        for target, item in zip(targets, items, strict=True):
+            self.assign(target, item, scope)
