@@ -22,7 +22,9 @@ BUILT_IN = frozenset({"depend", "build_depend"})
 IMPORTED_ONLY = re.compile(r".*_(msgs|srvs|interfaces|actions)")
 """Packages that nothing but an import uses; another exec_depend may be there for a node started by name."""
 
-TEXTS = frozenset(".py .xml .yaml .yml .launch .urdf .xacro .rviz .sdf .world .cfg .toml .txt .json .ini .sh".split())
+TEXTS = frozenset(
+    ".md .rst .py .xml .yaml .yml .launch .urdf .xacro .rviz .sdf .world .cfg .toml .txt .json .ini .sh".split()
+)
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ class Unused:
 
     @cached_property
     def words(self) -> frozenset[str]:
-        """Every word of every text that is not package.xml or prose: launch files, parameters, robot descriptions."""
+        """Every word of every text but package.xml: launch files, parameters, robot descriptions, what README says."""
         found: set[str] = set()
         for path in self.files.paths:
             if path != "package.xml" and PurePosixPath(path).suffix in TEXTS:
