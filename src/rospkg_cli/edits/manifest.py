@@ -98,3 +98,11 @@ def remove_element(manifest: Manifest, element: Element) -> Edit:
 def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> Edit:
     """Put another name in the place of a dependency's."""
     return Edit(manifest.path, dependency.span, escaped(name))
+
+
+def change_tag(manifest: Manifest, dependency: Dependency, tag: str) -> Edit:
+    """Declare a dependency under another tag, with the attributes that it has."""
+    element = dependency.element
+    text = manifest.source.slice(element.span)
+    old = f"<{element.tag}"
+    return Edit(manifest.path, element.span, text.replace(old, f"<{tag}").replace(f"</{element.tag}", f"</{tag}"))

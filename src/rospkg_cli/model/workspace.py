@@ -108,8 +108,7 @@ class Workspace:
         Any of the names will do, and the first is the one to recommend.
         """
         top = module.partition(".")[0]
-        if top in self._by_name:
-            return (top,)
-        if top in self._by_module:
-            return (self._by_module[top],)
-        return serving(module, self.index).names
+        around = [self._by_module[top]] if top in self._by_module else []
+        if top in self._by_name and top not in around:
+            around.append(top)
+        return tuple(around) or serving(module, self.index).names

@@ -7,16 +7,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...ros.manifest import BUILD_TYPES
+from ...ros.manifest import BUILD_TYPES, EXPORTED
 from ...ros.table import rows
 from ..facts import PackageFacts
 from ..manifest import Manifest
 from ..workspace import Workspace
 
 MAX_DEPTH = 20
-
-EXPORTED = frozenset({"depend", "build_export_depend", "buildtool_export_depend"})
-"""Tags whose packages are there for whoever builds against the one that declares them."""
 
 COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 

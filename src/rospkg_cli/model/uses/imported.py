@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...ros.stands_for import IN_TESTS, brought
@@ -9,7 +10,7 @@ from ...source import Span
 from .declared import Declared
 from .python import PythonUse
 from .roles import Role
-from .serving import serving_import
+from .serving import served_by, serving_import
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +52,14 @@ class Imported:
                 brings = sorted(brought([name], IN_TESTS) & found.keys())
                 result.append(Missing(name, tuple(places), tuple(brings)))
         return result
+
+    def uses(self, role: Role) -> Iterator[tuple[Place, tuple[str, ...]]]:
+        """Yield what files of a role import and can't do without, and what serves it."""
+        for file in self.python.files:
+            for each in file.imports if file.role == role else ():
+                names = () if each.optional or each.typing else served_by(self.declared, each)
+                if names:
+                    yield Place(file.path, each.span, each.module), names
 
     def undeclared(self, role: Role) -> dict[str, list[Place]]:
         found: dict[str, list[Place]] = {}

@@ -15,7 +15,7 @@ from ..cpp.file import CppFile
 from ..files import PackageFiles
 from .compiled import compiled
 from .declared import Declared
-from .roles import Role, role_of
+from .roles import Role
 from .sought import SoughtAndDeclared
 
 
@@ -55,9 +55,7 @@ class Included:
         if not self.declared.judged:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
-        for source in compiled(self.cmake, self.sources):
-            role = role_of(source.path)
-            role = "run" if role == "launch" else role
+        for source, role in compiled(self.cmake, self.sources):
             for each in source.includes if role != "aside" else ():
                 if "/" in each.path and not each.conditional and not self.is_own(each.path):
                     names, cmake = self.serving(each.path)

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
+from ...ros.imports import may_serve
 from ...ros.names import Known
 from ...ros.stands_for import IN_LAUNCH_FILES, IN_TESTS, brought
+from ..cmake.project import CMake
 from ..files import PackageFiles
+from ..install import InstallTable
 from ..launch.file import LaunchFile
 from ..launch.uses import PackageUse, package_uses
+from .compiled import named_sources
 from .declared import Declared
 from .python import OwnModules
-from .roles import role_of
-from .serving import serving_import
+from .roles import Role, role_of
+from .serving import served_by
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,26 @@ class Launched:
     declared: Declared
     files: PackageFiles
     launch_files: tuple[LaunchFile, ...]
+    cmake: CMake | None
+    table: InstallTable | None
+
+    def role(self, path: str) -> Role:
+        """Return what a launch file is there for; one that lies about and is not installed is for nobody."""
+        role = role_of(path)
+        if path in self.of_tests or role == "test":
+            return "test"
+        if "launch" in path.split("/")[:-1] or self.table is None or not self.table.knows("share"):
+            return "launch"
+        return "launch" if path in {row.source for row in self.table.rows} else "aside"
+
+    @cached_property
+    def of_tests(self) -> frozenset[str]:
+        """The launch files that CMake names for tests and for nothing else."""
+        if self.cmake is None:
+            return frozenset()
+        paths = {file.path for file in self.launch_files}
+        named = {testing: named_sources(self.cmake, paths, testing) for testing in (False, True)}
+        return frozenset(named[True] - named[False])
 
     @property
     def names_around(self) -> frozenset[str]:
@@ -39,19 +64,26 @@ class Launched:
             return {}
         there = brought(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
         found: dict[str, list[PackageUse]] = {}
-        for file in self.launch_files:
-            if (role_of(file.path) == "test") is tests:
-                for use in [*package_uses(file), *([] if tests else self.imported(file))]:
-                    if not self.declared.has([use.name]) and use.name not in there:
-                        found.setdefault(use.name, []).append(use)
+        for use in self.uses(tests=tests):
+            if not self.declared.has([use.name]) and use.name not in there:
+                found.setdefault(use.name, []).append(use)
         return found
 
+    def uses(self, *, tests: bool) -> Iterator[PackageUse]:
+        """Yield what launch files need: those of tests, or the others."""
+        for file in self.launch_files:
+            if self.role(file.path) == ("test" if tests else "launch"):
+                yield from package_uses(file)
+                yield from () if tests else self.imported(file)
+
     def imported(self, file: LaunchFile) -> Iterator[PackageUse]:
-        """Yield what a Python launch file imports and nothing declared serves."""
+        """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare."""
         own = OwnModules(self.files)
         for each in file.imports:
-            if each.level or own.has(each.module, file.path):
+            if each.level or each.optional or each.typing or own.has(each.module, file.path):
                 continue
-            name = serving_import(self.declared, each)
-            if name is not None:
-                yield PackageUse(name, file.path, each.span, f"imports `{each.module}` of")
+            names = served_by(self.declared, each)
+            declared = next((name for name in names if name in self.declared.names), None)
+            if declared or not any(may_serve(name, each.module) for name in self.declared.names):
+                for name in (declared,) if declared else names[:1]:
+                    yield PackageUse(name, file.path, each.span, f"imports `{each.module}` of")

@@ -12,9 +12,7 @@ GENERATED = frozenset({"msg", "srv", "action"})
 
 def serving_import(declared: Declared, what: Import) -> str | None:
     """Return what to declare for an import; None where nothing is missing or nobody can tell."""
-    if what.optional or what.typing:
-        return None
-    names = served_by(declared, what)
+    names = () if what.optional or what.typing else served_by(declared, what)
     if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
         return None
     return names[0]

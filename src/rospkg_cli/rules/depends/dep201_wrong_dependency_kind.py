@@ -1,0 +1,63 @@
+"""DEP201 wrong-dependency-kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency, change_tag
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.uses.kinds import Kinds, WrongKind
+from ...rule import rule
+
+BAD = manifest("  <build_depend>rclpy</build_depend>\n")
+GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exec_depend>\n")
+
+
+@rule(
+    "DEP201",
+    "wrong-dependency-kind",
+    over=Kinds,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={"package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
+            good={"package.xml": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def wrong_dependency_kind(kinds: Kinds) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that are used when this one runs (imported by what is installed, needed by its launch files) and
+    declared for building or testing alone; and packages whose headers are included, declared for running or testing
+    alone.
+
+    ## Why is this bad?
+    A dependency for tests is not installed with a released package, one for running is not there when it is built.
+
+    ## Fix safety
+    The missing tag is added, or `exec_depend` becomes `depend`; another split of tags may be meant.
+
+    ## References
+    - REP-149, Dependencies
+    """
+    for each in kinds.wrong():
+        name, tag = each.dependency.name, each.dependency.tag
+        when = "runs" if each.wanted == "exec_depend" else "is built"
+        message = (
+            f"`{name}` {each.does}, and package.xml has it as <{tag}> alone: it may not be there when the package "
+            f"{when}; declare it as <{each.wanted}>"
+        )
+        related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
+        fix = Fix(f"declare `{name}` as <{each.wanted}>", (repair(kinds, each),), Safety.UNSAFE)
+        yield Hit(each.path, each.span, message, related=related, fix=fix)
+
+
+def repair(kinds: Kinds, each: WrongKind) -> Edit:
+    manifest, name = kinds.declared.manifest, each.dependency.name
+    for other in manifest.dependencies:
+        if other.name == name and other.tag == "exec_depend" and each.wanted == "depend":
+            return change_tag(manifest, other, "depend")
+    return add_dependency(manifest, each.wanted, name)
