@@ -27,7 +27,8 @@ from .plugins.loaders import PluginLoaders, read_plugin_loaders
 from .plugins.read import read_plugin_descriptions
 from .python import PythonFile
 from .setup.cfg import SetupCfg, read_setup_cfg
-from .setup.setup_py import SetupPy, read_setup_py
+from .setup.read import read_setup_py
+from .setup.setup_py import SetupPy
 from .unreadable import Unreadable
 from .urdf.file import RobotFile
 from .urdf.reader import read_robot_files

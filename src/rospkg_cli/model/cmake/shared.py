@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from ...ros.share import FOLDERS, LAUNCH
 from ..install import InstallTable
-from ..setup.shared import FOLDERS, LAUNCH
 from ..unreadable import UnreadableError
 from .call import Call, located
 from .package import CMakePackage

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from ...ros.share import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ..evaluate.folder import MAGIC
 from ..evaluate.values import Globbed
@@ -15,32 +16,6 @@ from ..unreadable import UnreadableError
 from .data_files import DataEntry, DataFile
 from .slices import PythonPackage
 from .table import MARKERS
-
-LAUNCH = re.compile(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
-
-"""Files that `ros2 launch` takes; a bare `.launch` is left out, it is ROS 1's more often than not."""
-
-MODELS = re.compile(r".*\.(?:stl|dae|obj|glb|gltf|ply|mtl|sdf|urdf|xacro|config|png|jpe?g|tga|material)", re.IGNORECASE)
-ROBOTS, WORLDS = re.compile(r".*\.(?:urdf|xacro|srdf|xml)"), re.compile(r".*\.(?:world|sdf|wbt|xacro|usda?|proto)")
-
-FOLDERS: dict[str, re.Pattern[str]] = {
-    "launch": LAUNCH,
-    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), re.compile(r".*\.(?:ya?ml|rviz|lua|json)")),
-    "rviz": re.compile(r".*\.rviz"),
-    **dict.fromkeys(("urdf", "xacro", "robots", "srdf"), ROBOTS),
-    **dict.fromkeys(("meshes", "mesh", "models"), MODELS),
-    **dict.fromkeys(("worlds", "world"), WORLDS),
-    **dict.fromkeys(("maps", "map"), re.compile(r".*\.(?:ya?ml|pgm|png|pbstream)")),
-    **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), re.compile(r".*\.xml")),
-}
-"""The folders that packages keep for run time, and which of their files are meant for it."""
-
-
-SHARED = frozenset(
-    "ament_index applications bash-completion colcon-core dbus-1 doc fish gazebo icons ignition info licenses locale"
-    " man metainfo mime pkgconfig polkit-1 sounds systemd thumbnailers zsh".split()
-)
-"""Folders of share/ that belong to no package."""
 
 
 @dataclass(frozen=True)
@@ -128,27 +103,6 @@ class SharedFiles:
             for folder in FOLDERS
             if folder not in globbed | modules and self.useful(folder) and not self.installs_from(folder)
         )
-
-    @cached_property
-    def astray(self) -> tuple[tuple[DataEntry, str, str], ...]:
-        """Entries whose destination nobody looks into: the entry, the right destination, and what is wrong."""
-        found = []
-        for entry in self.package.setup.data_entries:
-            if entry.destination is None or not entry.files:
-                continue
-            text, (first, *rest) = entry.destination.text, entry.folder.strip("/").split("/")
-            if text.startswith("/"):
-                why = "begins with a slash: colcon stops, the destination is relative to the install prefix"
-                found.append((entry, entry.folder.strip("/"), why))
-            elif first == "share" and rest and rest[0] not in self.names | SHARED:
-                own = rest if rest[0] in FOLDERS else rest[1:]
-                why = f"is not the share folder of `{self.package.name}`: nothing of this package is looked for there"
-                found.append((entry, "/".join(("share", self.package.name, *own)), why))
-            elif first in self.names or first in FOLDERS:
-                own = [first, *rest] if first in FOLDERS else rest
-                why = "is a folder right below the install prefix, where nothing is looked for"
-                found.append((entry, "/".join(("share", self.package.name, *own)), why))
-        return tuple(found)
 
     @cached_property
     def doubles(self) -> tuple[tuple[DataFile, DataFile], ...]:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,13 +15,9 @@ from ..files import PackageFiles
 from ..manifest import Manifest
 from ..modules import Modules
 from ..workspace import Workspace
-from .cfg import SetupCfg
 from .entry_points import EntryPoint
-from .exports import absolute, offers
-from .said import Said
+from .exports import offers
 from .setup_py import SetupPy
-
-TESTS = frozenset({"test", "tests", "testing"})
 
 
 @dataclass(frozen=True)
@@ -170,126 +164,3 @@ class PythonPackage:
     def installs_known_files(self) -> bool:
         """Whether it is known which data files are installed."""
         return not self.setup.makes_files and self.setup.knows("data_files")
-
-    @cached_property
-    def missing_inits(self) -> tuple[str, ...]:
-        """Folders of modules without an `__init__.py`: find_packages() passes them over.
-
-        Where `packages` is a list, those that are listed, and those below them that are not.
-        """
-        found: dict[str, None] = {}
-        for search in self.setup.searches:
-            if not search.namespace:
-                for folder in (search.where, *[posixpath.join(search.where, *p.split(".")) for p in search.found]):
-                    found |= dict.fromkeys(self.without_init(folder, top=folder == search.where))
-        listed = {} if self.setup.searches else {self.setup.folder_of(said.text): None for said in self.setup.packages}
-        for folder in listed:
-            found |= {folder: None} if self.lacks_init(folder) else {}
-            found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
-        return tuple(found)
-
-    def lacks_init(self, folder: str) -> bool:
-        """Return whether a folder holds modules and no `__init__.py`."""
-        names = self.setup.folder.children.get(folder, {})
-        return bool(folder) and "__init__.py" not in names and any(name.endswith(".py") for name in names)
-
-    def without_init(self, folder: str, *, top: bool) -> Iterator[str]:
-        children = self.setup.folder.children
-        for name, kind in children.get(folder, {}).items():
-            path = posixpath.join(folder, name)
-            if kind != "dir" or not name.isidentifier() or name in TESTS or (top and name != self.name):
-                continue
-            if self.lacks_init(path):
-                yield path
-
-    def dotted(self, folder: str) -> str:
-        """Return the name under which a folder of modules would be imported."""
-        base = self.setup.package_dir.get("", "")
-        return (folder[len(base) + 1 :] if base and folder.startswith(f"{base}/") else folder).replace("/", ".")
-
-    def imports_from(self, folder: str) -> bool:
-        """Return whether a module of the package outside of a folder, or an entry point, needs what is in it."""
-        wanted = self.dotted(folder)
-        return any(
-            name == wanted or name.startswith(f"{wanted}.") for name, path in self.imported if not inside(path, folder)
-        )
-
-    @cached_property
-    def imported(self) -> frozenset[tuple[str, str]]:
-        """Every dotted name that the modules or entry points name, and the file that does."""
-        found = {(entry.module, entry.path) for entry in self.setup.entry_points}
-        for path in self.on_disk.values():
-            file = self.modules.at(path)
-            for each in file.imports if file else ():
-                module = absolute(each, path, self.setup)
-                found |= {(module, path), *[(f"{module}.{name}", path) for name in each.names]}
-        return frozenset(found)
-
-    @cached_property
-    def unlisted(self) -> tuple[str, ...]:
-        """The Python packages below listed ones that `packages` leaves out; those of entry points are told apart."""
-        listed = {said.text for said in self.setup.packages}
-        started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
-        found: dict[str, None] = {}
-        for name in sorted(
-            {m.rpartition(".")[0] if not p.endswith("__init__.py") else m for m, p in self.on_disk.items()}
-        ):
-            parts = name.split(".")
-            above = {".".join(parts[:i]) for i in range(1, len(parts))}
-            path = self.on_disk.get(name, "")
-            if (
-                name not in listed | started
-                and above & listed
-                and path.endswith("__init__.py")
-                and not TESTS & set(parts)
-            ):
-                found[name] = None
-        return tuple(found)
-
-    @property
-    def ros_requirements(self) -> tuple[tuple[Said, str], ...]:
-        """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
-        found = []
-        for said in self.setup.texts("install_requires"):
-            match = REQUIREMENT.match(said.text)
-            name = match.group() if match else ""
-            facts = self.workspace.named(name)
-            built = facts is not None and facts.build_type in ("ament_cmake", "cmake") and facts.knows("modules")
-            if name.endswith("_msgs") or (facts is not None and built and not facts.modules):
-                found.append((said, name))
-        return tuple(found)
-
-
-def inside(path: str, folder: str) -> bool:
-    return path.startswith(f"{folder}/")
-
-
-REQUIREMENT = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
-
-SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
-ELSEWHERE = re.compile(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
-
-
-@dataclass(frozen=True)
-class ScriptHome:
-    """Where the executables of a package go."""
-
-    package: PythonPackage
-    cfg: SetupCfg | None
-
-    @cached_property
-    def wrong(self) -> tuple[tuple[str, str, Said | None], ...]:
-        """The options that put nodes where nobody looks: section, key, and the value, None where it is missing.
-
-        A value that is no folder below lib/ was meant so; so was one for the name that setup.py gives the package.
-        """
-        found: list[tuple[str, str, Said | None]] = []
-        own = {self.package.name, said.text if (said := self.package.setup.said("name")) else ""}
-        for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
-            option = self.cfg.get(section, key) if self.cfg else None
-            match = ELSEWHERE.fullmatch(option.value.text) if option else None
-            if option is None and self.package.nodes:
-                found.append((section, key, None))
-            elif option is not None and match is not None and match["name"] not in own:
-                found.append((section, key, option.value))
-        return tuple(found)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...edits.setup import add_package
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
+from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 
 LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(
@@ -21,11 +21,11 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
 @rule(
     "SET105",
     "entry-point-not-installed",
-    over=PythonPackage,
+    over=ModuleTree,
     severity=Severity.ERROR,
     examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
-def entry_point_not_installed(package: PythonPackage) -> Iterator[Hit]:
+def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points whose module is there, but in a Python package that `packages=` (or `py_modules=`) leaves out.
@@ -37,12 +37,12 @@ def entry_point_not_installed(package: PythonPackage) -> Iterator[Hit]:
     ## Fix safety
     It may be that the module was meant to lie elsewhere.
     """
-    setup = package.setup
-    if not package.installs_all_it_says:
+    setup = tree.setup
+    if not tree.package.installs_all_it_says:
         return
     for entry in setup.entry_points:
         path = setup.file_of(entry.module) if entry.module and not entry.fault else None
-        if path is None or entry.module in setup.modules or posixpath.dirname(path) in package.missing_inits:
+        if path is None or entry.module in setup.modules or posixpath.dirname(path) in tree.missing_inits:
             continue
         inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
         edits = add_package(setup, inner) if inner else ()

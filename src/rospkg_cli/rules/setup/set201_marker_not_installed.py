@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import install_marker
+from ...edits.data_files import install_marker
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.setup.shared import SharedFiles

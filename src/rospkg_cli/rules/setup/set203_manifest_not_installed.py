@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import add_data_entry, quoted, share_code
+from ...edits.data_files import add_data_entry, share_code
+from ...edits.setup import quoted
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.setup.shared import SharedFiles

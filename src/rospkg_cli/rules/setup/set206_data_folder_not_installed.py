@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import install_folder
+from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.setup.shared import SharedFiles

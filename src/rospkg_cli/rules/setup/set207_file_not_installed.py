@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import widen_glob
+from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.setup.shared import SharedFiles

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.setup import replace_text
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.shared import SharedFiles
+from ...model.setup.destinations import Destinations
 from ...rule import rule
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
@@ -24,7 +24,7 @@ GOOD = config("share/my_pkg/config")
 @rule(
     "SET208",
     "wrong-data-destination",
-    over=SharedFiles,
+    over=Destinations,
     severity=Severity.WARNING,
     levels={Severity.ERROR: "it begins with a slash: colcon stops"},
     examples=(
@@ -34,7 +34,7 @@ GOOD = config("share/my_pkg/config")
         Example(bad={**YAML, "setup.py": config("«/share/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
     ),
 )
-def wrong_data_destination(shared: SharedFiles) -> Iterator[Hit]:
+def wrong_data_destination(destinations: Destinations) -> Iterator[Hit]:
     """
     ## What it does
     Finds destinations in `data_files` where nobody looks: the share folder of another package, `share/launch` without
@@ -44,7 +44,7 @@ def wrong_data_destination(shared: SharedFiles) -> Iterator[Hit]:
     `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another
     package's folder is usually left over from a copied setup.py, and overwrites that package's files.
     """
-    for entry, right, why in shared.astray:
+    for entry, right, why in destinations.astray:
         assert entry.destination is not None
         edits = replace_text(entry.destination, right)
         fix = Fix(f"install into {right}", edits) if edits else None

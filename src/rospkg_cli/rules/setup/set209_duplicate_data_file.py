@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import drop_source
+from ...edits.data_files import drop_source
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...model.setup.shared import SharedFiles

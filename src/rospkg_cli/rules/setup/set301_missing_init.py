@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example
 from ...finding import Create, Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
+from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 from ...source import Span
 
@@ -16,7 +16,7 @@ FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(
 @rule(
     "SET301",
     "missing-init",
-    over=PythonPackage,
+    over=ModuleTree,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "nothing in the package imports it"},
     examples=(
@@ -27,7 +27,7 @@ FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(
         ),
     ),
 )
-def missing_init(package: PythonPackage) -> Iterator[Hit]:
+def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders of Python modules, inside a package that `find_packages()` finds, that have no `__init__.py`.
@@ -36,11 +36,11 @@ def missing_init(package: PythonPackage) -> Iterator[Hit]:
     `find_packages()` passes them over: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so it goes unseen for long.
     """
-    for folder in package.missing_inits:
-        inside = [path for path in package.files.below(folder) if path.endswith(".py")]
-        imported = package.imports_from(folder)
-        name = package.dotted(folder)
-        if name in {said.text for said in package.setup.packages}:
+    for folder in tree.missing_inits:
+        inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
+        imported = tree.imports_from(folder)
+        name = tree.dotted(folder)
+        if name in {said.text for said in tree.setup.packages}:
             imported, what = False, "setuptools says so at each build, and find_packages() would pass it over"
         else:
             what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.setup import add_package
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
+from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 
 FILES = {
@@ -21,7 +21,7 @@ FOUND = "find_packages(exclude=['test'])"
 @rule(
     "SET302",
     "package-not-installed",
-    over=PythonPackage,
+    over=ModuleTree,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "nothing that is installed imports it"},
     examples=(
@@ -36,7 +36,7 @@ FOUND = "find_packages(exclude=['test'])"
         ),
     ),
 )
-def package_not_installed(package: PythonPackage) -> Iterator[Hit]:
+def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python packages below a listed one that `packages=[…]` leaves out, and listed ones that are not there.
@@ -46,8 +46,8 @@ def package_not_installed(package: PythonPackage) -> Iterator[Hit]:
     is "No module named 'my_pkg.speech'". Of a listed folder that is not there, setuptools says "package directory …
     does not exist" and stops.
     """
-    setup = package.setup
-    if not package.installs_all_it_says or setup.searches:
+    setup = tree.setup
+    if not tree.package.installs_all_it_says or setup.searches:
         return
     for said in setup.packages:
         if setup.kind(setup.folder_of(said.text)) is None:
@@ -56,9 +56,9 @@ def package_not_installed(package: PythonPackage) -> Iterator[Hit]:
             )
             yield Hit(said.path, said.shown, message)
     argument = setup.argument("packages")
-    for name in package.unlisted if argument else ():
+    for name in tree.unlisted if argument else ():
         edits = add_package(setup, name)
-        used = package.imports_from(setup.folder_of(name))
+        used = tree.imports_from(setup.folder_of(name))
         message = (
             f"`{name}` is not in `packages`: the build is green, and importing it raises ModuleNotFoundError; add it, "
             f"or use `find_packages(exclude=['test'])`"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.setup import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
+from ...model.setup.requirements import Requirements
 from ...rule import rule
 
 GOOD = setup_py()
@@ -17,11 +17,11 @@ BAD = GOOD.replace("install_requires=['setuptools']", "install_requires=['setupt
 @rule(
     "SET306",
     "ros-package-in-install-requires",
-    over=PythonPackage,
+    over=Requirements,
     severity=Severity.WARNING,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
-def ros_package_in_install_requires(package: PythonPackage) -> Iterator[Hit]:
+def ros_package_in_install_requires(requirements: Requirements) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages in `install_requires` that CMake builds: interfaces, and packages of the workspace without Python.
@@ -34,8 +34,8 @@ def ros_package_in_install_requires(package: PythonPackage) -> Iterator[Hit]:
     ## Fix safety
     Only the entry is removed; whether package.xml declares the package is another question.
     """
-    for said, name in package.ros_requirements:
-        edits = drop_item(package.setup, "install_requires", said)
+    for said, name in requirements.ros_requirements:
+        edits = drop_item(requirements.package.setup, "install_requires", said)
         fix = Fix(f"take `{name}` out of install_requires", edits, Safety.UNSAFE) if edits else None
         message = (
             f"`{name}` is no Python distribution: on Humble the executables stop with DistributionNotFound; remove it "

@@ -1,0 +1,99 @@
+"""How data_files of setup.py is changed: an entry more, a file less, a wider glob."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+
+from ..finding import Create, Edit, Operation
+from ..model.evaluate.values import Globbed, Sequence, Symbol
+from ..model.setup.data_files import DataFile
+from ..model.setup.setup_py import SetupPy
+from ..source import Span
+from . import commas
+from .setup import add_argument, add_item, import_code, name_code, quoted, replace_text
+
+
+def share_code(setup: SetupPy, name: str, *below: str) -> str:
+    """Return the expression for a folder below `share/<name>`."""
+    own = name_code(setup, name)
+    rest = "".join(f"/{part}" for part in below)
+    if own.isidentifier():
+        start = f"{quoted(setup, 'share/')} + {own}"
+        return f"{start} + {quoted(setup, rest)}" if rest else start
+    return quoted(setup, f"share/{name}{rest}")
+
+
+def add_data_entry(setup: SetupPy, destination: str, sources: str) -> tuple[Edit, ...]:
+    """Install more: both are code."""
+    code = f"({destination}, {sources})"
+    value = setup.value("data_files")
+    if isinstance(value, Sequence):
+        return add_item(setup, value, code)
+    return add_argument(setup, f"data_files=[{code}]") if value is None and setup.argument("data_files") is None else ()
+
+
+def install_marker(setup: SetupPy, name: str, wrong: DataFile | None, *, absent: bool) -> tuple[Operation, ...]:
+    """Install `resource/<name>` as the marker, in the place of another one where there is one."""
+    create = (Create(f"resource/{name}", ""),) if absent else ()
+    if wrong is not None:
+        edits = replace_text(wrong.said, f"resource/{name}")
+        return (*edits, *create) if edits else ()
+    own = name_code(setup, name)
+    source = f"{quoted(setup, 'resource/')} + {own}" if own.isidentifier() else quoted(setup, f"resource/{name}")
+    edits = add_data_entry(setup, quoted(setup, "share/ament_index/resource_index/packages"), f"[{source}]")
+    return (*edits, *create) if edits else ()
+
+
+LAUNCH_GLOB = "launch/*launch.[pxy][yma]*"
+"""The pattern of the ROS 2 documentation: `x.launch.py`, `x_launch.py`, XML and YAML."""
+
+
+def install_folder(setup: SetupPy, name: str, folder: str, files: tuple[str, ...]) -> tuple[Edit, ...]:
+    """Install the files of a folder by a glob; no edit where some lie deeper than that."""
+    if any(file.count("/") != folder.count("/") + 1 for file in files):
+        return ()
+    suffixes = {file.rpartition(".")[2] for file in files}
+    pattern = f"{folder}/*.{suffixes.pop()}" if len(suffixes) == 1 else f"{folder}/*"
+    if folder == "launch" and all(fnmatchcase(file, LAUNCH_GLOB) for file in files):
+        pattern = LAUNCH_GLOB
+    if not glob_is_known(setup):
+        return ()
+    edits = add_data_entry(setup, share_code(setup, name, folder), f"{glob_code(setup)}({quoted(setup, pattern)})")
+    return (*edits, *import_code(setup, "glob", "glob")) if edits else ()
+
+
+def glob_is_known(setup: SetupPy) -> bool:
+    """Return whether `glob` is the function, the module, or still free."""
+    bound = setup.names.get("glob")
+    return bound is None or (isinstance(bound, Symbol) and bound.name in ("glob", "glob.glob"))
+
+
+def glob_code(setup: SetupPy) -> str:
+    bound = setup.names.get("glob")
+    return "glob.glob" if isinstance(bound, Symbol) and bound.name == "glob" else "glob"
+
+
+def widen_glob(setup: SetupPy, glob: Globbed, path: str) -> tuple[Edit, ...]:
+    """Let a glob of launch files find one more, where its pattern is a plain text."""
+    code = setup.source.slice(glob.span)
+    at = code.find(glob.pattern)
+    if not fnmatchcase(path, LAUNCH_GLOB) or path.count("/") != 1 or at < 0 or code.count(glob.pattern) != 1:
+        return ()
+    if not all(fnmatchcase(match, LAUNCH_GLOB) for match in glob.matches):
+        return ()
+    start = glob.span.start + at
+    return (Edit(setup.path, Span(start, start + len(glob.pattern)), LAUNCH_GLOB),)
+
+
+def drop_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
+    """Take a file out of data_files, with its entry where it is the only one of it."""
+    value = setup.value("data_files")
+    if file.said.path != setup.path or not isinstance(value, Sequence) or not value.display:
+        return ()
+    entry = setup.data_entries[file.entry]
+    if len(entry.files) == 1:
+        inside = value.span.start < entry.place.start and entry.place.end < value.span.end
+        return (commas.remove(setup.source, entry.place),) if inside else ()
+    sources = entry.sources
+    inside = sources is not None and sources.display and sources.span.start < file.place.start < sources.span.end
+    return (commas.remove(setup.source, file.place),) if inside else ()

@@ -1,0 +1,31 @@
+"""What packages keep in their share directory: folders by custom, and the files in them that are meant for run time."""
+
+from __future__ import annotations
+
+import re
+
+LAUNCH = re.compile(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
+
+"""Files that `ros2 launch` takes; a bare `.launch` is left out, it is ROS 1's more often than not."""
+
+MODELS = re.compile(r".*\.(?:stl|dae|obj|glb|gltf|ply|mtl|sdf|urdf|xacro|config|png|jpe?g|tga|material)", re.IGNORECASE)
+ROBOTS, WORLDS = re.compile(r".*\.(?:urdf|xacro|srdf|xml)"), re.compile(r".*\.(?:world|sdf|wbt|xacro|usda?|proto)")
+
+FOLDERS: dict[str, re.Pattern[str]] = {
+    "launch": LAUNCH,
+    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), re.compile(r".*\.(?:ya?ml|rviz|lua|json)")),
+    "rviz": re.compile(r".*\.rviz"),
+    **dict.fromkeys(("urdf", "xacro", "robots", "srdf"), ROBOTS),
+    **dict.fromkeys(("meshes", "mesh", "models"), MODELS),
+    **dict.fromkeys(("worlds", "world"), WORLDS),
+    **dict.fromkeys(("maps", "map"), re.compile(r".*\.(?:ya?ml|pgm|png|pbstream)")),
+    **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), re.compile(r".*\.xml")),
+}
+"""The folders that packages keep for run time, and which of their files are meant for it."""
+
+
+SHARED = frozenset(
+    "ament_index applications bash-completion colcon-core dbus-1 doc fish gazebo icons ignition info licenses locale"
+    " man metainfo mime pkgconfig polkit-1 sounds systemd thumbnailers zsh".split()
+)
+"""Folders of share/ that belong to no package."""
