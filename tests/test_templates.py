@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import configparser
 import itertools
+import re
 
 import pytest
 import yaml
@@ -16,24 +17,37 @@ from rospkg_cli.scaffold.kinds import all_kinds
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
 
-NODES = {
-    "default": (),
-    "several": ("talker", "listener_node:subscriber", "node:lifecycle", "a1:timer", "a2:lifecycle"),
-    "bare": ("adder:service", "nothing:empty"),
-    **{kind: (f"a_node:{kind}",) for kind in all_kinds()},
-    "all": tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in all_kinds()),
-}
-DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "rclpy")}
-COMBINATIONS = {
-    *itertools.product([distro.name for distro in DISTROS], ["MIT"], NODES, DEPENDS),
-    *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "bare"], DEPENDS),
-}
+
+def node_sets(template: str) -> dict[str, tuple[str, ...]]:
+    kinds = load_template(template).kinds
+    return {
+        "default": (),
+        "several": ("talker", "listener_node:subscriber", "node:lifecycle", "a1:timer", "a2:lifecycle"),
+        "bare": ("adder:service", "nothing:empty"),
+        **{kind: (f"a_node:{kind}",) for kind in kinds},
+        "all": tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in kinds),
+    }
+
+
+DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "geometry_msgs")}
+WITH_NODES = [name for name in template_names() if load_template(name).kinds]
+COMBINATIONS = [
+    (template, distro, license, nodes, depends)
+    for template in WITH_NODES
+    for distro, license, nodes, depends in (
+        *itertools.product([distro.name for distro in DISTROS], ["MIT-0"], node_sets(template), DEPENDS),
+        *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "empty"], DEPENDS),
+    )
+]
 """Every distribution with all nodes and dependencies; a license changes nothing but headers and one test."""
 
 
-@pytest.mark.parametrize("distro, license, nodes, depends", sorted(COMBINATIONS))
-def test_every_combination_is_written_without_a_finding(distro: str, license: str, nodes: str, depends: str) -> None:
-    faultless(plan(distro=distro, license=license, nodes=NODES[nodes], depends=DEPENDS[depends]))
+@pytest.mark.parametrize("template, distro, license, nodes, depends", COMBINATIONS)
+def test_every_combination_is_written_without_a_finding(
+    template: str, distro: str, license: str, nodes: str, depends: str
+) -> None:
+    asked = node_sets(template)[nodes]
+    faultless(plan(template=template, distro=distro, license=license, nodes=asked, depends=DEPENDS[depends]))
 
 
 DISTROS_AND_LICENSES = [*((d.name, "MIT-0") for d in DISTROS), *(("jazzy", each.spdx) for each in LICENSES)]
@@ -99,7 +113,7 @@ def test_dependencies_stand_in_their_tags() -> None:
     assert manifest.count(">launch_testing_ros<") == manifest.count("<test_depend>launch_testing_ros<") == 1
 
 
-def test_each_node_is_an_executable() -> None:
+def test_each_python_node_is_an_executable() -> None:
     files = texts(plan(nodes=("talker", "listener")))
     assert "'talker = my_robot_nav.talker:main',\n" in files["setup.py"]
     assert "'listener = my_robot_nav.listener:main',\n" in files["setup.py"]
@@ -155,6 +169,55 @@ def test_a_kind_brings_its_dependencies() -> None:
     for key in ("example_interfaces", "lifecycle_msgs", "rcl_interfaces", "std_msgs"):
         assert manifest.count(f"<exec_depend>{key}</exec_depend>") == 1
     assert "std_msgs" not in texts(plan(nodes=("a1:service",)))["package.xml"]
+
+
+def cmake(**asked: object) -> dict[str, str]:
+    return texts(plan(template="ament_cmake", **asked))
+
+
+def test_each_cpp_node_is_built_and_installed() -> None:
+    files = cmake(nodes=("talker", "listener:subscriber", "loaded:component"))
+    lists = files["CMakeLists.txt"]
+    for name in ("talker", "listener"):
+        assert f"add_executable({name} src/{name}.cpp)\n" in lists
+    assert "install(TARGETS\n  talker\n  listener\n  DESTINATION lib/${PROJECT_NAME})\n" in lists
+    assert "add_library(loaded_component SHARED src/loaded.cpp)\n" in lists
+    assert 'PLUGIN "my_robot_nav::LoadedNode"\n  EXECUTABLE loaded)\n' in lists
+    assert "ament_target_dependencies" not in lists
+
+
+def test_cpp_is_of_its_distributions_standard() -> None:
+    for distro, standard in (("humble", 17), ("jazzy", 17), ("kilted", 17), ("lyrical", 20), ("rolling", 20)):
+        assert f"INTERFACE cxx_std_{standard})" in cmake(distro=distro)["CMakeLists.txt"]
+        assert f"PRIVATE cxx_std_{standard})" in cmake(distro=distro, nodes=("idle:empty",))["CMakeLists.txt"]
+
+
+def test_what_cpp_nodes_use_is_declared_found_and_linked() -> None:
+    files = cmake(nodes=("a1:action-client", "b1:lifecycle"))
+    for package in ("example_interfaces", "rcl_interfaces", "rclcpp", "rclcpp_action", "rclcpp_lifecycle", "std_msgs"):
+        assert files["package.xml"].count(f"<depend>{package}</depend>") == 1
+        assert files["CMakeLists.txt"].count(f"find_package({package} REQUIRED)\n") == 1
+    assert "  rclcpp_lifecycle::rclcpp_lifecycle\n" in files["CMakeLists.txt"]
+    assert "  ${example_interfaces_TARGETS}\n" in files["CMakeLists.txt"]
+    assert "<exec_depend>lifecycle_msgs</exec_depend>" in files["package.xml"]
+
+
+def test_a_rosdep_key_is_declared_and_not_looked_for() -> None:
+    """What CMake calls it, nobody can tell from the key."""
+    files = cmake(depends=("eigen", "nav_msgs"))
+    assert "<depend>eigen</depend>" in files["package.xml"]
+    assert "eigen" not in files["CMakeLists.txt"]
+    assert "find_package(nav_msgs REQUIRED)\n" in files["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize("template", WITH_NODES)
+def test_the_parameters_of_the_file_are_those_of_the_sources(template: str) -> None:
+    for kind in load_template(template).kinds:
+        files = texts(plan(template=template, nodes=(f"a_node:{kind}",)))
+        source = files.get("src/a_node.cpp") or files["my_robot_nav/a_node.py"]
+        declared = re.findall(r"""declare_parameter(?:<[\w:]+>)?\(\s*["'](\w+)["']""", source)
+        written = yaml.safe_load(files.get("config/params.yaml", "{}"))
+        assert set(declared) == set(written.get("/**", {}).get("ros__parameters", {}))
 
 
 def test_every_kind_is_one_of_a_template() -> None:

@@ -97,6 +97,14 @@ def test_a_maintainer_who_would_set_the_encoding_is_refused() -> None:
         plan(maintainer="Ada -*- coding: latin-1 -*-")
 
 
+@pytest.mark.parametrize("name", ['Ada "the first"', "Ada \\ Co", "${ADA}"])
+@pytest.mark.parametrize("template", ["ament_cmake", "interfaces"])
+def test_a_maintainer_whom_ament_cmake_would_stumble_over_is_refused(name: str, template: str) -> None:
+    with pytest.raises(ScaffoldError, match="unescaped"):
+        plan(template=template, maintainer=name)
+    assert plan(maintainer=name).files
+
+
 def test_a_template_must_name_the_language_of_a_users_text() -> None:
     with pytest.raises(UnescapedError):
         f"{Told('text')}"

@@ -1,28 +1,21 @@
 """Packages of interfaces that `new` writes, under Debian's rosidl, ament_cmake and linters.
 
-Debian lacks the package that names rosidl's generators; a stand-in does (`standins/prefix`). The packages of messages
-that these use are not in Debian either: `new` writes them too, with the fields that matter.
+Debian lacks the package that names rosidl's generators; a stand-in does (`standins/prefix`).
 """
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
+from messages import message_prefix
 from shell import Shell
 from testing_new import PREFIX, linted, plan, results, write
 
 from rospkg_cli.scaffold.plan import Plan
 
 pytestmark = [pytest.mark.debian, pytest.mark.network]
-BELOW = {
-    "builtin_interfaces": {"msgs": ("Time:int32 sec, uint32 nanosec", "Duration:int32 sec, uint32 nanosec")},
-    "unique_identifier_msgs": {"msgs": ("UUID:uint8[16] uuid",)},
-    "action_msgs": {
-        "msgs": ("GoalInfo:unique_identifier_msgs/UUID goal_id, builtin_interfaces/Time stamp",),
-        "srvs": ("CancelGoal:GoalInfo goal_info --- int8 return_code, GoalInfo[] goals_canceling",),
-    },
-}
 ASKED = {
     "msgs": (
         "RobotStatus:builtin_interfaces/Time stamp, float32 battery_level, string current_task",
@@ -38,10 +31,9 @@ def interfaces(name: str, **asked: tuple[str, ...]) -> Plan:
 
 
 def test_rosidl_generates_what_was_asked_for(debian_colcon: Shell, tmp_path: Path) -> None:
-    for name, asked in BELOW.items():
-        write(interfaces(name, **asked), tmp_path)
     write(interfaces("my_interfaces", **ASKED), tmp_path)
-    built = debian_colcon.run("colcon", "build", cwd=tmp_path, CMAKE_PREFIX_PATH=str(PREFIX))
+    prefixes = os.pathsep.join((str(PREFIX), str(message_prefix(debian_colcon))))
+    built = debian_colcon.run("colcon", "build", cwd=tmp_path, CMAKE_PREFIX_PATH=prefixes)
     assert (built.returncode, built.stderr) == (0, "")
     made = tmp_path / "install/my_interfaces/include/my_interfaces/my_interfaces"
     assert {path.relative_to(made).as_posix() for path in made.glob("*/*.hpp")} == {

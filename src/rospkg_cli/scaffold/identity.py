@@ -16,6 +16,9 @@ from .told import Told, told
 LONGEST = 80
 """The copyright line holds the name, and ament_copyright wants it on one line."""
 
+CMAKE_SYNTAX = re.compile(r'["\\$]')
+"""What ament_cmake, which copies the name into CMake code as it stands, would stumble over."""
+
 CODING = re.compile(r"coding[:=]")
 
 
@@ -48,6 +51,13 @@ def checked_name(name: str) -> Told:
     if CODING.search(found.text):
         raise ScaffoldError("a maintainer's name with `coding:` would make Python misread every header; leave that out")
     return found
+
+
+def check_for_cmake(name: Told) -> None:
+    """Raise ScaffoldError for a name that a package which CMake builds can't have."""
+    if found := CMAKE_SYNTAX.search(name.text):
+        reason = "ament_cmake would copy it into CMake code, unescaped"
+        raise ScaffoldError(f"the maintainer's name holds `{found.group()}`, and {reason}; leave it out")
 
 
 def from_git(key: str, folder: Path) -> str:

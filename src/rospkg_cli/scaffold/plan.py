@@ -14,14 +14,14 @@ from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers, Request
 from .ask import asked_interfaces, depends_of, distro_of, license_of, nodes_of, version_of
-from .identity import Who, who
+from .identity import Who, check_for_cmake, who
 from .names import check_package_name
 from .proof import lint_written
 from .render import Written, render, render_line
 from .template import Template, load_template, template_names
 from .told import Told, told
 
-COMING = ("ament_cmake", "mixed", "description", "bringup")
+COMING = ("mixed", "description", "bringup")
 """Types of packages that have no template yet."""
 
 LICENSE = "Apache-2.0"
@@ -59,6 +59,8 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str]) -> Pl
     notes: list[str] = []
     request = request.with_defaults(defaults)
     maintainer = who(request.maintainer, request.email, folder)
+    if template.build_type == "ament_cmake":
+        check_for_cmake(maintainer.name)
     answers = answers_of(request, maintainer, template, notes)
     files = render(template, answers)
     findings = lint_written(answers, files).findings

@@ -12,8 +12,9 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ..tree import Entry
 from . import ScaffoldError
 from .answers import Answers
+from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
 from .template import Template, TemplateFile
-from .told import WIDTH, Told, UnescapedError, comment, markdown, plain, python, python_argument, xml, yaml
+from .told import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,16 @@ def render(template: Template, answers: Answers) -> tuple[Written, ...]:
 def known_values(answers: Answers) -> dict[str, Any]:
     """Return what every file of a template knows."""
     computed = ("copyright", "logics", "message_packages", "sections", "section_of")
-    return {**vars(answers), **{name: getattr(answers, name) for name in computed}}
+    return {
+        **vars(answers),
+        **{name: getattr(answers, name) for name in computed},
+        "client_libraries": packages_of(answers.nodes),
+        "build_depends": [key for key in answers.depends if is_library(key)],
+        "run_depends": [key for key in answers.depends if not is_library(key)],
+        "cmake_depends": cmake_names(answers.depends),
+        "cpp_standard": cpp_standard(answers.distro),
+        "targets_of": targets_of,
+    }
 
 
 def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -95,6 +105,13 @@ def in_order(lines: str) -> str:
     return "".join(sorted(imports, key=lambda line: line.split()[1].lower()))
 
 
+def includes(lines: str) -> str:
+    """Put the headers of the standard library first, then the others, each group sorted, as ament's cpplint wants."""
+    found = sorted(line for line in lines.splitlines() if line.strip())
+    standard = [line for line in found if "<" in line]
+    return "\n".join([*standard, "", *(line for line in found if line not in standard)]) + "\n"
+
+
 def long_line(line: str) -> str:
     """Return a line of Python that can't be broken, excused where it is too long."""
     return line if len(line) <= WIDTH else f"{line}  # noqa: E501"
@@ -102,7 +119,9 @@ def long_line(line: str) -> str:
 
 FILTERS = {
     "comment": comment,
+    "cpp": cpp,
     "in_order": in_order,
+    "includes": includes,
     "long_line": long_line,
     "markdown": markdown,
     "plain": plain,

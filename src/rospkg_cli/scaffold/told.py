@@ -56,6 +56,11 @@ def python(value: Told | str | int | float) -> str:
     return repr(value.text if isinstance(value, Told) else value)
 
 
+def cpp(value: Told | str | int | float) -> str:
+    """Return a value as a C++ literal."""
+    return json.dumps(value.text if isinstance(value, Told) else value)
+
+
 def yaml(value: Told | str | int | float) -> str:
     """Return a value as YAML; a text is quoted, so that it stays one."""
     return json.dumps(value.text if isinstance(value, Told) else value, ensure_ascii=False)

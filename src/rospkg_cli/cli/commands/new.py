@@ -12,10 +12,10 @@ from . import one_of, split
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPE = "ament_python or interfaces."
+TYPE = "ament_python, ament_cmake or interfaces."
 NODE = (
     "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
-    "lifecycle, empty."
+    "lifecycle, component (C++), empty."
 )
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 

@@ -1,0 +1,21 @@
+# A stand-in: headers with as much of rclcpp_components as generated nodes need to compile.
+find_package(rclcpp REQUIRED)
+if(NOT TARGET rclcpp_components::component)
+  add_library(rclcpp_components::component INTERFACE IMPORTED)
+  target_include_directories(rclcpp_components::component INTERFACE "${CMAKE_CURRENT_LIST_DIR}/../../../include")
+  target_compile_features(rclcpp_components::component INTERFACE cxx_std_17)
+  target_link_libraries(rclcpp_components::component INTERFACE rclcpp::rclcpp)
+endif()
+set(rclcpp_components_FOUND TRUE)
+
+# As the real one does, make an executable that loads the one component, and install it where `ros2 run` looks.
+macro(rclcpp_components_register_node target)
+  cmake_parse_arguments(ARGS "" "PLUGIN;EXECUTABLE;EXECUTOR;RESOURCE_INDEX" "" ${ARGN})
+  if(NOT TARGET ${target} OR NOT ARGS_PLUGIN OR NOT ARGS_EXECUTABLE)
+    message(FATAL_ERROR "rclcpp_components_register_node() wants a target, PLUGIN and EXECUTABLE")
+  endif()
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${ARGS_EXECUTABLE}_main.cpp" "int main() {return 0;}\n")
+  add_executable(${ARGS_EXECUTABLE} "${CMAKE_CURRENT_BINARY_DIR}/${ARGS_EXECUTABLE}_main.cpp")
+  target_link_libraries(${ARGS_EXECUTABLE} ${target})
+  install(TARGETS ${ARGS_EXECUTABLE} DESTINATION lib/${PROJECT_NAME})
+endmacro()
