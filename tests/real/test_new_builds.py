@@ -14,17 +14,20 @@ from shell import Shell
 from testing_new import STANDINS, linted, plan, results, write
 
 from rospkg_cli.ros.licenses import LICENSES
-from rospkg_cli.scaffold.kinds import all_kinds
+from rospkg_cli.scaffold.template import load_template
 
 NASTY = {
     "description": 'It\'s "quoted", \\ & <b>bold</b> {{ name }} ${HOME} %s 機器人 \u202e ' + "and rather long " * 8,
     "maintainer": "Adá \"the 'first'\" <Lovelace> & \\ {{ name }}",
 }
+ALL = tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in load_template("ament_python").kinds)
 PLANS = {
     "default": lambda: plan(),
     "nodes": lambda: plan(nodes=("talker", "listener"), depends=("sensor_msgs", "launch_testing")),
     "nasty": lambda: plan(**NASTY),
-    "kinds": lambda: plan(nodes=tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in all_kinds())),
+    "kinds": lambda: plan(
+        nodes=tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in load_template("ament_python").kinds)
+    ),
     "bare": lambda: plan(nodes=("adder:service",)),
 }
 LINTERS = ("copyright", "flake8", "mypy", "pep257", "xmllint")
