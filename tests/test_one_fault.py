@@ -48,3 +48,15 @@ def test_ament_lint_common_stands_for_the_linters_of_cmake() -> None:
 
     assert missing("") == ["DEP104"]
     assert missing("  <test_depend>ament_lint_common</test_depend>\n") == []
+
+
+def test_an_executable_that_another_package_launches_must_stand_in_lib(clean) -> None:
+    def level(launch: str) -> list[str]:
+        setup = clean["setup.py"].replace("    license=", ENTRY.replace("talker", "convert"))
+        own = {**clean, "setup.py": setup, "my_pkg/convert.py": "def main():\n    pass\n"}
+        tree = {f"a/{path}": text for path, text in own.items() if path != "setup.cfg"}
+        tree |= {"b/package.xml": manifest(name="bringup"), "b/launch/b.launch.xml": f"<launch>{launch}</launch>"}
+        return [f.severity.value for f in lint_files(tree, ["SET001"]).findings]
+
+    assert level("") == ["info"]
+    assert level('<node pkg="my_pkg" exec="convert"/>') == ["error"]

@@ -74,6 +74,8 @@ class PackageFacts:
     """What stands in lib/<name> after the build."""
     astray: frozenset[str] = frozenset()
     """Executables that are installed where `ros2 run` does not look, such as bin/."""
+    starts: frozenset[tuple[str, str]] = frozenset()
+    """What its launch files start under literal names: package and executable."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     share_files: frozenset[str] = frozenset()

@@ -12,6 +12,7 @@ from .files import Reading
 from .header_folders import header_folders
 from .installed import installed_facts
 from .interface.inventory import interface_names
+from .launch.file import started_nodes
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .needs import dependencies, group_needs, groups
@@ -46,6 +47,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         group_needs=group_needs(manifest, targets),
         executables=installed.executables,
         astray=installed.astray,
+        starts=started_nodes(reading),
         interfaces=interfaces,
         parameters=declared_parameters(reading),
         share_files=installed.share_files,

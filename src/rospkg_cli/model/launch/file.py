@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ...source import Source, Span
+from ..files import Reading
 from ..python import Import
 from .text import LaunchText, Substitution
 
@@ -112,3 +113,15 @@ class LaunchFile:
     def configurations(self) -> Iterator[Substitution]:
         """Yield the uses of launch configurations: `$(var x)`."""
         return (found for found in self.substitutions if found.name == "var")
+
+
+def started_nodes(reading: Reading) -> frozenset[tuple[str, str]]:
+    """Return package and executable of every node that a package's launch files start under literal names."""
+    found: set[tuple[str, str]] = set()
+    for file in reading.parts(LaunchFile).good:
+        for node in file.nodes if not file.ros1 else ():
+            package = node.package.literal if node.package else None
+            executable = node.executable.literal if node.executable else None
+            if package and executable:
+                found.add((package, executable))
+    return frozenset(found)

@@ -6,7 +6,9 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
+from ..workspace import Workspace
 from .cfg import SetupCfg
+from .entry_points import EntryPoint
 from .said import Said
 from .slices import PythonPackage
 
@@ -20,6 +22,14 @@ class ScriptHome:
 
     package: PythonPackage
     cfg: SetupCfg | None
+    workspace: Workspace
+
+    @cached_property
+    def nodes(self) -> tuple[EntryPoint, ...]:
+        """The executables that run a node, and those that a launch file of the workspace starts."""
+        started = {pair for facts in self.workspace.packages for pair in facts.starts}
+        named = (e for e in self.package.executables if (self.package.name, e.name) in started)
+        return tuple(dict.fromkeys((*self.package.nodes, *named)))
 
     @cached_property
     def wrong(self) -> tuple[tuple[str, str, Said | None], ...]:
@@ -32,7 +42,7 @@ class ScriptHome:
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             match = ELSEWHERE.fullmatch(option.value.text) if option else None
-            if option is None and self.package.nodes:
+            if option is None and self.nodes:
                 found.append((section, key, None))
             elif option is not None and match is not None and match["name"] not in own:
                 found.append((section, key, option.value))

@@ -57,12 +57,12 @@ def missing_setup_cfg(home: ScriptHome) -> Iterator[Hit]:
     package = home.package
     if home.cfg is not None or package.files.exists("setup.cfg") or not package.executables:
         return
-    entry = (package.nodes or package.executables)[0]
+    entry = (home.nodes or package.executables)[0]
     message = (
         f"there is no setup.cfg: colcon installs `{entry.name}` to bin/, where `ros2 run {package.name} {entry.name}` "
         f"and launch files don't look; write one that puts scripts into `$base/lib/{package.name}`"
     )
-    if package.nodes:
+    if home.nodes:
         fix = Fix(f"write setup.cfg with `$base/lib/{package.name}`", (new_setup_cfg(package.name),))
         yield Hit(entry.path, entry.span, message, fix=fix)
     else:
