@@ -1,0 +1,57 @@
+"""What each fix writes, to be read: `tests/fixes/<CODE>.diff` holds the diff of every example that is repaired.
+
+`pytest tests/test_fix_diffs.py --update-golden` writes them anew; read the diff of the diffs before it is committed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.cli.diff import unified
+from rospkg_cli.engine.fix import repair
+from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.finding import Safety
+from rospkg_cli.model.discover import packages_in
+from rospkg_cli.ros.distros import Targets
+from rospkg_cli.rule import Rule, all_rules
+from rospkg_cli.tree import MemoryTree
+
+FIXES = Path(__file__).parent / "fixes"
+FIXED = [pytest.param(rule, id=rule.code) for rule in all_rules() if rule.fix]
+NEEDS_OTHERS = {"RPK002"}
+
+
+def diffs(rule: Rule) -> str:
+    """Return the diff of each repaired example, under the rule alone, each behind a line that names it."""
+    shown = []
+    for number, example in enumerate(rule.examples):
+        if example.fix is None:
+            continue
+        tree = MemoryTree.of(example.bad_files())
+        folders = packages_in(tree)
+        codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
+        session = Session(
+            tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), frozenset(codes), Targets(example.targets)
+        )
+        outcome = repair(session, lambda results: results, (Safety.SAFE, Safety.UNSAFE))
+        assert not outcome.refused
+        titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})
+        shown.append(
+            f"# example {number}, {example.fix.value}: {'; '.join(titles)}\n{''.join(unified(tree, outcome.changes))}"
+        )
+    return "\n".join(shown)
+
+
+@pytest.mark.parametrize("rule", FIXED)
+def test_what_a_fix_writes(rule: Rule, pytestconfig: pytest.Config) -> None:
+    golden = FIXES / f"{rule.code}.diff"
+    if pytestconfig.getoption("--update-golden"):
+        FIXES.mkdir(exist_ok=True)
+        golden.write_text(diffs(rule))
+    assert diffs(rule) == golden.read_text()
+
+
+def test_no_diff_is_left_over() -> None:
+    assert {path.stem for path in FIXES.glob("*.diff")} == {rule.code for rule in all_rules() if rule.fix}
