@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from imports import imports, modules, outside
+from imports import SRC, imports, modules, outside
 
 from rospkg_cli.example import Example, manifest
 from rospkg_cli.finding import Edit, Fix
@@ -170,3 +170,8 @@ def test_a_clean_lint_to_json_imports_no_heavy_library(tmp_path: Path) -> None:
     names = imported("lint", "--format", "json", cwd=tmp_path / "my_pkg")
     assert "rospkg_cli.report.json" in names
     assert not names & {"rich", "jinja2", "xmlschema", "rospkg_cli.scaffold", "rospkg_cli.report.text"}
+
+
+def test_every_module_is_python_3_10() -> None:
+    for path in sorted(SRC.rglob("*.py")):
+        ast.parse(path.read_text(), str(path), feature_version=(3, 10))
