@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..source import Span
-from .params.declared import DeclaredParameter
+from .params.declared import DeclaredParameter, NodeCode
 
 Unknown = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments",
@@ -93,6 +93,10 @@ class PackageFacts:
     """What it loads: the package that the descriptions must be exported to, and the base class."""
     parameters: tuple[DeclaredParameter, ...] = ()
     """What its code declares, each with the file that says so."""
+    node_code: tuple[NodeCode, ...] = ()
+    """The executables and components that CMake builds, as far as their code declares parameters."""
+    given_parameters: tuple[frozenset[str], ...] = ()
+    """The names in each block of its parameter files."""
     launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
     """For each launch file in share/<name>: the arguments that it declares."""
     unknown: frozenset[Unknown] = frozenset()

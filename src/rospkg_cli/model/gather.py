@@ -16,7 +16,8 @@ from .launch.file import started_nodes
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .needs import dependencies, group_needs, groups
-from .params.gathered import declared_parameters
+from .params.code import node_code
+from .params.gathered import declared_parameters, given_parameters
 from .plugins.facts import plugin_facts
 
 
@@ -35,6 +36,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     unknown |= set() if complete else {"components"}
     plugins = plugin_facts(reading)
     unknown |= plugins.unknown
+    declared = declared_parameters(reading)
     return PackageFacts(
         name=manifest.name or PurePosixPath(folder).name or fallback,
         folder=folder,
@@ -49,7 +51,9 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         astray=installed.astray,
         starts=started_nodes(reading),
         interfaces=interfaces,
-        parameters=declared_parameters(reading),
+        parameters=declared,
+        given_parameters=given_parameters(reading),
+        node_code=node_code(reading) if any(each.required for each in declared) else (),
         share_files=installed.share_files,
         components=components,
         cmake_targets=exported_targets(reading),

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from ...source import Source
 from ..cpp.call import Argument, Call
+from ..cpp.enclosing import unconditional
 from ..cpp.file import CppFile
 from .declared import DeclaredParameter
 
@@ -42,6 +43,7 @@ TypeOf = Callable[[str], str]
 
 def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
     """Yield what a file declares under a name of which at least the end is literal."""
+    certain = unconditional(file.source.text, [call.span.start for call in file.calls if call.template])
     for call in file.calls:
         arguments = call.arguments or ()
         if not NAMED.fullmatch(call.name) or call.variable:
@@ -55,6 +57,7 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
             rest = arguments[place + 1 :]
             kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
             required = bool(call.template) and not rest and not call.conditional
+            required = required and call.span.start in certain
             yield DeclaredParameter(name[0], name[1], kind, required, file.path)
 
 

@@ -34,3 +34,11 @@ def type_named(declared: Iterable[DeclaredParameter], name: str) -> str:
     """Return the one type that all declarations of a name have; "" where they differ, or one can't be told."""
     types = {each.type for each in declared if each.fits(name)}
     return types.pop() if len(types) == 1 else NONE
+
+
+@dataclass(frozen=True, slots=True)
+class NodeCode:
+    """An executable or a component (its class), and the files whose code certainly runs in it."""
+
+    starts: str
+    paths: frozenset[str]

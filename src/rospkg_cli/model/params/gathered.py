@@ -14,6 +14,7 @@ from ..unreadable import UnreadableError
 from ..uses.roles import role_of
 from . import cpp, python
 from .declared import DeclaredParameter
+from .file import ParameterFile
 from .library import defined_parameters
 
 DECLARES = re.compile("declare_parameter|declare_or_get_parameter")
@@ -46,6 +47,12 @@ def in_python(reading: Reading) -> Iterator[DeclaredParameter]:
                 if "declare_parameter" in source.text and (file := modules.at(path)):
                     found = python.declared_in(file)
                     yield from (map(untyped, found) if DYNAMIC in source.text else found)
+
+
+def given_parameters(reading: Reading) -> tuple[frozenset[str], ...]:
+    """Return the names that each block of the package's parameter files gives."""
+    blocks = (block for file in reading.parts(ParameterFile).good for block in file.blocks)
+    return tuple(frozenset(each.name for each in block.parameters) for block in blocks)
 
 
 def untyped(each: DeclaredParameter) -> DeclaredParameter:

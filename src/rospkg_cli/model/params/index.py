@@ -17,6 +17,14 @@ class ParameterIndex:
             for each in facts.parameters:
                 self.by_last.setdefault(each.name.rpartition(".")[2], []).append((facts, each))
 
+    def required(self, facts: PackageFacts) -> dict[str, set[str]]:
+        """Return, for each source file of a package, the names that it declares without a default."""
+        found: dict[str, set[str]] = {}
+        for each in facts.parameters:
+            if each.required and not each.tail:
+                found.setdefault(each.path, set()).add(each.name)
+        return found
+
     def counts(self, names: Iterable[str]) -> list[tuple[PackageFacts, int]]:
         """Return for each package how many of the names it declares."""
         found: dict[str, tuple[PackageFacts, set[str]]] = {}

@@ -23,6 +23,10 @@ OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
 ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
+ALMOST = 0.8
+"""The same, where something is concluded from what a block lacks."""
+MOST = 0.7
+"""The share of what a source file needs that a block has to give to be taken for its file."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,16 @@ class UnknownRead:
     meant: str
 
 
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    file: ParameterFile
+    block: NodeBlock
+    facts: PackageFacts
+    path: str
+    """The source file that declares them."""
+    names: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class PackageParameters:
     """The parameter files of a package, its code, and the code of its neighbours."""
@@ -96,6 +110,28 @@ class PackageParameters:
                 owners = self.owners(index, {each.name for each in parameters})
                 if owners:
                     yield Group(file, block, prefix, tuple(parameters), tuple(owners))
+
+    def left_out(self) -> Iterator[LeftOut]:
+        """Yield the blocks that are copies of one that the declaring package ships, and lack what that one has.
+
+        That is what a source file declares without a default, and what the copy does give is most of it.
+        """
+        index = self.workspace.parameters
+        for file in self.files:
+            for block in file.blocks:
+                names = {each.name for each in block.parameters if is_its_own(each.name)}
+                counts = index.counts(names)
+                own = max((count for facts, count in counts if facts.folder == self.package.folder), default=0)
+                for facts, count in counts:
+                    for path, needed in (
+                        index.required(facts).items() if count >= max(ALMOST * len(names), own + 1) else ()
+                    ):
+                        given = needed & names
+                        shipped = [each for each in facts.given_parameters if len(each & needed) >= MOST * len(needed)]
+                        missing = needed.intersection(*shipped) - names if shipped else set()
+                        enough = len(given) >= max(3, MOST * len(needed))
+                        if enough and missing and facts.folder != self.package.folder:
+                            yield LeftOut(file, block, facts, path, tuple(sorted(missing)))
 
     def unknown_reads(self) -> Iterator[UnknownRead]:
         """Yield what a C++ file gets and nobody declares, where the same file declares something that nobody gets.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.params.file import ParameterFile
+from ...model.params.launched import LaunchedParameters
 from ...model.params.numbers import ambiguous_numbers
 from ...rule import rule
 
@@ -21,9 +21,9 @@ filter:
 @rule(
     "PRM005",
     "ambiguous-number",
-    over=ParameterFile,
+    over=LaunchedParameters,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "rcl alone reads the number as it was meant"},
+    levels={Severity.INFO: "rcl alone reads the file, and reads the number as it was meant"},
     examples=(
         Example(
             on="config",
@@ -44,7 +44,7 @@ filter:
         ),
     ),
 )
-def ambiguous_number(file: ParameterFile) -> Iterator[Hit]:
+def ambiguous_number(launched: LaunchedParameters) -> Iterator[Hit]:
     """
     ## What it does
     Finds numbers that rcl and YAML 1.1 read differently: `1e-9` is a number for rcl and a text for PyYAML, `10_000`
@@ -57,10 +57,11 @@ def ambiguous_number(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """
-    for number in ambiguous_numbers(file):
-        fix = None
-        if number.repairs:
-            edits = tuple(Edit(file.path, span, text) for span, text in number.repairs)
-            fix = Fix(f"write `{number.repairs[0][1]}`", edits)
-        level = Severity.INFO if number.right_for_rcl else None
-        yield Hit(file.path, number.span, number.message, level, fix=fix)
+    for file in launched.files:
+        for number in ambiguous_numbers(file):
+            fix = None
+            if number.repairs:
+                edits = tuple(Edit(file.path, span, text) for span, text in number.repairs)
+                fix = Fix(f"write `{number.repairs[0][1]}`", edits)
+            fine = number.right_for_rcl and not launched.is_read_by_python(file)
+            yield Hit(file.path, number.span, number.message, Severity.INFO if fine else None, fix=fix)

@@ -1,0 +1,66 @@
+"""PRM003 unknown-parameter-node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.params.launched import LaunchedParameters
+from ...rule import rule
+
+LAUNCH = """\
+<launch>
+  <node pkg="turtlesim" exec="turtlesim_node" name="sim_node">
+    <param from="$(find-pkg-share my_pkg)/config/robot.yaml"/>
+  </node>
+</launch>
+"""
+GOOD = """\
+sim_node:
+  ros__parameters:
+    background_r: 0
+"""
+
+
+@rule(
+    "PRM003",
+    "unknown-parameter-node",
+    over=LaunchedParameters,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="config",
+            bad={
+                "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
+                "launch/robot.launch.xml": LAUNCH,
+                "config/robot.yaml": GOOD.replace("sim_node", "«sim»"),
+            },
+            good={"config/robot.yaml": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_parameter_node(launched: LaunchedParameters) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds blocks of a parameter file that belong to no node that the launch files here start, where a node that is
+    given the file, and that has no block in it, has a near name.
+
+    ## Why is this bad?
+    rcl goes by the node's name, the one that the launch file gives it, and passes over all other blocks without a
+    word: the node runs with its defaults.
+
+    ## Fix safety
+    The file may be meant for another node as well, one that is started elsewhere.
+    """
+    for file, block, given in launched.misnamed():
+        key = block.key.text
+        name = given.name or ""
+        message = f"no node is called `{key}`: the one that `{given.launch.path}` gives this file to is `{name}`"
+        fix = None
+        if file.source.slice(block.key.span) == key and key == block.name.rpartition("/")[2]:
+            fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
+        where = (Related(given.launch.path, given.node.span, "the node"),)
+        what = f"{message}, and it never reads the block"
+        yield Hit(file.path, block.key.span, what, related=where, fix=fix)

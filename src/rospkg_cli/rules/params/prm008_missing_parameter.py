@@ -1,0 +1,107 @@
+"""PRM008 missing-parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...model.params.missing import MissingParameters
+from ...model.params.plugin_lists import unfound_plugins
+from ...rule import rule
+
+NODE = """\
+class Talker : public rclcpp::Node
+{
+public:
+  Talker() : Node("talker")
+  {
+    declare_parameter<double>("rate");
+    declare_parameter<std::string>("frame");
+  }
+};
+int main() {return 0;}
+"""
+GOOD = """\
+<launch>
+  <node pkg="my_pkg" exec="talker">
+    <param name="rate" value="10.0"/>
+    <param name="frame" value="map"/>
+  </node>
+</launch>
+"""
+PLUGINS = """\
+behavior_server:
+  ros__parameters:
+    behavior_plugins: [spin, wait]
+    spin:
+      plugin: nav2_behaviors::Spin
+    wait:
+      plugin: nav2_behaviors::Wait
+"""
+FILES = {
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package",
+        "add_executable(talker src/talker.cpp)\n"
+        "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+        "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package",
+    ),
+    "src/talker.cpp": NODE,
+}
+
+
+@rule(
+    "PRM008",
+    "missing-parameter",
+    over=MissingParameters,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                **FILES,
+                "launch/talker.launch.xml": GOOD.replace('    <param name="frame" value="map"/>\n', "").replace(
+                    '"talker"', '"«talker»"'
+                ),
+            },
+            good={"launch/talker.launch.xml": GOOD},
+        ),
+        Example(
+            on="config",
+            bad={"config/nav.yaml": PLUGINS.replace("[spin, wait]", "[spin, «waiting»]")},
+            good={"config/nav.yaml": PLUGINS},
+        ),
+    ),
+)
+def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds parameters that a node's code declares without a default value (`declare_parameter<double>("rate")`), and
+    that a launch file which starts the node gives neither itself nor in a parameter file. Also copies of a package's
+    own parameter file that lack such a parameter, and names in a list of plug-ins that have no group of their own,
+    while another group has no name in the list.
+
+    ## Why is this bad?
+    The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
+    """
+    for given, missing in scope.launched.missing():
+        started = given.node.executable or given.node.plugin
+        if started is not None:
+            message = f"the node is not given {listed([one.name for one in missing])}, declared without a default in"
+            what = f"{message} `{missing[0].path}`: it stops when it starts"
+            yield Hit(given.launch.path, started.span, what)
+    for left in scope.code.left_out():
+        message = f"{listed(left.names)} is missing here: `{left.facts.name}` declares it without a default in"
+        yield Hit(left.file.path, left.block.key.span, f"{message} `{left.path}`, and stops when it starts")
+    for file in scope.code.files:
+        for block in file.blocks:
+            for item, group in unfound_plugins(block):
+                message = (
+                    f"`{item.text}` has no `{item.text}.plugin` here (did you mean `{group}`, which no list names?)"
+                )
+                yield Hit(file.path, item.span, f"{message}: the plug-in can't be loaded")
+
+
+def listed(names: Sequence[str]) -> str:
+    more = f" and {len(names) - 20} more" if len(names) > 20 else ""
+    return ", ".join(f"`{name}`" for name in names[:20]) + more
