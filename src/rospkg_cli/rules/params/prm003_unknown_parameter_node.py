@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import Example, manifest
+from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...model.params.launched import LaunchedParameters
 from ...rule import rule
@@ -16,6 +16,7 @@ LAUNCH = """\
   </node>
 </launch>
 """
+INSTALL = "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})"
 GOOD = """\
 sim_node:
   ros__parameters:
@@ -33,6 +34,7 @@ sim_node:
             on="config",
             bad={
                 "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
+                "CMakeLists.txt": CMAKE.replace("ament_package()", f"{INSTALL}\nament_package()"),
                 "launch/robot.launch.xml": LAUNCH,
                 "config/robot.yaml": GOOD.replace("sim_node", "«sim»"),
             },
