@@ -166,6 +166,8 @@ def test_what_is_exported_to_rqt_by_package_xml_is_found() -> None:
 
 LIBRARIES = [
     ("planner", None),
+    ("lib/planner", None),
+    ("some_folder/planner", None),
     ("planer", "is compiled into `planner`"),
     ("lib/libplanner", "is compiled into `planner`"),
     ("libplanner.so", "is compiled into `planner`"),
@@ -380,6 +382,14 @@ def test_names_that_may_be_right(text: str, path: str) -> None:
     assert said(robot(text, path), "PLG003") == []
 
 
+def test_what_people_forget_of_a_name() -> None:
+    ours = {**NAMED, "plugins.xml": NAMED["plugins.xml"].replace("my_pkg/Planner", "my_pkg/Route Planner")}
+    files = {**robot("- Class: my_pkg/Route Planner\n- Class: my_pkg/RoutePlanner\n", "robot/a.rviz"), **beside(ours)}
+    (finding,) = lint_files(files, ["PLG003"]).findings
+    assert finding.place.line == 2
+    assert "has `my_pkg/Route Planner`" in finding.message
+
+
 def test_components_and_interfaces_may_be_named_alike() -> None:
     register = 'rclcpp_components_register_node(planner PLUGIN "my_pkg::Node" EXECUTABLE node)\n'
     ours = {
@@ -406,3 +416,19 @@ def test_where_only_the_description_is_checked_it_is_told_there(tmp_path: Path) 
     (finding,) = Session(DiskTree(located.root), located.scope, frozenset({"PLG003"})).run().findings
     assert finding.place.path == "my_pkg/plugins.xml"
     assert "`robot` asks for the plug-in `my_pkg::Planner`" in finding.message
+
+
+@pytest.mark.parametrize("code", ["PLG002", "PLG003", "PLG004", "PLG005", "PLG006"])
+def test_ros_1_has_other_ways(code: str) -> None:
+    wrong = package(LIBRARY, plugins_DOT_xml=described("my_pkg::Planner", path="other"))
+    wrong["plugin.xml"] = described("my_pkg.panel.Panel", base="rqt_gui_py::Plugin")
+    wrong["config/a.yaml"] = "plugin: my_pkg/Nothing\n"
+    wrong["package.xml"] = manifest("", "catkin").replace(
+        "  </export>", '    <a plugin="${prefix}/plugins.xml"/></export>'
+    )
+    assert said(wrong, code) == []
+
+
+def test_a_plugin_of_qt_gui_is_listed_there() -> None:
+    ((_, message),) = said({**package(), "plugin.xml": described("my_pkg.P", base="qt_gui_py::Plugin")}, "PLG006")
+    assert '<qt_gui plugin="${prefix}/plugin.xml"/>' in message

@@ -102,6 +102,11 @@ class PackageFacts:
     unknown: frozenset[Unknown] = frozenset()
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
 
+    @property
+    def ament(self) -> bool:
+        """Whether it is a package of ROS 2 that is built with CMake."""
+        return self.build_type in ("ament_cmake", "cmake")
+
     def knows(self, field: Unknown) -> bool:
         return field not in self.unknown
 

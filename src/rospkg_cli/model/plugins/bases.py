@@ -101,7 +101,7 @@ class PluginBases:
         return bases.pop() if len(bases) == 1 and bases <= known else None
 
     def astray(self) -> Iterator[Astray]:
-        for loader in self.loaders.loaders:
+        for loader in self.loaders.loaders if self.facts.ament else ():
             package, base = loader.names
             known = self.workspace.what(package)
             if known is Known.PACKAGE or package == self.facts.name:

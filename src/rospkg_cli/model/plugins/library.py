@@ -53,7 +53,12 @@ class PluginLibraries:
         if target is None:
             if self.package.sees_all_libraries(name):
                 yield WrongLibrary(entry, path, "unknown", *self.meant(entry, name))
-        elif name.startswith("lib") and self.package.library(name[3:]) == target and not self.is_made(name):
+        elif (
+            "/" not in name
+            and name.startswith("lib")
+            and self.package.library(name[3:]) == target
+            and not self.is_made(name)
+        ):
             yield WrongLibrary(entry, path, "prefixed", name[3:], True)
         elif self.is_static(target):
             yield WrongLibrary(entry, path, "static", target)

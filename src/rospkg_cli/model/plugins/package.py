@@ -11,8 +11,8 @@ from ..cmake.project import CMake
 from ..cmake.words import HOLE
 from ..cpp.file import CppFile
 from ..cpp.read import SUFFIXES
+from ..facts import PackageFacts
 from ..files import PackageFiles
-from ..manifest import Manifest
 from ..uses.roles import role_of
 from .description import PluginClass, PluginDescription
 from .exported import ExportedClass, exported_classes, is_plain, is_registered_otherwise, tail
@@ -40,7 +40,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class PluginPackage:
-    manifest: Manifest
+    facts: PackageFacts
     files: PackageFiles
     cmake: CMake
     sources: tuple[CppFile, ...]
@@ -60,7 +60,9 @@ class PluginPackage:
 
     @cached_property
     def entries(self) -> tuple[Entry, ...]:
-        """What CMake exports and what is C++, in order."""
+        """What CMake exports and what is C++, in order; nothing of ROS 1, where package.xml does that."""
+        if not self.facts.ament:
+            return ()
         return tuple(
             Entry(description, plugin)
             for description in self.descriptions
@@ -124,6 +126,8 @@ class PluginPackage:
     @cached_property
     def compiled_exports(self) -> tuple[ExportedClass, ...]:
         """The exported classes of sources that certainly go into a library that is installed for use."""
+        if not self.facts.ament:
+            return ()
         return tuple(
             each
             for each in self.exported
@@ -178,5 +182,9 @@ def spaceless(name: str) -> str:
 
 
 def stems(path: str) -> tuple[str, ...]:
-    """Return the names that a description's path may have as a target: as it is, and without `lib`."""
-    return (path, path[3:]) if path.startswith("lib") else (path,)
+    """Return the names that the library of a description's path may have, as pluginlib looks for it.
+
+    These are the path as it is, without `lib`, and without its folders.
+    """
+    names = (path, path[3:] if path.startswith("lib") else path, path.rpartition("/")[2])
+    return tuple(dict.fromkeys(names))

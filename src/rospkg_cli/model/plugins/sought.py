@@ -44,7 +44,7 @@ class Sought:
 
     def unknown(self) -> Iterator[Unknown]:
         for user in self.workspace.packages:
-            for use in user.plugin_uses:
+            for use in user.plugin_uses if user.build_type != "catkin" else ():
                 if use.name not in self.names:
                     yield from self.judged(user, use)
 
@@ -62,15 +62,20 @@ class Sought:
     def is_certain(self, owner: PackageFacts) -> bool:
         """Return whether a package has plug-ins in C++, and all of them are known."""
         cpp = any("_py::" not in plugin.base for plugin in owner.plugins)
-        return cpp and owner.knows("plugins") and owner.name not in BUILT_IN
+        return cpp and owner.ament and owner.knows("plugins") and owner.name not in BUILT_IN
 
     def meant(self, owner: PackageFacts, name: str) -> Plugin | None:
         """Return the plug-in of a package with the same class, or with nearly that name; None where there are more."""
-        alike = [each for each in owner.plugins if tail(each.name) == tail(name)]
+        alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
         if not alike:
             nearby = near(tail(name), [tail(each.name) for each in owner.plugins])
             alike = [each for each in owner.plugins if tail(each.name) in nearby]
         return alike[0] if len(alike) == 1 else None
+
+
+def plain(name: str) -> str:
+    """Return the class of a name, without what people forget: blanks, underscores, capitals."""
+    return re.sub(r"[\s_]", "", tail(name)).lower()
 
 
 def is_something_else(owner: PackageFacts, name: str) -> bool:

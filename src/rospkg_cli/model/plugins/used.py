@@ -20,11 +20,13 @@ YAML = re.compile(
     rf"""^[ ]*(?:-[ ]+)?(["']?)(?:\w*plugin|plugin_type|type|Class)\1[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
     re.MULTILINE,
 )
+RVIZ = re.compile(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
+"""The names of rviz's displays and tools may have blanks."""
 XML = re.compile(
     rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</"""
 )
 COMMENT = re.compile(r"<!--[\s\S]*?-->")
-PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": YAML, ".urdf": XML, ".xacro": XML}
+PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
 
 
 def plugin_uses(reading: Reading) -> tuple[PluginUse, ...]:

@@ -51,8 +51,8 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     rqt reads the package.xml of every installed package to find its plug-ins in Python: one that is not in there is
     missing from the menu, and nothing says why.
     """
-    for description in plugins.hidden():
-        line = export_of(description)
+    for description, tag in plugins.hidden():
+        line = export_of(description, tag)
         message = f"package.xml does not list `{description.file}`: rqt does not offer it; add `{line}` to `<export>`"
         fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
         yield Hit(description.file, description.document.root.open, message, fix=fix)
@@ -66,8 +66,8 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
         yield Hit(at.path, at.span, f"{message}; add `{line}` to `<export>`", Severity.INFO, related, fix)
 
 
-def export_of(description: PluginDescription) -> str:
-    return f'<rqt_gui plugin="${{prefix}}/{description.file}"/>'
+def export_of(description: PluginDescription, tag: str = "rqt_gui") -> str:
+    return f'<{tag} plugin="${{prefix}}/{description.file}"/>'
 
 
 def listed_in(manifest: Manifest, description: PluginDescription) -> Related:
