@@ -432,3 +432,10 @@ def test_ros_1_has_other_ways(code: str) -> None:
 def test_a_plugin_of_qt_gui_is_listed_there() -> None:
     ((_, message),) = said({**package(), "plugin.xml": described("my_pkg.P", base="qt_gui_py::Plugin")}, "PLG006")
     assert '<qt_gui plugin="${prefix}/plugin.xml"/>' in message
+
+
+def test_components_of_the_old_kind_are_no_plugins() -> None:
+    source = "CLASS_LOADER_REGISTER_CLASS(my_pkg::Planner, rclcpp::Node)\n"
+    files = package(LIBRARY, src__planner_DOT_cpp=source)
+    del files["plugins.xml"]
+    assert said(files, "PLG002") == []

@@ -18,6 +18,8 @@ from .description import PluginClass, PluginDescription
 from .exported import ExportedClass, exported_classes, is_plain, is_registered_otherwise, tail
 
 PREBUILT = (".so", ".a", ".dylib", ".dll")
+COMPONENTS = frozenset({"rclcpp::Node", "rclcpp_components::NodeFactory"})
+"""What class_loader registers of them is a component, which no plug-in description has."""
 FETCHES = frozenset({"externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"})
 
 
@@ -140,6 +142,8 @@ class PluginPackage:
         meant = {found.type for entry in self.unmade() if (found := self.meant(entry)) is not None}
         for each in self.compiled_exports:
             for_plugins = not self.entries or libraries.intersection(self.libraries_of(each))
+            if each.base in COMPONENTS:
+                continue
             if for_plugins and spaceless(each.type) not in self._described and each.type not in meant:
                 yield each
 
