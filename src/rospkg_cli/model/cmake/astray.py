@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..launch.file import LaunchFile
+from ...ros.share import LAUNCH
 from ..unreadable import UnreadableError
 from .copying import copies
 from .installs import InstallRule
@@ -16,7 +16,9 @@ from .package import CMakePackage
 from .table import Table
 from .words import Word
 
-ROS = re.compile(r"rclcpp|rclpy|rclcpp_\w+|.*_(msgs|interfaces)|.*_(msgs|interfaces)_TARGETS")
+ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
+EXECUTABLE = re.compile(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
+MAX_DEPTH = 4
 IMPORTS_ROS = re.compile(r"^\s*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
@@ -29,59 +31,69 @@ class Astray:
     rule: InstallRule
     started: bool
     """Whether a launch file or the README starts it."""
+    ros: bool
+    """Whether it is a node, as far as that shows."""
 
 
 @dataclass(frozen=True)
 class AstrayExecutables:
     package: CMakePackage
-    launches: tuple[LaunchFile, ...]
 
     def all(self) -> Iterator[Astray]:
         """Yield each executable that is meant for `ros2 run` and does not stand in lib/<package>."""
         cmake, table = self.package.cmake, Table(self.package.cmake, self.package.facts.name)
         for rule in cmake.installs:
-            if rule.call.maybe or rule.call.testing:
+            if rule.call.maybe:
                 continue
             for word in rule.items:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
-                if target is not None and target.executable and not target.call.testing:
+                if target is not None and target.executable:
                     place, name = table.place(rule, target), table.file_name(target)
-                    if self.is_wrong(place) and (self.starts(name) or place != "bin" or self.uses_ros(target.name)):
-                        yield Astray(word, name, place or "", rule, self.starts(name))
+                    if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
+                        yield Astray(word, name, place or "", rule, self.starts(name), self.uses_ros(target.name))
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
 
     def scripts(self, rule: InstallRule, place: str) -> Iterator[Astray]:
         for copy in copies(rule, self.package.cmake.package):
             name = copy.destination.rpartition("/")[2]
-            if self.starts(name) or IMPORTS_ROS.search(self.text(copy.source)):
-                yield Astray(copy.item, name, place, rule, self.starts(name))
+            ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
+            if self.starts(name) or ros or place == "bin":
+                yield Astray(copy.item, name, place, rule, self.starts(name), ros)
 
     def is_wrong(self, place: str | None) -> bool:
         """Return whether a place is known, relative, and neither lib/<package> nor below it."""
         right = f"lib/{self.package.facts.name}"
         return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
 
-    def uses_ros(self, target: str) -> bool:
-        links = Links(self.package.cmake)
-        return any(ROS.fullmatch(link.word.text.partition("::")[0].strip("${}")) for link in links.of(target))
+    @cached_property
+    def links(self) -> Links:
+        return Links(self.package.cmake)
+
+    def uses_ros(self, target: str, depth: int = 0) -> bool:
+        """Return whether a target is linked with ROS, itself or through another target of the package."""
+        for link in self.links.of(target):
+            text = link.word.text if link.word.known else self.package.cmake.raw(link.word)
+            if ROS.fullmatch(text.strip('"${}').partition("::")[0]):
+                return True
+            own = self.links.own(text)
+            if own is not None and own.name != target and depth < MAX_DEPTH and self.uses_ros(own.name, depth + 1):
+                return True
+        return False
 
     def starts(self, name: str) -> bool:
         return name in self.started
 
     @cached_property
     def started(self) -> frozenset[str]:
-        """The executables of this package that its launch files or its README start."""
-        own = self.package.facts.name
+        """The executables that launch files name, or that the README starts."""
+        run = re.compile(rf"ros2\s+run\s+{re.escape(self.package.facts.name)}\s+([\w.-]+)")
         found: set[str] = set()
-        for file in self.launches:
-            for node in file.nodes:
-                executable = node.executable.literal if node.executable else None
-                if executable and node.package and node.package.literal == own:
-                    found.add(executable)
-        run = re.compile(rf"ros2\s+run\s+{re.escape(own)}\s+([\w.-]+)")
         for path in self.package.cmake.package.paths:
-            if path.rpartition("/")[2].lower().startswith("readme"):
+            name = path.rpartition("/")[2]
+            if LAUNCH.fullmatch(name):
+                found |= set(EXECUTABLE.findall(self.text(path)))
+            elif name.lower().startswith("readme"):
                 found |= set(run.findall(self.text(path)))
         return frozenset(found)
 

@@ -11,7 +11,7 @@ from ...ros.table import rows
 from ..facts import PackageFacts
 from ..workspace import Workspace
 from .call import Call
-from .headers import PLUGINS, Headers
+from .headers import INCLUDES, PLUGINS, Headers
 from .links import Link, Links
 from .words import HOLE, Word
 
@@ -44,7 +44,8 @@ class ExportedDependencies:
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
         unclear = not cmake.complete or cmake.clouded or automatic or HOLE in self.exported
-        if unclear or not self.headers.installed or (cmake.named(PLUGINS) and not self.is_built_against()):
+        only_loaded = cmake.named(PLUGINS) and not cmake.named(*INCLUDES) and not self.is_built_against()
+        if unclear or not self.headers.installed or only_loaded:
             return
         seen: set[str] = set()
         for link in Links(cmake).all:

@@ -45,17 +45,18 @@ class ForgottenTargets:
             return
         stopping = {each.target.name: each for each in self.unexported()}
         yield from stopping.values()
+        yield from self.parameters()
         for target in self.candidates():
             if target.name in stopping:
                 continue
-            if target.executable and not self.is_used(target):
+            if target.executable and not target.call.maybe and not self.is_used(target):
                 yield Forgotten(target, "")
             elif self.links.shared(target) and (needed := self.needed_by(target)):
                 yield Forgotten(target, needed)
 
     def candidates(self) -> Iterator[Target]:
         for target in self.cmake.targets:
-            sure = HOLE not in target.name and not target.word.maybe and not target.call.maybe
+            sure = HOLE not in target.name and not target.word.maybe
             if target.call.name not in MADE_BY or not sure or target.call.testing or not target.built:
                 continue
             if target.name not in self.links.installed and "EXCLUDE_FROM_ALL" not in target.options:
@@ -95,6 +96,13 @@ class ForgottenTargets:
                     if target is not None and name not in held and name not in seen and is_refused(target):
                         seen.add(name)
                         yield Forgotten(target, f"the exported target `{word.text}`", stops=True)
+
+    def parameters(self) -> Iterator[Forgotten]:
+        """Yield parameter libraries that nothing is linked with, where all their like are installed."""
+        made = [target for target in self.cmake.targets if target.call.name == "generate_parameter_library"]
+        idle = [target for target in made if target.name not in self.links.installed and not target.call.maybe]
+        if len(idle) == 1 and len(made) > 2 and not any(link.word.text == idle[0].name for link in self.links.all):
+            yield Forgotten(idle[0], "who links it, as the other parameter libraries can be,")
 
     def interface_of(self, word: Word) -> Iterator[str]:
         """Yield the package's targets that a target passes on to whoever links it."""

@@ -117,17 +117,17 @@ class Machine:
     clouded: bool = False
     """Something was read that we can't see: it may have set any variable, and made any target."""
     steps: int = 0
-    exhausted: bool = False
-    """The run did not come to its end."""
+    stopped: str = ""
+    """Why the run did not come to its end."""
 
     def run(self) -> None:
         """Run CMakeLists.txt; never raises for what it holds."""
         try:
             self.file(ROOT)
         except LeaveError as leave:
-            self.exhausted = leave.how == "fatal"
+            self.stopped = "`message(FATAL_ERROR …)` stops it" if leave.how == "fatal" else ""
         except (ExhaustedError, RecursionError):
-            self.exhausted = True
+            self.stopped = "it takes too many steps"
 
     # ---- files
 

@@ -29,10 +29,14 @@ class CMake:
     calls: tuple[Call, ...]
     idle: tuple[Call, ...] = ()
     """Commands in branches that are never taken and loops over nothing."""
-    complete: bool = True
-    """False where the run was cut short: nothing may be concluded from what is absent."""
+    stopped: str = ""
+    """Why the run was cut short: then nothing may be concluded from what is absent."""
     clouded: bool = False
     """Whether it reads files that we can't see: they may make any target."""
+
+    @property
+    def complete(self) -> bool:
+        return not self.stopped
 
     @property
     def root(self) -> CMakeFile:
@@ -163,4 +167,4 @@ def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
         yield from machine.broken
     else:
         files, calls, idle = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.idle)
-        yield CMake(reading.files, files, calls, idle, not machine.exhausted, machine.clouded)
+        yield CMake(reading.files, files, calls, idle, machine.stopped, machine.clouded)

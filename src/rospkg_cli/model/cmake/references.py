@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -44,6 +44,16 @@ class References:
             if sure and key not in seen and not self.is_made(reference):
                 seen.add(key)
                 yield reference
+
+    def run_together(self, names: Collection[str]) -> Iterator[tuple[Reference, str, str]]:
+        """Yield words that are none of some packages' names, but two of them without a blank."""
+        for call in self.cmake.named("ament_export_dependencies", "ament_target_dependencies"):
+            for word in call.words[call.name != "ament_export_dependencies" :]:
+                text = word.text
+                halves = ((text[:at], text[at:]) for at in range(2, len(text) - 1))
+                found = next((pair for pair in halves if pair[0] in names and pair[1] in names), None)
+                if word.known and text not in names and found is not None:
+                    yield Reference(word, call, "target"), *found
 
     def all(self) -> Iterator[Reference]:
         for call in self.cmake.named(*FIRST_IS_TARGET):

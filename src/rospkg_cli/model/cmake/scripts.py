@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+from ..unreadable import UnreadableError
 from .call import located
 from .copying import Copy, copies
 from .package import CMakePackage
@@ -95,7 +96,7 @@ class Scripts:
         for folder in sorted({posixpath.dirname(path) for path in programs}):
             beside = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
             for path in cmake.package.paths:
-                fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path, beside.source)
+                fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
                 if fits and not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
                     yield path, beside
 
@@ -103,8 +104,20 @@ class Scripts:
         files = self.package.cmake.package
         return any(path == copy.source for rule in self.package.cmake.installs for copy in copies(rule, files))
 
-    def is_script(self, path: str, like: str) -> bool:
-        """Return whether a file is a program of the same kind as one that is installed."""
-        same = posixpath.splitext(path)[1] == posixpath.splitext(like)[1]
+    def is_script(self, path: str) -> bool:
+        """Return whether a file is a program that a user may want to run."""
         hidden = posixpath.basename(path).startswith((".", "_", "test_"))
-        return same and not hidden and self.has_shebang(path) and self.has_bit(path)
+        if hidden or not self.is_runnable(path) or not self.has_shebang(path):
+            return False
+        return self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts)
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        """The installed scripts' texts."""
+        found = []
+        for copy in self.copies:
+            try:
+                found.append(self.package.cmake.package.source(copy.source).text)
+            except UnreadableError:
+                continue
+        return tuple(found)

@@ -128,7 +128,7 @@ class Table:
     def unknown(self) -> Iterator[NotKnown]:
         if not self.cmake.complete:
             for what in ALL:
-                yield NotKnown(what, "it takes too many steps", self.cmake.root.path, Span(0, 0))
+                yield NotKnown(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
         for rule in self.cmake.installs:
             yield from self.unknown_rule(rule)
         for call in self.cmake.calls:
@@ -148,7 +148,11 @@ class Table:
         where = items[0] if items else rule.destination_word
         span = where.span if where is not None else rule.call.command.span
         for what in sorted(whats):
-            yield NotKnown(what, "a value can't be evaluated", where.path if where else rule.call.path, span)
+            yield NotKnown(what, self.why(where), where.path if where else rule.call.path, span)
+
+    def why(self, word: Word | None) -> str:
+        raw = " ".join(self.cmake.raw(word).split()) if word is not None else ""
+        return f"`{raw}` can't be evaluated" if raw else "what it installs can't be evaluated"
 
     def is_link(self, word: Word, rule: InstallRule) -> bool:
         """Return whether a folder is a link, behind which we do not look."""

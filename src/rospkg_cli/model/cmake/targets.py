@@ -52,6 +52,7 @@ def added(kind: Kind) -> Callable[[Call], Iterator[Target]]:
         if call.words:
             options, values, sources = flags_and_values(call.words[1:], OPTIONS, ("DIRECTORY",), ())
             folder = next(iter(values.get("DIRECTORY", [])), None)
+            sources = [] if "ALIAS" in options else sources
             yield Target(call.words[0], kind, call, frozenset(options), tuple(sources), folder)
 
     return make

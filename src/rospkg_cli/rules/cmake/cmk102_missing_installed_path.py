@@ -25,6 +25,7 @@ SOURCE = CMAKE.replace(
     "missing-installed-path",
     over=CMakePackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the source is named only under a condition that can't be evaluated"},
     examples=(
         Example(
             bad={"CMakeLists.txt": INSTALL, "meshes/base.stl": "solid base\n"},
@@ -49,9 +50,11 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     INSTALL cannot find …"). It is what is left when a file was renamed, or when git did not keep an empty folder.
     """
     for named in NamedPaths(package.cmake).missing():
-        if not named.word.maybe and not named.call.maybe:
-            near = did_you_mean(named.path, package.cmake.package.paths)
-            yield Hit(named.word.path, named.word.span, f"`{named.path}` does not exist{near}: {consequence(named)}")
+        near = did_you_mean(named.path, package.cmake.package.paths)
+        message = f"`{named.path}` does not exist{near}: {consequence(named)}"
+        perhaps = named.call.maybe or named.word.maybe
+        if named.use == "source" or not perhaps:
+            yield Hit(named.word.path, named.word.span, message, Severity.WARNING if perhaps else None)
 
 
 def consequence(named: Named) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.astray import AstrayExecutables
+from ...model.cmake.astray import Astray, AstrayExecutables
 from ...rule import rule
 
 MAIN = "int main() {return 0;}\n"
@@ -40,7 +40,10 @@ def cmake(lines: str) -> str:
     "wrong-executable-destination",
     over=AstrayExecutables,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it goes to bin/, and neither a launch file nor the README starts it"},
+    levels={
+        Severity.WARNING: "it goes to bin/, and neither a launch file nor the README starts it",
+        Severity.INFO: "it goes to bin/, and nothing shows that it is a node",
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(WRONG), "src/talker.cpp": MAIN},
@@ -64,8 +67,8 @@ def cmake(lines: str) -> str:
 def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
     """
     ## What it does
-    Finds nodes and scripts that are installed anywhere but in `lib/${PROJECT_NAME}`. A tool that is no node may stand
-    in bin/.
+    Finds executables and scripts that are installed anywhere but in `lib/${PROJECT_NAME}`. A tool that is no node may
+    stand in bin/ on purpose.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -76,7 +79,12 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
     for each in astray.all():
         start = f"`{each.name}` is installed into `{each.place}`, where neither `ros2 run {name} {each.name}` nor a"
         message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
-        level = Severity.WARNING if each.place == "bin" and not each.started else None
         edits = to_libexec(astray.package.cmake, each)
         fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits) if edits else None
-        yield Hit(each.word.path, each.word.span, message, level, fix=fix)
+        yield Hit(each.word.path, each.word.span, message, level(each), fix=fix)
+
+
+def level(astray: Astray) -> Severity | None:
+    if astray.started or astray.place != "bin":
+        return None
+    return Severity.WARNING if astray.ros else Severity.INFO

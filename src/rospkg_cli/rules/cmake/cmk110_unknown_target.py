@@ -50,7 +50,8 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds targets that `install(TARGETS)`, `target_link_libraries()` and the like name and that nothing makes, and
-    exports (`ament_export_targets()`) that no `install(… EXPORT …)` fills.
+    exports (`ament_export_targets()`) that no `install(… EXPORT …)` fills. In lists of packages it finds two names
+    without a blank between them.
 
     ## Why is this bad?
     CMake stops. This is what is left when a target was renamed or removed.
@@ -60,6 +61,11 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package, reference)}{near}: CMake stops with {stops(reference)}"
+        yield Hit(reference.word.path, reference.word.span, message)
+    names = {found.name for found in package.cmake.packages} | {each.name for each in package.manifest.dependencies}
+    for reference, first, second in references.run_together(names):
+        start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a blank between them"
+        message = f"{start}: who uses this package stops because it is not found; part the two"
         yield Hit(reference.word.path, reference.word.span, message)
 
 
