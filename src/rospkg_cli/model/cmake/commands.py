@@ -8,8 +8,9 @@ from collections.abc import Callable, Mapping
 
 from ..install import PYTHON
 from .call import Call
+from .frame import LeaveError
 from .globbing import run_file
-from .machine import LeaveError, Machine
+from .machine import Machine
 from .read import ROOT
 from .scope import Scope
 from .strings import run_get_filename_component, run_string

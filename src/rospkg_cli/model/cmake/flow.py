@@ -1,19 +1,18 @@
-"""What blocks do: conditions, loops, functions and macros."""
+"""What `if` does, and which function runs which block."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from .blocks import Block, Branch
-from .call import Call
 from .condition import Truth, both, evaluate, negated
-from .machine import ExhaustedError, Frame, Function, LeaveError, Machine
-from .scope import Scope, Snapshot
-from .words import HOLE, Value, Word, as_value
+from .frame import Frame, LeaveError
+from .functions import define, run_block
+from .loops import run_foreach, run_while
+from .machine import Machine
+from .scope import Snapshot
 from .world import World
-
-MAX_ROUNDS = 500
 
 Reached = tuple[Truth, Truth]
 """Whether a place is reached with BUILD_TESTING on, and off."""
@@ -95,157 +94,6 @@ def after_leaving(frame: Frame, reached: Reached) -> Frame:
     if reached[1] is False:
         return frame
     return replace(frame, maybe=True)
-
-
-def run_foreach(machine: Machine, block: Block) -> None:
-    words = machine.words(block.command)
-    if not words:
-        return
-    name, rest = words[0].text, words[1:]
-    values = loop_values(machine, rest)
-    before = machine.scope.get(name)
-    if values is None:
-        run_maybe(machine, block, {name: machine.hole()})
-    elif not values:
-        machine.scope.set(name, machine.hole())
-        machine.try_out(block.branches[0].body)
-    else:
-        run_rounds(machine, block, name, values)
-    if before is None:
-        machine.scope.variables.pop(name, None)
-    else:
-        machine.scope.set(name, before)
-
-
-def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]) -> None:
-    for word in values[:MAX_ROUNDS]:
-        if word.maybe or word.text == HOLE:
-            run_maybe(machine, block, {name: (replace(word, maybe=False),)})
-            continue
-        machine.scope.set(name, (word,))
-        try:
-            machine.body(block.branches[0].body)
-        except LeaveError as leave:
-            if leave.how == "break":
-                return
-            if leave.how != "continue":
-                raise
-
-
-def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) -> None:
-    """Run a body that may run any number of times, and unite what it leaves behind with what was."""
-    before = machine.scope.save()
-    for name, value in variables.items():
-        machine.scope.set(name, value)
-    try:
-        with machine.framed(replace(machine.frame, maybe=True)):
-            machine.body(block.branches[0].body)
-    except LeaveError as leave:
-        if leave.how == "fatal":
-            machine.scope.restore(before)
-            return
-    machine.scope.unite([before, machine.scope.save()])
-
-
-def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
-    """Return what a foreach goes over, None where that is unknown as a whole."""
-    if words and words[0].text == "RANGE" and not words[0].quoted:
-        return number_range([word.text for word in words[1:]], machine)
-    if not (words and words[0].text == "IN" and not words[0].quoted):
-        return list(as_value(words))
-    found: list[Word] = []
-    mode = ""
-    for word in words[1:]:
-        if word.text in ("LISTS", "ITEMS", "ZIP_LISTS") and not word.quoted:
-            mode = word.text
-        elif mode == "ZIP_LISTS":
-            return None
-        else:
-            found += machine.value(word.text) if mode == "LISTS" else as_value([word])
-    return found
-
-
-def number_range(texts: list[str], machine: Machine) -> list[Word] | None:
-    if not all(text.isdecimal() and len(text) < 6 for text in texts) or not 1 <= len(texts) <= 3:
-        return None
-    numbers = [int(text) for text in texts]
-    start, stop = (0, numbers[0]) if len(numbers) == 1 else (numbers[0], numbers[1])
-    step = numbers[2] if len(numbers) == 3 else 1
-    return [machine.word(str(n)) for n in range(start, stop + 1, step)][:MAX_ROUNDS] if step else None
-
-
-def run_while(machine: Machine, block: Block) -> None:
-    for _ in range(MAX_ROUNDS):
-        truth = evaluate(machine.words(block.command), World(machine))
-        if truth is False:
-            return
-        if truth is None:
-            run_maybe(machine, block, {})
-            return
-        try:
-            machine.body(block.branches[0].body)
-        except LeaveError as leave:
-            if leave.how == "break":
-                return
-            if leave.how != "continue":
-                raise
-    raise ExhaustedError
-
-
-def run_block(machine: Machine, block: Block) -> None:
-    """Run `block()` in a scope of its own; with PROPAGATE the named variables go out of it."""
-    words = [word.text for word in machine.words(block.command)]
-    names = words[words.index("PROPAGATE") + 1 :] if "PROPAGATE" in words else []
-    inner = machine.scope = Scope(machine.scope)
-    try:
-        machine.body(block.branches[0].body)
-    finally:
-        machine.scope = inner.around or inner
-    for name in names:
-        machine.scope.set(name, inner.variables.get(name, ()))
-
-
-def define(machine: Machine, block: Block) -> None:
-    """Remember a function or a macro."""
-    words = [word.text for word in machine.words(block.command)]
-    if words and HOLE not in words[0]:
-        macro = block.command.name == "macro"
-        function = Function(block.command, block.branches[0].body, machine.frame.path, words[1:], macro)
-        machine.functions[words[0].lower()] = function
-
-
-def invoke(machine: Machine, function: Function, call: Call) -> None:
-    """Run a function in a scope of its own, or a macro in that of its caller."""
-    bound = arguments(machine, function, call)
-    frame = machine.frame
-    name = function.command.arguments[0].text
-    inner = replace(frame, path=function.path, depth=frame.depth + 1, inside=name)
-    inner = replace(inner, bindings=bound if function.macro else {})
-    scope = machine.scope
-    if not function.macro:
-        machine.scope = Scope(scope, dict(bound))
-    try:
-        with machine.framed(inner):
-            machine.body(function.body)
-    except LeaveError as leave:
-        if leave.how != "return" or function.macro:
-            raise
-    finally:
-        machine.scope = scope
-
-
-def arguments(machine: Machine, function: Function, call: Call) -> dict[str, Value]:
-    """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
-    words, count = call.words, len(function.parameters)
-    whole = any(word.text == HOLE or word.maybe for word in words[:count])
-    bound: dict[str, Value] = {"ARGV": as_value(words)}
-    bound["ARGN"] = machine.hole() if whole else as_value(words[count:])
-    for index, name in enumerate(function.parameters):
-        bound[name] = machine.hole() if whole else as_value(words[index : index + 1])
-    for index, word in enumerate(words[:20]):
-        bound[f"ARGV{index}"] = machine.hole() if whole else as_value([word])
-    bound["ARGC"] = machine.hole() if whole or call.open_ended else (machine.word(str(len(words))),)
-    return bound
 
 
 BLOCKS: Mapping[str, Callable[[Machine, Block], None]] = {

@@ -6,87 +6,19 @@ and what they did is then marked as `maybe`.  BUILD_TESTING is tried both ways.
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
-from ...source import Span
 from ..files import PackageFiles
-from ..install import PYTHON
 from ..unreadable import Unreadable, UnreadableError
 from .blocks import Block
 from .call import Call, located
+from .frame import MAX_DEPTH, MAX_STEPS, NOWHERE, ExhaustedError, Frame, Function, LeaveError, built_in, environment
 from .read import ROOT, CMakeFile, names_set, read_file
 from .scope import Scope
 from .syntax import Command
-from .words import BINARY, HOLE, PREFIX, SOURCE, Value, Word, as_value, words_of
-
-MAX_STEPS = 20_000
-MAX_DEPTH = 40
-
-ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
-OFF = ("WIN32", "MSVC", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "BORLAND", "CMAKE_CROSSCOMPILING")
-INSTALL_DIRS = {
-    "BINDIR": "bin", "SBINDIR": "sbin", "LIBEXECDIR": "libexec", "SYSCONFDIR": "etc", "LIBDIR": "lib",
-    "INCLUDEDIR": "include", "DATAROOTDIR": "share", "DATADIR": "share", "DOCDIR": "share/doc", "MANDIR": "share/man",
-}  # fmt: skip
-"""What GNUInstallDirs sets, below any prefix but /usr."""
-
-CONSTANTS = {
-    "CMAKE_INSTALL_PREFIX": PREFIX,
-    "CMAKE_SYSTEM_NAME": "Linux",
-    "PYTHON_INSTALL_DIR": PYTHON,
-    **{f"CMAKE_INSTALL_{name}": text for name, text in INSTALL_DIRS.items()},
-    "UNIX": "1",
-    "LINUX": "1",
-    **dict.fromkeys(OFF, ""),
-}
-
-
-NOWHERE = Span(0, 0)
-
-
-class LeaveError(Exception):
-    """`return`, `break` or `continue`; `fatal` where the configuration stops."""
-
-    def __init__(self, how: str) -> None:
-        super().__init__(how)
-        self.how = how
-
-
-class ExhaustedError(Exception):
-    """The files take more steps than we are willing to go."""
-
-
-@dataclass(frozen=True)
-class Frame:
-    """Where the machine is."""
-
-    path: str
-    """The file whose commands are run."""
-    file: str = ROOT
-    """CMAKE_CURRENT_LIST_FILE: inside a function that of its caller."""
-    folder: str = ""
-    """CMAKE_CURRENT_SOURCE_DIR, relative to the package."""
-    testing: bool = False
-    maybe: bool = False
-    idle: bool = False
-    """Nothing of it is really run: a branch that is never taken, a loop over nothing."""
-    depth: int = 0
-    inside: str = ""
-    """The function or macro of the package that is run."""
-    bindings: Mapping[str, Value] = field(default_factory=dict)
-    """The arguments of the macro that is run."""
-
-
-@dataclass
-class Function:
-    command: Command
-    body: list[Command | Block]
-    path: str
-    parameters: list[str]
-    macro: bool
+from .words import HOLE, Value, Word, as_value, words_of
 
 
 @dataclass
@@ -237,29 +169,9 @@ class Machine:
             return self.frame.bindings[name]
         if (found := self.scope.get(name)) is not None:
             return found
-        if (text := self.built_in(name)) is not None:
+        if (text := built_in(name, self.frame, self.assume)) is not None:
             return as_value([self.word(text)])
         return None
-
-    def built_in(self, name: str) -> str | None:
-        here = self.frame
-        match name:
-            case "CMAKE_SOURCE_DIR":
-                return SOURCE
-            case "CMAKE_BINARY_DIR":
-                return BINARY
-            case "CMAKE_CURRENT_SOURCE_DIR":
-                return posixpath.join(SOURCE, here.folder).rstrip("/")
-            case "CMAKE_CURRENT_BINARY_DIR":
-                return posixpath.join(BINARY, here.folder).rstrip("/")
-            case "CMAKE_CURRENT_LIST_DIR":
-                return posixpath.join(SOURCE, posixpath.dirname(here.file)).rstrip("/")
-            case "BUILD_TESTING":
-                return self.assume
-            case "CMAKE_CURRENT_LIST_FILE":
-                return posixpath.join(SOURCE, here.file)
-            case _:
-                return CONSTANTS.get(name)
 
     def word(self, text: str) -> Word:
         """Return a word that stands nowhere: CMake made it."""
@@ -279,7 +191,3 @@ class Machine:
     def path(self, text: str) -> str | None:
         """Return a path relative to the package, None where it is unknown or outside."""
         return located(text, self.frame.folder)
-
-
-def environment(name: str) -> str:
-    return ENVIRONMENT.get(name, HOLE)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 from .call import Call, flags_and_values, located
 from .project import CMake
+from .targets import targets_of
 from .words import Word
 
 Use = Literal["source", "install", "folder"]
@@ -51,6 +52,8 @@ class NamedPaths:
     def all(self) -> Iterator[Named]:
         for target in self.cmake.targets:
             yield from self.named(target.sources, "source", target.call)
+        for target in targets_of(self.cmake.idle):
+            yield from self.named(target.sources, "source", replace(target.call, maybe=True))
         for call in self.cmake.named("target_sources"):
             yield from self.named(sources_in(call), "source", call)
         for rule in self.cmake.installs:
@@ -73,16 +76,20 @@ class NamedPaths:
             return True
         return path in self.made or posixpath.basename(path) in self.made_names
 
+    @property
+    def calls(self) -> tuple[Call, ...]:
+        return self.cmake.calls + self.cmake.idle
+
     @cached_property
     def made(self) -> frozenset[str]:
         """The paths in the package that commands write."""
-        found = (located(word.text, call.folder) for call in self.cmake.calls for word in written_by(call))
+        found = (located(word.text, call.folder) for call in self.calls for word in written_by(call))
         return frozenset(path for path in found if path)
 
     @cached_property
     def made_names(self) -> frozenset[str]:
         """The names of all files that commands write, wherever."""
-        words = (word for call in self.cmake.calls for word in written_by(call))
+        words = (word for call in self.calls for word in written_by(call))
         return frozenset(posixpath.basename(word.text) for word in words if not word.text.endswith("\0"))
 
 

@@ -8,11 +8,13 @@ from functools import cached_property
 
 from ..files import PackageFiles, Reading
 from ..unreadable import Unreadable
+from .ament_installs import install_rules
 from .call import Call
 from .commands import COMMANDS, foreign
 from .components import Component, InterfaceTarget, components_of, interface_targets_of
-from .flow import BLOCKS, invoke
-from .installs import InstallRule, install_rules
+from .flow import BLOCKS
+from .functions import invoke
+from .installs import InstallRule
 from .machine import Machine
 from .packages import FoundPackage, found_packages
 from .read import ROOT, CMakeFile, is_built_with_cmake

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...source import Source, Span
+from .complaints import unclosed, unexpected
 from .lexer import Token, tokens
 
 ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
@@ -19,8 +20,6 @@ BLANK = ("space", "newline", "comment", "bracket comment")
 COMMAND_LINE = re.compile(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
 MAX_FAULTS = 20
 """After so many the rest of a file is left alone: each may read to the end."""
-
-CONFLICT = re.compile(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,26 +178,3 @@ def argument(token: Token) -> Argument:
             return Argument("paren", token.text, token.span)
         case _:
             return Argument("unquoted", token.text, token.span)
-
-
-def unexpected(token: Token, fresh: bool) -> str:
-    if CONFLICT.match(token.text):
-        return f"`{token.text[:7]}` is left from a merge conflict"
-    if token.kind == "bad" and len(token.text) > 1:
-        return unclosed(token)
-    if not fresh:
-        return f"`{token.text}` follows a command in the same line: CMake wants a new line for each command"
-    if token.kind == ")":
-        return "`)` closes nothing"
-    return f"`{token.text}` stands where a command should begin"
-
-
-def unclosed(token: Token) -> str:
-    match token.text[:1]:
-        case '"':
-            return '`"` is never closed'
-        case "[" | "#":
-            opening = token.text[: token.text.index("[", token.text.index("[") + 1) + 1]
-            return f"`{opening}` is never closed"
-        case _:
-            return f"`{token.text}` is no character that CMake knows here"

@@ -6,7 +6,8 @@ import re
 from dataclasses import dataclass
 
 from .condition import Truth
-from .machine import ENVIRONMENT, Machine
+from .frame import ENVIRONMENT
+from .machine import Machine
 from .words import BINARY, HOLE, PREFIX, Value
 
 IDENTIFIER = re.compile(r"[A-Za-z_][\w.:+-]*")

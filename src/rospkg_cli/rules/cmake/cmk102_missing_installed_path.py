@@ -25,7 +25,7 @@ SOURCE = CMAKE.replace(
     "missing-installed-path",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the source is named only under a condition that can't be evaluated"},
+    levels={Severity.WARNING: "the source is named only in a branch that is not taken, or perhaps not"},
     examples=(
         Example(
             bad={"CMakeLists.txt": INSTALL, "meshes/base.stl": "solid base\n"},

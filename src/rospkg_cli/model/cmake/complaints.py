@@ -1,0 +1,32 @@
+"""What CMake would refuse in a text, said so that one finds it."""
+
+from __future__ import annotations
+
+import re
+
+from .lexer import Token
+
+CONFLICT = re.compile(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
+
+
+def unexpected(token: Token, fresh: bool) -> str:
+    if CONFLICT.match(token.text):
+        return f"`{token.text[:7]}` is left from a merge conflict"
+    if token.kind == "bad" and len(token.text) > 1:
+        return unclosed(token)
+    if not fresh:
+        return f"`{token.text}` follows a command in the same line: CMake wants a new line for each command"
+    if token.kind == ")":
+        return "`)` closes nothing"
+    return f"`{token.text}` stands where a command should begin"
+
+
+def unclosed(token: Token) -> str:
+    match token.text[:1]:
+        case '"':
+            return '`"` is never closed'
+        case "[" | "#":
+            opening = token.text[: token.text.index("[", token.text.index("[") + 1) + 1]
+            return f"`{opening}` is never closed"
+        case _:
+            return f"`{token.text}` is no character that CMake knows here"

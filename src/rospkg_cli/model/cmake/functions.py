@@ -1,0 +1,68 @@
+"""What functions, macros and `block` do."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from .blocks import Block
+from .call import Call
+from .frame import Function, LeaveError
+from .machine import Machine
+from .scope import Scope
+from .words import HOLE, Value, as_value
+
+
+def run_block(machine: Machine, block: Block) -> None:
+    """Run `block()` in a scope of its own; with PROPAGATE the named variables go out of it."""
+    words = [word.text for word in machine.words(block.command)]
+    names = words[words.index("PROPAGATE") + 1 :] if "PROPAGATE" in words else []
+    inner = machine.scope = Scope(machine.scope)
+    try:
+        machine.body(block.branches[0].body)
+    finally:
+        machine.scope = inner.around or inner
+    for name in names:
+        machine.scope.set(name, inner.variables.get(name, ()))
+
+
+def define(machine: Machine, block: Block) -> None:
+    """Remember a function or a macro."""
+    words = [word.text for word in machine.words(block.command)]
+    if words and HOLE not in words[0]:
+        macro = block.command.name == "macro"
+        function = Function(block.command, block.branches[0].body, machine.frame.path, words[1:], macro)
+        machine.functions[words[0].lower()] = function
+
+
+def invoke(machine: Machine, function: Function, call: Call) -> None:
+    """Run a function in a scope of its own, or a macro in that of its caller."""
+    bound = arguments(machine, function, call)
+    frame = machine.frame
+    name = function.command.arguments[0].text
+    inner = replace(frame, path=function.path, depth=frame.depth + 1, inside=name)
+    inner = replace(inner, bindings=bound if function.macro else {})
+    scope = machine.scope
+    if not function.macro:
+        machine.scope = Scope(scope, dict(bound))
+    try:
+        with machine.framed(inner):
+            machine.body(function.body)
+    except LeaveError as leave:
+        if leave.how != "return" or function.macro:
+            raise
+    finally:
+        machine.scope = scope
+
+
+def arguments(machine: Machine, function: Function, call: Call) -> dict[str, Value]:
+    """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
+    words, count = call.words, len(function.parameters)
+    whole = any(word.text == HOLE or word.maybe for word in words[:count])
+    bound: dict[str, Value] = {"ARGV": as_value(words)}
+    bound["ARGN"] = machine.hole() if whole else as_value(words[count:])
+    for index, name in enumerate(function.parameters):
+        bound[name] = machine.hole() if whole else as_value(words[index : index + 1])
+    for index, word in enumerate(words[:20]):
+        bound[f"ARGV{index}"] = machine.hole() if whole else as_value([word])
+    bound["ARGC"] = machine.hole() if whole or call.open_ended else (machine.word(str(len(words))),)
+    return bound

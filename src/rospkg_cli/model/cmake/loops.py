@@ -1,0 +1,110 @@
+"""What loops do: `foreach` over what is known and what is not, `while` as long as it can be told."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from .blocks import Block
+from .condition import evaluate
+from .frame import ExhaustedError, LeaveError
+from .machine import Machine
+from .words import HOLE, Value, Word, as_value
+from .world import World
+
+MAX_ROUNDS = 500
+
+
+def run_foreach(machine: Machine, block: Block) -> None:
+    words = machine.words(block.command)
+    if not words:
+        return
+    name, rest = words[0].text, words[1:]
+    values = loop_values(machine, rest)
+    before = machine.scope.get(name)
+    if values is None:
+        run_maybe(machine, block, {name: machine.hole()})
+    elif not values:
+        machine.scope.set(name, machine.hole())
+        machine.try_out(block.branches[0].body)
+    else:
+        run_rounds(machine, block, name, values)
+    if before is None:
+        machine.scope.variables.pop(name, None)
+    else:
+        machine.scope.set(name, before)
+
+
+def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]) -> None:
+    for word in values[:MAX_ROUNDS]:
+        if word.maybe or word.text == HOLE:
+            run_maybe(machine, block, {name: (replace(word, maybe=False),)})
+            continue
+        machine.scope.set(name, (word,))
+        try:
+            machine.body(block.branches[0].body)
+        except LeaveError as leave:
+            if leave.how == "break":
+                return
+            if leave.how != "continue":
+                raise
+
+
+def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) -> None:
+    """Run a body that may run any number of times, and unite what it leaves behind with what was."""
+    before = machine.scope.save()
+    for name, value in variables.items():
+        machine.scope.set(name, value)
+    try:
+        with machine.framed(replace(machine.frame, maybe=True)):
+            machine.body(block.branches[0].body)
+    except LeaveError as leave:
+        if leave.how == "fatal":
+            machine.scope.restore(before)
+            return
+    machine.scope.unite([before, machine.scope.save()])
+
+
+def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
+    """Return what a foreach goes over, None where that is unknown as a whole."""
+    if words and words[0].text == "RANGE" and not words[0].quoted:
+        return number_range([word.text for word in words[1:]], machine)
+    if not (words and words[0].text == "IN" and not words[0].quoted):
+        return list(as_value(words))
+    found: list[Word] = []
+    mode = ""
+    for word in words[1:]:
+        if word.text in ("LISTS", "ITEMS", "ZIP_LISTS") and not word.quoted:
+            mode = word.text
+        elif mode == "ZIP_LISTS":
+            return None
+        else:
+            found += machine.value(word.text) if mode == "LISTS" else as_value([word])
+    return found
+
+
+def number_range(texts: list[str], machine: Machine) -> list[Word] | None:
+    if not all(text.isdecimal() and len(text) < 6 for text in texts) or not 1 <= len(texts) <= 3:
+        return None
+    numbers = [int(text) for text in texts]
+    start, stop = (0, numbers[0]) if len(numbers) == 1 else (numbers[0], numbers[1])
+    step = numbers[2] if len(numbers) == 3 else 1
+    return [machine.word(str(n)) for n in range(start, stop + 1, step)][:MAX_ROUNDS] if step else None
+
+
+def run_while(machine: Machine, block: Block) -> None:
+    for _ in range(MAX_ROUNDS):
+        truth = evaluate(machine.words(block.command), World(machine))
+        if truth is False:
+            return
+        if truth is None:
+            run_maybe(machine, block, {})
+            return
+        try:
+            machine.body(block.branches[0].body)
+        except LeaveError as leave:
+            if leave.how == "break":
+                return
+            if leave.how != "continue":
+                raise
+    raise ExhaustedError
