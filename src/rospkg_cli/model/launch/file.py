@@ -114,14 +114,14 @@ class LaunchFile:
         """Yield the uses of launch configurations: `$(var x)`."""
         return (found for found in self.substitutions if found.name == "var")
 
+    def programs(self) -> Iterator[tuple[str, str, Span]]:
+        """Yield package, executable and the executable's span of what it starts under literal names, but for ROS 1."""
+        for node in self.nodes if not self.ros1 else ():
+            if node.package and node.executable and node.package.literal and node.executable.literal:
+                yield node.package.literal, node.executable.literal, node.executable.span
+
 
 def started_nodes(reading: Reading) -> frozenset[tuple[str, str]]:
     """Return package and executable of every node that a package's launch files start under literal names."""
-    found: set[tuple[str, str]] = set()
-    for file in reading.parts(LaunchFile).good:
-        for node in file.nodes if not file.ros1 else ():
-            package = node.package.literal if node.package else None
-            executable = node.executable.literal if node.executable else None
-            if package and executable:
-                found.add((package, executable))
-    return frozenset(found)
+    files = reading.parts(LaunchFile).good
+    return frozenset((package, executable) for file in files for package, executable, _ in file.programs())

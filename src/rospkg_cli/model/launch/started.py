@@ -31,12 +31,9 @@ class Started:
 
     def nodes(self) -> Iterator[StartedNode]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
-        for node in self.file.nodes if not self.file.ros1 else ():
-            package = node.package.literal if node.package else None
-            executable = node.executable.literal if node.executable else None
-            facts = self.workspace.named(package) if package else None
-            if facts is not None and executable and node.executable is not None:
-                span = node.executable.span
+        for package, executable, span in self.file.programs():
+            facts = self.workspace.named(package)
+            if facts is not None:
                 plain = self.file.source.slice(span) == executable
                 yield StartedNode(self.file.path, span, executable, plain, facts)
 
