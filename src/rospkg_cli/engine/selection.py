@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from ..rule import Profile, Rule, all_rules
@@ -44,6 +45,7 @@ def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:
     return any(rule.name == name or (name and rule.code.startswith(name.upper())) for name in names)
 
 
+@cache
 def codes_named(name: str) -> frozenset[str]:
     """Return the codes that a name, a code or a prefix stands for; none if it names no rule."""
     return frozenset(r.code for r in all_rules() if named_by(r, (name,)))
