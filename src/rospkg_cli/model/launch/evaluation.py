@@ -1,0 +1,61 @@
+"""Evaluate a Python launch file as launch would run it, and at last what launch may never come to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..evaluate.evaluator import Evaluator
+from ..evaluate.folder import Folder
+from ..evaluate.values import Call, Class, Function, Scope, Value
+from ..python import PythonFile
+from .values import class_of
+
+ENTRIES = ("generate_launch_description", "generate_test_description")
+"""What launch and launch_testing call."""
+
+
+class LaunchEvaluator(Evaluator):
+    """An evaluator that remembers which functions it has been in."""
+
+    def __init__(self, file: PythonFile, folder: Folder) -> None:
+        super().__init__(file, folder, name="launch_file")
+        self.entered: set[int] = set()
+        self.active: list[int] = []
+
+    def run(self, function: Function, call: Call) -> Value:
+        """Run a function; one that calls itself on a condition that can't be told has no end that could be found."""
+        node = id(function.node)
+        if node in self.active and not self.certain:
+            return self.unknown(call.span, f"`{function.name}` calls itself")
+        self.entered.add(node)
+        self.active.append(node)
+        try:
+            return super().run(function, call)
+        finally:
+            self.active.pop()
+
+    def run_all(self) -> None:
+        """Run the file, what launch calls of it, what that hands over, and at last every function left."""
+        self.run_file()
+        for name in ENTRIES:
+            self.enter(self.get(name))
+        done = 0
+        while done < len(self.calls):
+            call, done = self.calls[done], done + 1
+            if class_of(call) == "OpaqueFunction":
+                self.enter(call.get("function", 0))
+        for function in list(functions_in(self.scope)):
+            self.enter(function)
+
+    def enter(self, function: Value | None) -> None:
+        if isinstance(function, Function) and id(function.node) not in self.entered:
+            self.call(function)
+
+
+def functions_in(scope: Scope) -> Iterator[Function]:
+    """Yield the functions of a file, and the methods of its classes."""
+    for value in list(scope.names.values()):
+        if isinstance(value, Function):
+            yield value
+        elif isinstance(value, Class):
+            yield from functions_in(value.scope)
