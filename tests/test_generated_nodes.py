@@ -43,7 +43,9 @@ class Running:
             "STANDIN_LOG": str(self.log),
             **({"STANDIN_PARAMS": str(package / params)} if params else {}),
         }
-        command = [sys.executable, "-c", START.format(planned.answers.nodes[0].name)]
+        [node, *_] = planned.answers.nodes_in("python")
+        script = package / "scripts" / node.name
+        command = [sys.executable, str(script)] if script.exists() else [sys.executable, "-c", START.format(node.name)]
         with self.said.open("w") as stderr:
             self.process = subprocess.Popen(command, env=env, stderr=stderr)
 
@@ -188,3 +190,13 @@ def test_a_node_reads_the_file_of_parameters(tmp_path: Path) -> None:
     assert node.until("publish")[0]["data"] == {"data": "Ciao 1"}
     node.stop(signal.SIGINT)
     assert [note["period"] for note in node.noted("timer")] == [0.02]
+
+
+@pytest.mark.parametrize("number", STOPS)
+def test_the_script_of_a_mixed_package_runs_its_node(tmp_path: Path, number: signal.Signals) -> None:
+    nodes = ("talker", "counter:timer:python", "listener:subscriber:python")
+    node = Running(plan(template="mixed", nodes=nodes), tmp_path, "config/params.yaml")
+    node.until("timer")
+    assert [note["name"] for note in node.noted("node")] == ["counter"]
+    assert {note["name"]: note["value"] for note in node.noted("declare")} == {"start": 10, "period": 1.0}
+    assert "Error" not in node.stop(number)

@@ -113,6 +113,24 @@ def test_a_bad_node_is_refused(name: str) -> None:
     assert everything(Path()) == set()
 
 
+LANGUAGES = {
+    ("ament_python", ("a_node:cpp",)): "no nodes in C\\+\\+; --type ament_cmake or mixed",
+    ("ament_cmake", ("a_node:python",)): "no nodes in Python; --type ament_python or mixed",
+    ("mixed", ("a_node:component:python",)): "component in C\\+\\+ alone",
+    ("mixed", ("a_node",)): "--type ament_cmake is for; .*--node NAME:python",
+    ("mixed", ("a_node:python",)): "--type ament_python is for; .*--node NAME:cpp",
+    ("mixed", ("a_node:timer:empty",)): "NAME:KIND:LANGUAGE",
+    ("mixed", ("a_node:cpp:python",)): "NAME:KIND:LANGUAGE",
+    ("ament_python", ("a_node:component",)): "component in C\\+\\+ alone",
+}
+
+
+@pytest.mark.parametrize("template, nodes", LANGUAGES)
+def test_a_language_that_does_not_fit_is_refused(template: str, nodes: tuple[str, ...]) -> None:
+    with pytest.raises(UsageError, match=LANGUAGES[template, nodes]):
+        new(Request("my_robot_nav", template=template, nodes=nodes, **ADA))
+
+
 def test_nodes_may_have_names_that_packages_may_not() -> None:
     check_node_name("statistics", "my_robot_nav")
 

@@ -20,6 +20,16 @@ from rospkg_cli.scaffold.template import load_template, template_names
 
 def node_sets(template: str) -> dict[str, tuple[str, ...]]:
     kinds = load_template(template).kinds
+    if template == "mixed":
+        pairs = itertools.pairwise(kind for kind in (*kinds, kinds[0]) if kind != "component")
+        return {
+            "default": (),
+            "bare": ("adder:service", "nothing:empty:python"),
+            "silent": ("idle:empty", "nothing:python:empty"),
+            **{kind: (f"a_node:{kind}", f"b_node:{other}:python") for kind, other in pairs},
+            "component": ("a_node:component", "b_node:component:cpp", "c_node:lifecycle:python"),
+            "all": all_in_both(),
+        }
     return {
         "default": (),
         "several": ("talker", "listener_node:subscriber", "node:lifecycle", "a1:timer", "a2:lifecycle"),
@@ -29,17 +39,37 @@ def node_sets(template: str) -> dict[str, tuple[str, ...]]:
     }
 
 
+def all_in_both() -> tuple[str, ...]:
+    """Return every kind in every language that it can be written in."""
+    pairs = [(kind, language) for kind in all_kinds().values() for language in kind.languages]
+    return tuple(f"{language}_{kind.name.replace('-', '_')}:{kind.name}:{language}" for kind, language in pairs)
+
+
 DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "geometry_msgs")}
 WITH_NODES = [name for name in template_names() if load_template(name).kinds]
+IN_ONE_LANGUAGE = [name for name in WITH_NODES if len(load_template(name).languages) == 1]
 COMBINATIONS = [
-    (template, distro, license, nodes, depends)
-    for template in WITH_NODES
-    for distro, license, nodes, depends in (
-        *itertools.product([distro.name for distro in DISTROS], ["MIT-0"], node_sets(template), DEPENDS),
-        *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "empty"], DEPENDS),
-    )
+    *(
+        (template, distro, license, nodes, depends)
+        for template in IN_ONE_LANGUAGE
+        for distro, license, nodes, depends in (
+            *itertools.product([distro.name for distro in DISTROS], ["MIT-0"], node_sets(template), DEPENDS),
+            *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "empty"], DEPENDS),
+        )
+    ),
+    *(
+        ("mixed", distro.name, license.spdx, nodes, depends)
+        for (nodes, depends), distro, license in zip(
+            itertools.product(node_sets("mixed"), DEPENDS),
+            itertools.cycle(DISTROS),
+            itertools.cycle(LICENSES),
+            strict=False,
+        )
+    ),
 ]
-"""Every distribution with all nodes and dependencies; a license changes nothing but headers and one test."""
+"""Every distribution with all nodes and dependencies; a license changes nothing but headers and one test.
+
+What two languages share was tried with each of them: for both, all nodes, with distributions and licenses in turn."""
 
 
 @pytest.mark.parametrize("template, distro, license, nodes, depends", COMBINATIONS)
@@ -213,7 +243,8 @@ def test_a_rosdep_key_is_declared_and_not_looked_for() -> None:
 @pytest.mark.parametrize("template", WITH_NODES)
 def test_the_parameters_of_the_file_are_those_of_the_sources(template: str) -> None:
     for kind in load_template(template).kinds:
-        files = texts(plan(template=template, nodes=(f"a_node:{kind}",)))
+        other = ("idle:empty:python",) if template == "mixed" else ()
+        files = texts(plan(template=template, nodes=(f"a_node:{kind}", *other)))
         source = files.get("src/a_node.cpp") or files["my_robot_nav/a_node.py"]
         declared = re.findall(r"""declare_parameter(?:<[\w:]+>)?\(\s*["'](\w+)["']""", source)
         written = yaml.safe_load(files.get("config/params.yaml", "{}"))
@@ -222,3 +253,27 @@ def test_the_parameters_of_the_file_are_those_of_the_sources(template: str) -> N
 
 def test_every_kind_is_one_of_a_template() -> None:
     assert set(all_kinds()) == {kind for name in template_names() for kind in load_template(name).kinds}
+
+
+def mixed(**asked: object) -> dict[str, str]:
+    return texts(plan(template="mixed", **asked))
+
+
+def test_a_mixed_package_installs_what_is_in_python() -> None:
+    planned = plan(template="mixed", nodes=("talker", "planner:timer:python"))
+    files = texts(planned)
+    lists = files["CMakeLists.txt"]
+    assert "ament_python_install_package(${PROJECT_NAME})\n" in lists
+    assert "install(PROGRAMS\n  scripts/planner\n  DESTINATION lib/${PROJECT_NAME})\n" in lists
+    assert files["scripts/planner"].startswith("#!/usr/bin/env python3\n")
+    assert [file.path for file in planned.files if file.entry.executable] == ["scripts/planner"]
+    assert "ament_add_gtest(test_greeting " in lists
+    assert "ament_add_pytest_test(test_countdown_py test/test_countdown.py)\n" in lists
+
+
+def test_what_only_python_uses_is_for_when_a_mixed_package_runs() -> None:
+    files = mixed(nodes=("talker", "adder:service:python", "listener:subscriber:python"))
+    assert "<exec_depend>example_interfaces</exec_depend>" in files["package.xml"]
+    assert "example_interfaces" not in files["CMakeLists.txt"]
+    assert files["package.xml"].count(">std_msgs<") == files["package.xml"].count("<depend>std_msgs</depend>") == 1
+    assert "<buildtool_depend>ament_cmake_python</buildtool_depend>" in files["package.xml"]

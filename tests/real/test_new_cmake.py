@@ -21,6 +21,8 @@ from rospkg_cli.scaffold.template import load_template
 
 pytestmark = [pytest.mark.debian, pytest.mark.network]
 KINDS = load_template("ament_cmake").kinds
+OTHERS = load_template("ament_python").kinds
+IN_PYTHON = tuple(f"p_{kind.replace('-', '_')}:{kind}:python" for kind in OTHERS)
 LINTERS = ("copyright", "cpplint", "flake8", "lint_cmake", "pep257", "uncrustify", "xmllint")
 ALL = tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in KINDS)
 
@@ -34,6 +36,8 @@ PLANS = {
     "all": lambda: cpp(nodes=ALL, distro="humble"),
     "bare": lambda: cpp(nodes=("idle:empty",), depends=("std_msgs", "eigen", "launch_testing")),
     "component": lambda: cpp(nodes=("loaded:component",), maintainer="Adá 'the first'; & <Lovelace> {{ name }}"),
+    "mixed": lambda: plan(template="mixed", distro="humble", nodes=ALL + IN_PYTHON, depends=("python3-numpy",)),
+    "mixed bare": lambda: plan(template="mixed", nodes=("idle:empty", "adder:service:python")),
 }
 
 
@@ -53,7 +57,7 @@ def test_it_builds_and_its_tests_pass(built: Shell, tmp_path: Path, name: str) -
     prefix = tmp_path / "install/my_robot_nav"
     for node in planned.answers.nodes:
         assert os.access(prefix / "lib/my_robot_nav" / node.name, os.X_OK)
-    for logic in planned.answers.logics:
+    for logic in planned.answers.logics_in("cpp"):
         assert (prefix / f"include/my_robot_nav/my_robot_nav/{logic}.hpp").is_file()
     assert (prefix / "share/my_robot_nav/launch/my_robot_nav.launch.py").is_file()
     assert (prefix / "share/my_robot_nav/config/params.yaml").is_file() == bool(planned.answers.sections)
@@ -70,7 +74,7 @@ def test_every_linter_of_ament_is_content(shell: Shell, tmp_path: Path, name: st
     folder = write(PLANS[name](), tmp_path)
     if place == "git root":
         assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
-    linted(shell, folder, LINTERS)
+    linted(shell, folder, (*LINTERS, *(("mypy",) if "mixed" in name else ())))
 
 
 @pytest.mark.parametrize("license", [each.spdx for each in LICENSES if each.header_known])
@@ -101,7 +105,7 @@ def test_another_package_can_use_its_library(built: Shell, tmp_path: Path) -> No
     assert (made.returncode, made.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("template", ["ament_cmake", "interfaces"])
+@pytest.mark.parametrize("template", ["ament_cmake", "mixed", "interfaces"])
 def test_the_newest_cmake_has_nothing_to_say(built: Shell, tmp_path: Path, template: str) -> None:
     folder = write(plan("a_package", template=template), tmp_path)
     newest = venv("/usr/bin/python3", ("cmake>=4",)) / "bin" / "cmake"

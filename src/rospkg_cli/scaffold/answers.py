@@ -9,7 +9,8 @@ from typing import Any
 from ..ros.distros import Distro
 from ..ros.licenses import License
 from .interface import Interface
-from .kinds import Kind, Parameter
+from .kinds import Parameter
+from .node import Node
 from .told import Told
 
 EVERY_NODE = "/**"
@@ -23,7 +24,7 @@ class Request:
     name: str
     template: str = "ament_python"
     nodes: tuple[str, ...] = ()
-    """`NAME` or `NAME:KIND`."""
+    """`NAME`, `NAME:KIND` or `NAME:KIND:LANGUAGE`."""
     depends: tuple[str, ...] = ()
     msgs: tuple[str, ...] = ()
     """`NAME` or `NAME:FIELDS`; so are the next two."""
@@ -44,18 +45,6 @@ class Request:
 
 
 @dataclass(frozen=True)
-class Node:
-    name: str
-    kind: Kind
-
-    @property
-    def class_name(self) -> str:
-        """`TalkerNode` for `talker` and for `talker_node`: never the name of a class that a node imports."""
-        camel = "".join(word.capitalize() for word in self.name.split("_"))
-        return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
-
-
-@dataclass(frozen=True)
 class Answers:
     name: str
     nodes: tuple[Node, ...]
@@ -72,16 +61,22 @@ class Answers:
     distro: Distro
     year: int
 
-    @property
-    def logics(self) -> tuple[str, ...]:
-        """The modules of the nodes that need no ROS, each once."""
-        return tuple(dict.fromkeys(node.kind.logic for node in self.nodes if node.kind.logic))
+    def nodes_in(self, language: str) -> tuple[Node, ...]:
+        return tuple(node for node in self.nodes if node.language == language)
+
+    def logics_in(self, language: str) -> tuple[str, ...]:
+        """The modules of a language's nodes that need no ROS, each once."""
+        return tuple(dict.fromkeys(node.kind.logic for node in self.nodes_in(language) if node.kind.logic))
+
+    def messages_in(self, language: str) -> tuple[str, ...]:
+        """The packages of the messages that a language's nodes use, each once."""
+        used = [package for node in self.nodes_in(language) for package in node.kind.interfaces]
+        return tuple(package for package in dict.fromkeys(used) if package != self.name)
 
     @property
-    def message_packages(self) -> tuple[str, ...]:
-        """The packages of the messages that nodes and interfaces use, each once."""
-        used = [package for node in self.nodes for package in node.kind.interfaces]
-        used += [package for interface in self.interfaces for package in interface.packages]
+    def interface_packages(self) -> tuple[str, ...]:
+        """The packages of the messages that the interfaces are made of, each once."""
+        used = [package for interface in self.interfaces for package in interface.packages]
         if self.distro.name == "humble" and any(interface.form == "action" for interface in self.interfaces):
             used.append("action_msgs")  # later distributions bring it with rosidl itself
         return tuple(package for package in dict.fromkeys(used) if package != self.name)

@@ -10,10 +10,8 @@ from ..ros.licenses import LICENSES, License, offered, spdx_id
 from ..ros.manifest import VERSION
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .answers import Node, Request
+from .answers import Request
 from .interface import Interface, interfaces_of
-from .kinds import all_kinds
-from .names import LONGEST, check_node_name
 from .template import Template
 
 KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
@@ -22,29 +20,6 @@ KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
 TEST_ONLY = re.compile(
     r"ament_(lint_.*|copyright|cpplint|flake8|mypy|pep257|xmllint)|launch_testing.*|python3-pytest.*"
 )
-
-
-def nodes_of(asked: tuple[str, ...], package: str, kinds: tuple[str, ...]) -> tuple[Node, ...]:
-    """Return the nodes; one with a name made from the package's where none was asked for.
-
-    `kinds` are those of the template, first the one that is written where none is named.
-    """
-    if not kinds and asked:
-        command = f"rospkg new {package.removesuffix('_interfaces')}_nodes --node {asked[0]}"
-        raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
-    if not kinds:
-        return ()
-    nodes: dict[str, Node] = {}
-    for text in asked or (default_node(package),):
-        name, colon, kind = text.partition(":")
-        if colon and kind not in kinds:
-            known = ", ".join(kinds)
-            raise ScaffoldError(f"there is no kind of node `{kind}`{did_you_mean(kind, kinds)}; known here: {known}")
-        check_node_name(name, package)
-        if name in nodes:
-            raise ScaffoldError(f"the node `{name}` is named twice; name each once")
-        nodes[name] = Node(name, all_kinds()[kind or kinds[0]])
-    return tuple(nodes.values())
 
 
 def asked_interfaces(request: Request, template: Template) -> tuple[Interface, ...]:
@@ -57,12 +32,6 @@ def asked_interfaces(request: Request, template: Template) -> tuple[Interface, .
             command = f"rospkg new {request.name}_interfaces --type interfaces --{form} {texts[0].partition(':')[0]}"
             raise ScaffoldError(f"--{form} wants a package that only holds interfaces: {command}")
     return ()
-
-
-def default_node(package: str) -> str:
-    if package.endswith("_node"):
-        return package.removesuffix("_node")
-    return f"{package}_node" if len(package) <= LONGEST - len("_node") else "main_node"
 
 
 def depends_of(asked: tuple[str, ...], package: str) -> tuple[tuple[str, ...], tuple[str, ...]]:

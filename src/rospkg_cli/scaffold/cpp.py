@@ -7,7 +7,7 @@ import re
 from ..ros.distros import Distro
 from ..ros.manifest import PACKAGE_NAME
 from ..ros.names import BUILT_IN
-from .answers import Node
+from .node import Node
 
 LIBRARIES = {
     "action-server": {"rclcpp_action": "rclcpp_action::rclcpp_action"},

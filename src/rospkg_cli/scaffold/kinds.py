@@ -14,6 +14,10 @@ else:
     import tomli as tomllib
 
 
+LANGUAGES = {"cpp": "C++", "python": "Python"}
+"""What nodes are written in: as it is typed, and as it is called."""
+
+
 @dataclass(frozen=True)
 class Parameter:
     name: str
@@ -49,6 +53,8 @@ class Kind:
     """The packages of its messages."""
     uses: tuple[Use, ...]
     parameters: tuple[Parameter, ...]
+    languages: tuple[str, ...]
+    """Those that it can be written in."""
 
 
 @cache
@@ -63,6 +69,7 @@ def all_kinds() -> dict[str, Kind]:
             interfaces=tuple(row["interfaces"]),
             uses=tuple(Use(**use) for use in row["uses"]),
             parameters=tuple(Parameter(**parameter) for parameter in row["parameters"]),
+            languages=tuple(row.get("languages", LANGUAGES)),
         )
         for name, row in data.items()
     }

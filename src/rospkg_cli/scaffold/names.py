@@ -22,7 +22,7 @@ ALSO_STDLIB = frozenset(
 TAKEN = frozenset(
     "ament_copyright ament_flake8 ament_index_python ament_mypy ament_pep257 ament_xmllint launch launch_ros "
     "launch_testing numpy pip pkg_resources pytest rcl_interfaces rclcpp rclpy setuptools std_msgs wheel yaml "
-    "action build config include install log msg resource src srv tests".split()
+    "action build config include install log msg resource rviz scripts src srv tests urdf".split()
 )
 """What packages of ROS import, and what folders in them are called."""
 

@@ -13,15 +13,16 @@ from ..ros.names import BUILT_IN
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers, Request
-from .ask import asked_interfaces, depends_of, distro_of, license_of, nodes_of, version_of
+from .ask import asked_interfaces, depends_of, distro_of, license_of, version_of
 from .identity import Who, check_for_cmake, who
 from .names import check_package_name
+from .node import nodes_of
 from .proof import lint_written
 from .render import Written, render, render_line
 from .template import Template, load_template, template_names
 from .told import Told, told
 
-COMING = ("mixed", "description", "bringup")
+COMING = ("description", "bringup")
 """Types of packages that have no template yet."""
 
 LICENSE = "Apache-2.0"
@@ -83,7 +84,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, notes: lis
     depends, test_depends = depends_of(request.depends, request.name)
     answers = Answers(
         name=request.name,
-        nodes=nodes_of(request.nodes, request.name, template.kinds),
+        nodes=nodes_of(request.nodes, request.name, template),
         interfaces=asked_interfaces(request, template),
         depends=depends,
         test_depends=test_depends,

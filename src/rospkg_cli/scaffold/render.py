@@ -12,7 +12,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ..tree import Entry
 from . import ScaffoldError
 from .answers import Answers
-from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
+from .known import known_values
 from .template import Template, TemplateFile
 from .told import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
 
@@ -40,24 +40,9 @@ def render(template: Template, answers: Answers) -> tuple[Written, ...]:
     return tuple(files[path] for path in sorted(files))
 
 
-def known_values(answers: Answers) -> dict[str, Any]:
-    """Return what every file of a template knows."""
-    computed = ("copyright", "logics", "message_packages", "sections", "section_of")
-    return {
-        **vars(answers),
-        **{name: getattr(answers, name) for name in computed},
-        "client_libraries": packages_of(answers.nodes),
-        "build_depends": [key for key in answers.depends if is_library(key)],
-        "run_depends": [key for key in answers.depends if not is_library(key)],
-        "cmake_depends": cmake_names(answers.depends),
-        "cpp_standard": cpp_standard(answers.distro),
-        "targets_of": targets_of,
-    }
-
-
 def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
     """Yield what a file knows beside the answers, once for each time that it is written."""
-    singular = file.each.removesuffix("s")
+    singular = file.each.rpartition("_")[2].removesuffix("s")
     for extra in [{singular: item} for item in values[file.each]] if file.each else [{}]:
         if not file.when or environment.compile_expression(file.when)(**values, **extra):
             yield extra

@@ -41,6 +41,8 @@ class Template:
     """Of a package whose user gave none, with `{{ }}`."""
     kinds: tuple[str, ...]
     """The kinds of nodes that it can write, first the one that is written where none is named."""
+    languages: tuple[str, ...]
+    """The languages of the nodes, first the one of a node that names none."""
     interfaces: bool
     """Whether it generates messages, services and actions."""
     files: tuple[TemplateFile, ...]
@@ -67,6 +69,7 @@ def load_template(name: str) -> Template:
         build_type=data["build-type"],
         description=data["description"],
         kinds=tuple(data["kinds"]),
+        languages=tuple(data.get("languages", ())),
         interfaces=data.get("interfaces", False),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),

@@ -12,10 +12,10 @@ from . import one_of, split
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPE = "ament_python, ament_cmake or interfaces."
+TYPE = "ament_python, ament_cmake, mixed or interfaces."
 NODE = (
     "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
-    "lifecycle, component (C++), empty."
+    "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python."
 )
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
@@ -26,11 +26,9 @@ def new(
     name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.")],
     type: Annotated[
         str,
-        Option(
-            "--type", "-t", "--build-type", metavar="TYPE", help="ament_python or interfaces.", rich_help_panel=WHAT
-        ),
+        Option("--type", "-t", "--build-type", metavar="TYPE", help=TYPE, rich_help_panel=WHAT),
     ] = "ament_python",
-    node: Annotated[Names, Option(metavar="NAME[:KIND]", help=NODE, rich_help_panel=WHAT)] = None,
+    node: Annotated[Names, Option(metavar="NAME[:KIND[:LANGUAGE]]", help=NODE, rich_help_panel=WHAT)] = None,
     msg: Annotated[Names, Option(metavar="NAME[:FIELDS]", help=MSG, rich_help_panel=WHAT)] = None,
     srv: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="A service.", rich_help_panel=WHAT)] = None,
     action: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="An action.", rich_help_panel=WHAT)] = None,

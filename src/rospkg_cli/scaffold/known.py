@@ -1,0 +1,47 @@
+"""What every file of a template knows: the answers, and what follows from them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .answers import Answers
+from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
+
+
+def known_values(answers: Answers) -> dict[str, Any]:
+    """Return the values that a template may name."""
+    computed = ("copyright", "interface_packages", "sections", "section_of")
+    return {
+        **vars(answers),
+        **{name: getattr(answers, name) for name in computed},
+        **in_cpp(answers),
+        **in_python(answers),
+    }
+
+
+def in_cpp(answers: Answers) -> dict[str, Any]:
+    """Return what the C++ part of a package knows."""
+    return {
+        "cpp_nodes": answers.nodes_in("cpp"),
+        "cpp_logics": answers.logics_in("cpp"),
+        "cpp_messages": list(answers.messages_in("cpp")),
+        "client_libraries": list(packages_of(answers.nodes_in("cpp"))),
+        "build_depends": [key for key in answers.depends if is_library(key)],
+        "run_depends": [key for key in answers.depends if not is_library(key)],
+        "cmake_depends": cmake_names(answers.depends),
+        "cpp_standard": cpp_standard(answers.distro),
+        "targets_of": targets_of,
+    }
+
+
+def in_python(answers: Answers) -> dict[str, Any]:
+    """Return what the Python part of a package knows."""
+    nodes = answers.nodes_in("python")
+    declaring = any(node.kind.parameters for node in nodes)
+    needs = ["rclpy", *answers.messages_in("python"), *(["rcl_interfaces"] if declaring else [])]
+    return {
+        "python_nodes": nodes,
+        "python_logics": answers.logics_in("python"),
+        "python_needs": needs if nodes else [],
+        "python_tests": [*answers.logics_in("python"), *(["params"] if declaring else [])],
+    }

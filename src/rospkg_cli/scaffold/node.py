@@ -1,0 +1,107 @@
+"""Nodes as they are asked for: `NAME`, `NAME:KIND`, `NAME:KIND:LANGUAGE`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ..suggest import did_you_mean
+from . import ScaffoldError
+from .kinds import LANGUAGES, Kind, all_kinds
+from .names import LONGEST, check_node_name
+from .template import Template
+
+
+@dataclass(frozen=True)
+class Node:
+    name: str
+    kind: Kind
+    language: str
+    """One of LANGUAGES."""
+
+    @property
+    def class_name(self) -> str:
+        """`TalkerNode` for `talker` and for `talker_node`: never the name of a class that a node imports."""
+        camel = "".join(word.capitalize() for word in self.name.split("_"))
+        return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
+
+
+def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[Node, ...]:
+    """Return the nodes; where none was asked for, one of each language, with names made from the package's.
+
+    Raises ScaffoldError for what the template can't write.
+    """
+    if not template.kinds and asked:
+        command = f"rospkg new {package.removesuffix('_interfaces')}_nodes --node {asked[0]}"
+        raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
+    nodes: dict[str, Node] = {}
+    for text in asked or default_nodes(package, template):
+        node = node_of(text, package, template)
+        if node.name in nodes:
+            raise ScaffoldError(f"the node `{node.name}` is named twice; name each once")
+        nodes[node.name] = node
+    check_languages(tuple(nodes.values()), package, template)
+    return tuple(nodes.values())
+
+
+def node_of(text: str, package: str, template: Template) -> Node:
+    """Return one node; after its name, kind and language may stand in any order."""
+    name, *words = text.split(":")
+    check_node_name(name, package)
+    languages = [word for word in words if word in LANGUAGES]
+    kinds = [word for word in words if word not in LANGUAGES]
+    if len(languages) > 1 or len(kinds) > 1:
+        raise ScaffoldError(f"`{text}` says too much: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
+    kind = all_kinds()[known_kind(kinds[0], template)] if kinds else all_kinds()[template.kinds[0]]
+    fitting = [each for each in template.languages if each in kind.languages]
+    language = languages[0] if languages else fitting[0]
+    if language not in template.languages:
+        other = "ament_cmake" if language == "cpp" else "ament_python"
+        raise ScaffoldError(
+            f"`{text}`: this type of package has no nodes in {shown(language)}; --type {other} or mixed"
+        )
+    if language not in kind.languages:
+        raise ScaffoldError(f"`{text}`: there is a {kind.name} in {' and '.join(map(shown, kind.languages))} alone")
+    return Node(name, kind, language)
+
+
+def known_kind(word: str, template: Template) -> str:
+    if word not in template.kinds:
+        known = ", ".join(template.kinds)
+        meant = did_you_mean(word, [*template.kinds, *LANGUAGES])
+        reason = f"there is no kind of node `{word}`{meant}; known here: {known}"
+        if word in all_kinds():
+            fitting = " and ".join(map(shown, all_kinds()[word].languages))
+            reason = f"there is a {word} in {fitting} alone; known here: {known}"
+        raise ScaffoldError(reason)
+    return word
+
+
+def shown(language: str) -> str:
+    return LANGUAGES[language]
+
+
+def check_languages(nodes: tuple[Node, ...], package: str, template: Template) -> None:
+    """Raise ScaffoldError where a package for several languages would have nodes in one."""
+    used = {node.language for node in nodes}
+    for missing in sorted(set(template.languages) - used) if used else ():
+        [only] = used
+        alone = {"cpp": "ament_cmake", "python": "ament_python"}[only]
+        raise ScaffoldError(
+            f"every node is in {shown(only)}, which --type {alone} is for; a {template.name} package has one in "
+            f"{shown(missing)} too: --node NAME:{missing}"
+        )
+
+
+def default_nodes(package: str, template: Template) -> Iterator[str]:
+    """Yield what is written where no node was asked for."""
+    if template.kinds:
+        yield default_node(package)
+    if len(template.languages) > 1:
+        yield f"{'listener' if package not in ('listener', 'listener_node') else 'hearer'}:subscriber:python"
+
+
+def default_node(package: str) -> str:
+    if package.endswith("_node"):
+        return package.removesuffix("_node")
+    return f"{package}_node" if len(package) <= LONGEST - len("_node") else "main_node"
