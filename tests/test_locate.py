@@ -84,3 +84,27 @@ def test_repositories(workspace: Path) -> None:
     (workspace / "src/.git").mkdir()
     found = locate([workspace]).scope.repositories
     assert found == ({"src/a", "src/third_party/d"}, {"src/group/b"})
+
+
+@pytest.mark.parametrize(
+    "marks, says",
+    [
+        (["a/COLCON_IGNORE"], "2 stand below, hidden by `a/COLCON_IGNORE`"),
+        (["a/AMENT_IGNORE", "a/one/COLCON_IGNORE"], "2 stand below, hidden by `a/AMENT_IGNORE`"),
+        (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE"], "hidden by `a/one/CATKIN_IGNORE` and 1 others"),
+    ],
+)
+def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says: str) -> None:
+    for name in ("one", "two"):
+        (tmp_path / "a" / name).mkdir(parents=True)
+        (tmp_path / "a" / name / "package.xml").write_text("<package/>")
+    for mark in marks:
+        (tmp_path / mark).touch()
+    assert says in locate([tmp_path]).hidden
+
+
+def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:
+    (tmp_path / "third_party" / "one").mkdir(parents=True)
+    (tmp_path / "third_party" / "one" / "package.xml").write_text("<package/>")
+    assert locate([tmp_path]).hidden == "one stands below, hidden by `third_party`"
+    assert locate([tmp_path / "third_party"]).scope.given

@@ -29,7 +29,7 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     located = locate(paths, None, find_config(common_folder(paths)))
     if not located.scope.given:
         names = ", ".join(f"`{path}`" for path in paths)
-        why = f" ({located.hidden})" if located.hidden else ""
+        why = f": {located.hidden}" if located.hidden else ""
         raise UsageError(f"there is no package.xml under {names}{why}; give the path of a package or a workspace")
     tree = DiskTree(located.root)
     changes, broken = changes_of(tree, sorted(located.scope.given))

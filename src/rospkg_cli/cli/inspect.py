@@ -38,7 +38,9 @@ def inspect(
     paths = tuple(paths) or (Path(),)
     located = locate(paths, None, find_config(nearest_folder(paths)))
     if not located.scope.given:
-        raise UsageError(f"there is no package at {', '.join(f'`{path}`' for path in paths)}; give the path of one")
+        why = f": {located.hidden}" if located.hidden else ""
+        names = ", ".join(f"`{path}`" for path in paths)
+        raise UsageError(f"there is no package at {names}{why}; give the path of one")
     tree = DiskTree(located.root)
     here = Path(os.path.relpath(located.root)).as_posix()
     inspections = [

@@ -10,13 +10,12 @@ from pathlib import Path
 
 from ..config import Config
 from ..model.discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
+from .hidden import ONLY_WHEN_GIVEN, hidden_below
 from .prefixes import prefix_names
 from .session import Scope
 
 NO_CONFIG = Config()
 NOT_A_WORKSPACE = frozenset(map(Path, "/ /home /opt /root /srv /tmp /usr /usr/local /var".split()))
-ONLY_WHEN_GIVEN = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
-"""Folders of others' packages, or of half ones: reported on only when a path leads into them."""
 
 
 class LocateError(Exception):
@@ -54,7 +53,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
         prefix_names=prefix_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )
-    return Located(root, scope, "the config excludes them" if given and not kept else "")
+    return Located(root, scope, "" if kept else "the config excludes them" if given else hidden_below(paths))
 
 
 def is_repository(folder: Path) -> bool:

@@ -14,24 +14,31 @@ REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 
 
-def packages_below(root: Path, *, given: bool = True) -> Iterator[Path]:
+def packages_below(root: Path, *, given: bool = True, marked: bool = False) -> Iterator[Path]:
     """Yield the package folders below a folder, sorted; nothing inside a package, nothing below an ignore marker.
 
-    A folder that is `given` is looked into even when it is marked.
+    A folder that is `given` is looked into even when it is marked; every folder is where `marked` ones count.
     """
     try:
         entries = sorted(os.scandir(root), key=lambda e: e.name)
     except OSError:
         return
     names = {entry.name for entry in entries}
-    if not given and names.intersection(IGNORE_MARKERS):
+    if not (given or marked) and names.intersection(IGNORE_MARKERS):
         return
     if "package.xml" in names:
         yield root
         return
     for entry in entries:
         if entry.is_dir(follow_symlinks=False) and entry.name not in SKIPPED and not is_built(entry):
-            yield from packages_below(Path(entry.path), given=False)
+            yield from packages_below(Path(entry.path), given=False, marked=marked)
+
+
+def marker_above(package: Path, below: Path) -> Path | None:
+    """Return the outermost ignore marker that hides a package from a walk that starts at `below`."""
+    inner = [folder for folder in (package, *package.parents) if folder != below and folder.is_relative_to(below)]
+    marks = (folder / name for folder in reversed(inner) for name in IGNORE_MARKERS)
+    return next((mark for mark in marks if mark.exists()), None)
 
 
 def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple[frozenset[str], ...]:

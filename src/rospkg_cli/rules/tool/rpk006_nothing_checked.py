@@ -28,9 +28,6 @@ def nothing_checked(nothing: NothingChecked) -> Iterator[Hit]:
     A run that checked nothing is not a green run. Where that is meant, as in a hook, use `--allow-empty`.
     """
     names = ", ".join(f"`{path}`" for path in nothing.paths) or "`.`"
-    why = f" ({nothing.hidden})" if nothing.hidden else ""
-    yield Hit(
-        nothing.paths[0] if nothing.paths else ".",
-        Span(0, 0),
-        f"there is no package under {names}{why}: no package.xml was found; give the path of a package or a workspace",
-    )
+    why = nothing.hidden or "no package.xml was found"
+    message = f"there is no package under {names}: {why}; give the path of a package or a workspace"
+    yield Hit(nothing.paths[0] if nothing.paths else ".", Span(0, 0), message)
