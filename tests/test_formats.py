@@ -7,6 +7,7 @@ import json
 import re
 from pathlib import Path
 
+import jsonschema
 import pytest
 from junitparser import JUnitXml
 
@@ -64,6 +65,28 @@ def test_gitlab_has_what_gitlab_wants(report: Report) -> None:
     assert re.fullmatch("[0-9a-f]{64}", entry["fingerprint"])
     assert entry["location"]["path"] == "package.xml"
     assert entry["location"]["positions"]["begin"] == {"line": 6, "column": 16}
+
+
+def test_gitlab_would_keep_every_finding() -> None:
+    """GitLab drops an entry that its own schema refuses, and keeps one of those with equal fingerprints."""
+    place = {
+        "type": "object",
+        "required": ["path"],
+        "properties": {
+            "path": {"type": "string", "pattern": "^[^/.]"},
+            "positions": {"properties": {"begin": {"properties": {"line": {"type": "integer"}}}}},
+        },
+    }
+    words = {key: {"type": "string"} for key in ("description", "fingerprint", "severity")}
+    wanted = {"type": "object", "required": [*words, "location"], "properties": {**words, "location": place}}
+    for rule in all_rules():
+        for example in rule.examples:
+            found = lint_files(example.bad_files(), None, example.targets)
+            entries = json.loads(rendered("gitlab", Report(found, Path("/ws"), Path("/ws"))))
+            for entry in entries:
+                if entry["location"]["path"] in example.bad_files():
+                    jsonschema.validate(entry, wanted)
+            assert len({entry["fingerprint"] for entry in entries}) == len(found.findings), rule.code
 
 
 def test_fingerprints_hold_when_lines_move(clean) -> None:
