@@ -63,6 +63,26 @@ def test_add_ignores_wants_a_reason(package: Path) -> None:
     assert "wants a reason" in rospkg("lint", "--add-ignores", " ", cwd=package).stderr
 
 
+def test_add_ignores_in_every_kind_of_comment(tmp_path, write, clean) -> None:
+    include = {"include/my_pkg/a.hpp": "#include <sensor_msgs/msg/imu.hpp>\n"}
+    cmake = (
+        "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    )
+    manifest = clean["package.xml"].replace("ament_python", "ament_cmake")
+    package = write(tmp_path / "my_pkg", {"package.xml": manifest, "CMakeLists.txt": cmake, **include})
+    select = ("--select", "DEP,XML208")
+    assert rospkg("lint", *select, cwd=package).returncode == 1
+    assert rospkg("lint", *select, "--add-ignores", "in time", cwd=package).returncode == 0
+    assert (package / "include/my_pkg/a.hpp").read_text().startswith("// rospkg: ignore[DEP105] in time\n#include")
+    assert rospkg("lint", *select, cwd=package).returncode == 0
+
+
+@pytest.mark.parametrize("option", [("--add-ignores", "x"), ("--write-baseline", "known.json")])
+def test_where_nothing_was_checked_nothing_is_silenced(tmp_path: Path, option: tuple[str, str]) -> None:
+    done = rospkg("lint", *option, cwd=tmp_path)
+    assert (done.returncode, "RPK006" in done.stdout, list(tmp_path.iterdir())) == (2, True, [])
+
+
 def test_a_new_rule_runs_only_in_preview() -> None:
     rule = Rule("XML999", "new-one", Manifest, Severity.ERROR, lambda _: iter(()), preview=True)
     assert not Selection().runs(rule)

@@ -84,3 +84,38 @@ def test_misspelt_and_needless_names_are_findings(package: Path) -> None:
     assert [place for place, _ in found if "rospkg.toml" in place] == ["rospkg.toml:2:1", "rospkg.toml:3:1"]
     assert "RPK003" in done.stdout
     assert "RPK002" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ('[ignore]\nRPK001 = "never"  # so\nXML104 = "soon"\n', '[ignore]\nXML104 = "soon"\n'),
+        ('ignore = { RPK001 = "never", XML104 = "soon" }\n', 'ignore = { XML104 = "soon" }\n'),
+        ('ignore = { XML104 = "soon", RPK001 = "ne, ver" }\n', 'ignore = { XML104 = "soon" }\n'),
+        ('ignore.XML104 = "soon"\nignore.RPK001 = "never"\n', 'ignore.XML104 = "soon"\n'),
+        (
+            'ignore.XML104 = "soon"\n[per-path."my_pkg/*".ignore]\n"RPK001" = "never"\n[new]\nemail = "a@b.c"\n',
+            'ignore.XML104 = "soon"\n[per-path."my_pkg/*".ignore]\n[new]\nemail = "a@b.c"\n',
+        ),
+    ],
+)
+def test_fix_takes_out_an_ignore_that_nothing_needs(package: Path, before: str, after: str) -> None:
+    config = package.parent / "rospkg.toml"
+    config.write_text(before)
+    assert "RPK002" in rospkg("lint", cwd=package.parent).stdout
+    done = rospkg("lint", "--fix", cwd=package.parent)
+    assert (done.returncode, config.read_text()) == (0, after)
+
+
+def test_what_one_section_needs_is_needless_in_another(package: Path) -> None:
+    text = '[per-package."my_*".ignore]\nXML104 = "soon"\n[per-path."src".ignore]\nXML104 = "soon"\n'
+    (package.parent / "rospkg.toml").write_text(text)
+    done = rospkg("lint", "--format", "concise", cwd=package.parent)
+    assert [line.split(" ")[0] for line in done.stdout.splitlines()] == ["rospkg.toml:4:1:"]
+
+
+def test_in_pyproject_too(package: Path) -> None:
+    config = package.parent / "pyproject.toml"
+    config.write_text('[tool.black]\n[tool.rospkg.ignore]\nRPK001 = "never"\nXML104 = "soon"\n')
+    assert rospkg("lint", "--fix", cwd=package.parent).returncode == 0
+    assert config.read_text() == '[tool.black]\n[tool.rospkg.ignore]\nXML104 = "soon"\n'

@@ -35,7 +35,7 @@ def diffs(rule: Rule) -> str:
         session = Session(
             tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), frozenset(codes), Targets(example.targets)
         )
-        outcome = repair(session, lambda results: results, (Safety.SAFE, Safety.UNSAFE))
+        outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
         assert not outcome.refused
         titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})
         shown.append(

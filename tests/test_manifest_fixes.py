@@ -87,7 +87,7 @@ def test_repair_keeps_a_manifest_readable_and_comes_to_an_end(
     text = head + ("\n" if head else "") + package + "".join(between + line for line in lines) + "\n</package>\n"
     tree = MemoryTree.of({"package.xml": text, **files})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), XML)
-    outcome = repair(session, lambda results: results, (Safety.SAFE, Safety.UNSAFE))
+    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
     assert outcome.refused == []
     entry = outcome.changes.get("package.xml")
     after = entry.text.text if entry else text
@@ -195,7 +195,7 @@ def test_a_fix_keeps_encoding_and_line_ends() -> None:
     session = Session(
         MemoryTree.of({"package.xml": data}), Scope(("",), frozenset({""}), "my_pkg"), frozenset({"XML210"})
     )
-    outcome = repair(session, lambda results: results, (Safety.SAFE,))
+    outcome = repair(session, (Safety.SAFE,))
     after = outcome.changes["package.xml"]
     assert after is not None
     assert after.data == data.replace(b"  <depend/>\r\n", b"")

@@ -101,7 +101,7 @@ def test_a_fix_that_would_break_a_file_is_taken_back_and_said(clean, monkeypatch
     comment = clean["package.xml"].replace("  <export>", NEEDLESS)
     tree = MemoryTree.of({**clean, "package.xml": comment})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))
-    outcome = repair(session, lambda results: results, (Safety.SAFE,))
+    outcome = repair(session, (Safety.SAFE,))
     assert [(f.code, "would break `package.xml`" in why) for f, why in outcome.refused] == [("XML104", True)]
     assert [f.code for f in outcome.applied] == ["RPK002"]
     entry = outcome.changes["package.xml"]

@@ -24,6 +24,8 @@ Ignores = Mapping[str, str]
 class Section:
     """Ignores and severities for the packages or paths that a pattern fits."""
 
+    key: str
+    """per-package or per-path."""
     pattern: str
     ignore: Ignores = field(default_factory=dict)
     severity: Mapping[str, str] = field(default_factory=dict)
@@ -33,6 +35,8 @@ class Section:
 class Config:
     path: Path | None = None
     """The file it came from; None for no config."""
+    table: tuple[str, ...] = ()
+    """Where in that file our keys stand."""
     select: tuple[str, ...] = ()
     extend_select: tuple[str, ...] = ()
     ignore: Ignores = field(default_factory=dict)
@@ -82,8 +86,8 @@ def load(path: Path, table: tuple[str, ...] = ()) -> Config:
         data = data.get(key, {})
     values = read_section(data, FORMS, path, text, table)
     for key in PER:
-        values[key] = tuple(Section(name, **each) for name, each in values.get(key, {}).items())
-    return Config(path, **{key.replace("-", "_"): value for key, value in values.items()})
+        values[key] = tuple(Section(key, name, **each) for name, each in values.get(key, {}).items())
+    return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})
 
 
 PER = ("per-package", "per-path")

@@ -137,6 +137,8 @@ class Finding:
     """One for each Edit of `fix`, in order."""
     suppressed: str | None = None
     """Why this finding is not reported; None where it is."""
+    external: bool = False
+    """Whether it was the config or a baseline that silenced it, not a comment beside it."""
 
     @property
     def sort_key(self) -> tuple[str, int, str, str]:

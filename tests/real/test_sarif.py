@@ -18,6 +18,8 @@ import pytest
 from absent import absent
 from venvs import NoIndexError, venv
 
+from rospkg_cli.cli.lint import lint_to
+from rospkg_cli.cli.options import LintOptions
 from rospkg_cli.report import Report, render
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
@@ -66,3 +68,17 @@ def test_suppressions_fixes_and_help_are_in_it(clean: dict[str, str]) -> None:
     suppressed = [result for result in run["results"] if "suppressions" in result]
     assert [s["suppressions"][0]["justification"] for s in suppressed] == ["it will come"]
     assert all(rule["help"]["markdown"].startswith(f"# {rule['id']}") for rule in run["tool"]["driver"]["rules"])
+
+
+def test_what_the_config_silences_is_external(schema: dict[str, Any], tmp_path: Path, clean: dict[str, str]) -> None:
+    for path, text in {**clean, "rospkg.toml": 'ignore.XML104 = "soon"\n'}.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    manifest = tmp_path / "package.xml"
+    manifest.write_text(manifest.read_text().replace("Drives my robot", "TODO"))
+    stream = io.StringIO()
+    lint_to(LintOptions(paths=(tmp_path,), format="sarif"), stream)
+    found = json.loads(stream.getvalue())
+    assert jsonschema.Draft7Validator(schema).is_valid(found)
+    suppressions = [s for result in found["runs"][0]["results"] for s in result.get("suppressions", [])]
+    assert suppressions == [{"kind": "external", "justification": "soon"}]

@@ -8,7 +8,6 @@ from dataclasses import replace
 from ..engine.apply import Changes, apply_fixes
 from ..engine.fix import newly_broken
 from ..engine.ignores import ignores
-from ..engine.judge import Judge
 from ..engine.overlay import Overlay
 from ..engine.session import Session
 from ..engine.write import write_changes
@@ -17,14 +16,14 @@ from ..report import Report
 from . import UsageError
 
 
-def add_ignores(reason: str, session: Session, judge: Judge, report: Report) -> int:
+def add_ignores(reason: str, session: Session, report: Report) -> int:
     """Silence every finding that is left, with a reason; return 0, or 1 where some could not be silenced."""
     if not reason.strip():
         raise UsageError('--add-ignores wants a reason: --add-ignores "vendored, will be replaced"')
-    changes, left = silenced(session, judge, report.results.findings, reason)
+    changes, left = silenced(session, report.results.findings, reason)
     written = write_changes(report.root, session.tree, changes)
     count = len(report.results.findings) - len(left)
-    print(f"rospkg: {count} findings are ignored now, in {len(written)} files", file=sys.stderr)
+    print(f"rospkg: findings that are ignored now: {count}, in files: {len(written)}", file=sys.stderr)
     for finding in left:
         print(
             f"rospkg: {report.where(finding)}: {finding.code} takes no comment; ignore it in rospkg.toml",
@@ -33,16 +32,14 @@ def add_ignores(reason: str, session: Session, judge: Judge, report: Report) -> 
     return 1 if left else 0
 
 
-def silenced(
-    session: Session, judge: Judge, findings: tuple[Finding, ...], reason: str
-) -> tuple[Changes, list[Finding]]:
+def silenced(session: Session, findings: tuple[Finding, ...], reason: str) -> tuple[Changes, list[Finding]]:
     """Return the changes that silence findings, and the findings that remain; files that would break are left out."""
     base = Overlay(session.tree)
     fixes = list(ignores(session.tree, findings, reason))
     changes, _ = apply_fixes(base, fixes)
     for path in newly_broken(base, changes, session.scope.folders):
         changes.pop(path, None)
-    after = judge(replace(session, tree=Overlay(session.tree, changes)).run())
+    after = replace(session, tree=Overlay(session.tree, changes)).run()
     remaining = {(f.code, f.place.path, f.message) for f in after.findings}
     left = [f for f in findings if (f.code, f.place.path, f.message) in remaining]
     return changes, left

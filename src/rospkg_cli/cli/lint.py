@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import IO
 
@@ -22,6 +21,7 @@ from ..report.style import wants_color
 from .diff import unified
 from .ignoring import add_ignores
 from .options import LintOptions, make_session, outputs
+from .progress import progress
 from .show import show
 
 
@@ -40,10 +40,10 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     config = find_config(nearest_folder(paths))
     located = locate(paths, options.workspace, config)
     session = make_session(options, config, located)
-    judge = Judge(config, located.root)
-    outcome = run(options, session, judge_and_baseline(options, judge, located), located)
+    session.judge = judge_and_baseline(options, config, located)
+    outcome = run(options, session, located)
     report = Report(
-        with_config(outcome.results, session, judge, located),
+        outcome.results,
         located.root,
         Path.cwd(),
         wants_color(options.color, stream),
@@ -54,10 +54,11 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         stream.writelines(unified(session.tree, outcome.changes))
     elif outcome.changes:
         write_changes(located.root, session.tree, outcome.changes)
-    if options.write_baseline:
+    checked = bool(located.scope.given)
+    if options.write_baseline and checked:
         return adopt(options.write_baseline, report)
-    if options.add_ignores is not None:
-        return add_ignores(options.add_ignores, session, judge, report)
+    if options.add_ignores is not None and checked:
+        return add_ignores(options.add_ignores, session, report)
     show(options, report, files, stream)
     return status(options, config, report, outcome)
 
@@ -67,12 +68,13 @@ def nearest_folder(paths: Sequence[Path]) -> Path:
     return common if common.is_dir() else common.parent
 
 
-def judge_and_baseline(options: LintOptions, judge: Judge, located: Located) -> Callable[[Results], Results]:
+def judge_and_baseline(options: LintOptions, config: Config, located: Located) -> Callable[[Session, Results], Results]:
     """Return what sets findings aside: the config, then the baseline."""
+    judge = Judge(config, located.root, located.scope.given == frozenset(located.scope.folders))
     if options.baseline is None:
         return judge
     known, shown = read_baseline(options.baseline), relative_to(options.baseline, located.root)
-    return lambda results: apply_baseline(judge(results), known, shown)
+    return lambda session, results: apply_baseline(judge(session, results), known, shown)
 
 
 def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
@@ -80,26 +82,17 @@ def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
     return lambda path: Path(os.path.relpath(root / path, folder)).as_posix()
 
 
-def run(options: LintOptions, session: Session, judge: Callable[[Results], Results], located: Located) -> Repair:
+def run(options: LintOptions, session: Session, located: Located) -> Repair:
     if not located.scope.given:
         shown = [str(path) for path in options.paths or (Path(),)]
         return Repair(Results() if options.allow_empty else session.nothing(shown, located.hidden))
-    if not (options.fix or options.diff):
-        return Repair(judge(session.run()))
-    safety = (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,)
-    outcome = repair(session, judge, safety)
+    with progress(not options.quiet) as session.phase:
+        if not (options.fix or options.diff):
+            return Repair(session.run())
+        outcome = repair(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
     for finding, why in outcome.refused:
         print(f"rospkg: the fix of {finding.code} in {finding.place.path} was taken back: {why}", file=sys.stderr)
     return outcome
-
-
-def with_config(results: Results, session: Session, judge: Judge, located: Located) -> Results:
-    """Add what is wrong with the rule names of the config itself."""
-    whole = located.scope.given == frozenset(located.scope.folders)
-    extra = session.report(None, list(judge.happenings(session.codes, whole)))
-    if not extra:
-        return results
-    return replace(results, findings=tuple(sorted((*results.findings, *extra), key=lambda f: f.sort_key)))
 
 
 def adopt(path: Path, report: Report) -> int:

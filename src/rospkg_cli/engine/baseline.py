@@ -57,7 +57,7 @@ def apply_baseline(results: Results, known: Counter[Key], shown: Callable[[str],
         key = (finding.code, shown(finding.place.path), finding.message)
         if left[key] > 0:
             left[key] -= 1
-            old.append(replace(finding, suppressed=REASON))
+            old.append(replace(finding, suppressed=REASON, external=True))
         else:
             new.append(finding)
     return replace(results, findings=tuple(new), suppressed=(*results.suppressed, *old))

@@ -17,10 +17,8 @@ COMMENT = re.compile(
     r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]*)\](?P<reason>[^\n]*)"
 )
 NAME = re.compile(r"[^\s,]+")
-SUFFIXES = frozenset(
-    f".{suffix}"
-    for suffix in "py xml cfg txt cmake yaml yml launch urdf xacro sdf world msg srv action hpp h cpp cc".split()
-)
+KINDS = "py xml cfg txt cmake yaml yml launch urdf xacro sdf world msg srv action c cc cpp cxx h hh hpp hxx"
+SUFFIXES = frozenset(f".{kind}" for kind in KINDS.split())
 
 
 @dataclass(frozen=True, slots=True)

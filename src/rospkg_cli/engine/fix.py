@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from ..finding import Finding, Fix, Safety
@@ -29,10 +29,10 @@ class Repair:
     """Findings whose fix was taken back, and why."""
 
 
-def repair(session: Session, judge: Callable[[Results], Results], safety: Sequence[Safety]) -> Repair:
-    """Fix everything that may be fixed; `judge` sets aside what the config ignores."""
+def repair(session: Session, safety: Sequence[Safety]) -> Repair:
+    """Fix everything that may be fixed and that the session's judge leaves."""
     tree, codes = session.tree, session.codes
-    found = Repair(judge(session.run()))
+    found = Repair(session.run())
     banned: set[tuple[str, str, str]] = set()
     for _ in range(MAX_ROUNDS):
         wanted = [f for f in found.results.findings if f.fix and f.fix.safety in safety and identity(f) not in banned]
@@ -47,7 +47,7 @@ def repair(session: Session, judge: Callable[[Results], Results], safety: Sequen
         found.changes = {**found.changes, **changes}
         found.applied += applied
         again = replace(session, tree=Overlay(tree, found.changes), codes=codes)
-        found.results = judge(again.run())
+        found.results = again.run()
     found.changes = {p: e for p, e in found.changes.items() if e != original(tree, p)}
     return found
 

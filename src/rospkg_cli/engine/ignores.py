@@ -12,13 +12,14 @@ from ..tree import Tree
 
 XML = frozenset({".xml", ".launch", ".urdf", ".xacro", ".sdf", ".world"})
 HASH = frozenset({".py", ".cfg", ".txt", ".cmake", ".yaml", ".yml", ".msg", ".srv", ".action"})
+SLASHES = frozenset({".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx"})
 
 
 def ignores(tree: Tree, findings: Iterable[Finding], reason: str) -> Iterator[Fix]:
     """Yield the insertion of one comment for each line that has findings; none where a file takes no comments."""
     lines: dict[tuple[str, int], set[str]] = defaultdict(set)
     for finding in findings:
-        if PurePosixPath(finding.place.path).suffix in XML | HASH and not finding.code.startswith("RPK"):
+        if PurePosixPath(finding.place.path).suffix in XML | HASH | SLASHES and not finding.code.startswith("RPK"):
             lines[finding.place.path, finding.place.line].add(finding.code)
     for (path, line), codes in sorted(lines.items()):
         source = Source(path, tree.entry(path).text.text)
@@ -36,4 +37,4 @@ def written(path: str, words: str, reason: str) -> str:
     reason = " ".join(reason.split())
     if PurePosixPath(path).suffix in XML:
         return f"<!-- {words} {reason.replace('--', '–')} -->"
-    return f"# {words} {reason}"
+    return f"{'//' if PurePosixPath(path).suffix in SLASHES else '#'} {words} {reason}"

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
 from pathlib import Path
 
-from ..config import Config, Section
+from ..config import Config, Ignores, Section
 from ..finding import Finding, Severity
 from ..model.happenings import UnknownRuleName, UnusedSuppression
-from ..source import Span
-from ..suggest import nearest
-from .selection import codes_named, rule_names
-from .session import Results
+from .config_names import Keys, complaints
+from .selection import codes_named
+from .session import Results, Session
 
 
 @dataclass(frozen=True)
@@ -21,52 +21,45 @@ class Judge:
     config: Config
     root: Path
     """Of the run; the paths of findings are relative to it."""
-    used: set[str] = field(default_factory=set)
-    """The names in `ignore` that set something aside."""
+    whole: bool = True
+    """Whether the run looks at every package, so that an ignore that nothing needs is needless."""
+    used: set[Keys] = field(default_factory=set)
+    """The ignores that set something aside, as the keys that lead to them."""
 
-    def __call__(self, results: Results) -> Results:
-        """Return the results with the config's ignores and severities applied."""
+    def __call__(self, session: Session, results: Results) -> Results:
+        """Return the results with the config's ignores and severities applied, and what is wrong with these."""
         judged = [self.judge(finding) for finding in results.findings]
+        kept = [f for f in judged if f.suppressed is None]
+        extra = session.report(None, list(self.happenings(session)))
         return replace(
             results,
-            findings=tuple(f for f in judged if f.suppressed is None),
+            findings=tuple(sorted((*kept, *extra), key=lambda f: f.sort_key) if extra else kept),
             suppressed=(*results.suppressed, *(f for f in judged if f.suppressed is not None)),
         )
 
     def judge(self, finding: Finding) -> Finding:
         sections = list(self.sections(finding))
-        for ignores in [self.config.ignore, *(s.ignore for s in sections)]:
+        tables: list[tuple[Keys, Ignores]] = [(("ignore",), self.config.ignore)]
+        tables += [((s.key, s.pattern, "ignore"), s.ignore) for s in sections]
+        for keys, ignores in tables:
             name = longest(ignores, finding.code)
             if name is not None:
-                self.used.add(name)
-                return replace(finding, suppressed=ignores[name])
+                self.used.add((*keys, name))
+                return replace(finding, suppressed=ignores[name], external=True)
         levels = [level for s in sections if (level := said(s.severity, finding.code))]
         level = levels[-1] if levels else said(self.config.severity, finding.code)
         if level == "off":
-            return replace(finding, suppressed="severity is off in the config")
+            return replace(finding, suppressed="severity is off in the config", external=True)
         return replace(finding, severity=Severity(level)) if level else finding
 
-    def happenings(self, ran: frozenset[str], whole: bool) -> Iterator[UnknownRuleName | UnusedSuppression]:
-        """Yield what is wrong with the rule names of the config; needless ignores only after a `whole` run."""
+    def happenings(self, session: Session) -> Iterator[UnknownRuleName | UnusedSuppression]:
+        """Yield what is wrong with the rule names of the config; needless ignores only after a whole run."""
         path = self.config.path
-        if path is None or not path.is_relative_to(self.root):
-            return
-        text, below = path.read_text("utf-8", "replace"), path.relative_to(self.root).as_posix()
-        for name in dict.fromkeys(self.names()):
-            at = text.find(name)
-            span = Span(at, at + len(name)) if at >= 0 else Span(0, 0)
-            codes = codes_named(name)
-            if not codes:
-                yield UnknownRuleName(below, span, name, nearest(name, rule_names()))
-            elif whole and name in self.config.ignore and name not in self.used and codes <= ran:
-                yield UnusedSuppression(below, span, name, None)
-
-    def names(self) -> list[str]:
-        """Return every rule name in the config."""
-        sections = (*self.config.per_package, *self.config.per_path)
-        tables = [self.config.ignore, self.config.severity]
-        tables += [table for section in sections for table in (section.ignore, section.severity)]
-        return [*self.config.select, *self.config.extend_select, *(name for table in tables for name in table)]
+        if path is not None and path.is_relative_to(self.root):
+            below = path.relative_to(self.root).as_posix()
+            with suppress(OSError, UnicodeError):
+                text = session.tree.entry(below).text.text
+                yield from complaints(self.config, below, text, self.used, session.codes if self.whole else frozenset())
 
     def sections(self, finding: Finding) -> Iterable[Section]:
         """Yield the sections whose pattern fits the finding's package, or its path below the config's folder."""

@@ -65,6 +65,14 @@ class Pool:
         """Release what the pool holds."""
 
 
+def print_nothing(_: str) -> None:
+    """Keep quiet about progress."""
+
+
+def unjudged(_: Session, results: Results) -> Results:
+    return results
+
+
 @dataclass
 class Session:
     tree: Tree
@@ -73,17 +81,24 @@ class Session:
     targets: Targets = field(default_factory=Targets)
     settings: Settings = field(default_factory=Settings)
     make_pool: Callable[[Tree, Scope, Targets, Settings], Pool] = Pool
+    judge: Callable[[Session, Results], Results] = unjudged
+    """Sets aside what the config or a baseline ignores."""
+    phase: Callable[[str], None] = print_nothing
+    """Is told what the run is at."""
 
     def run(self) -> Results:
         """Lint everything that is given; never raises for what a package holds."""
+        count = f"{len(self.scope.folders)} packages"
+        self.phase(f"reading {count}")
         pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
         try:
             facts = sorted(pool.gather(), key=lambda f: f.folder)
             workspace = self.link(facts)
+            self.phase(f"checking {len(self.scope.given)} of {count}")
             checked = pool.check(workspace, sorted(self.codes))
         finally:
             pool.close()
-        return self.collect(workspace, checked)
+        return self.judge(self, self.collect(workspace, checked))
 
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope

@@ -15,7 +15,7 @@ class UnusedSuppression:
     span: Span
     code: str
     delete: Span | None
-    """What to delete so that the ignore is gone; None where it stands in a config file."""
+    """What to delete so that the ignore is gone; None where that is not known."""
 
 
 @dataclass(frozen=True, slots=True)

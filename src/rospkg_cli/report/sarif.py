@@ -64,7 +64,8 @@ def result(report: Report, finding: Finding, mark: str, rule: int) -> dict[str, 
             for number, (place, why) in enumerate(finding.related, 1)
         ]
     if finding.suppressed is not None:
-        found["suppressions"] = [{"kind": "inSource", "justification": finding.suppressed}]
+        kind = "external" if finding.external else "inSource"
+        found["suppressions"] = [{"kind": kind, "justification": finding.suppressed}]
     changes = fix(report, finding)
     return {**found, "fixes": [changes]} if changes else found
 

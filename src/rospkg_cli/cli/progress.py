@@ -1,0 +1,60 @@
+"""What a long run is at: one line on stderr, on a terminal only, after a second."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Lock, Timer
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.status import Status
+
+DELAY = 1.0
+
+
+class Line:
+    """The line, once it is shown; what is told before is kept for it."""
+
+    def __init__(self) -> None:
+        self.text = ""
+        self.shown: Status | None = None
+        self.over = False
+        self.lock = Lock()
+
+    def say(self, text: str) -> None:
+        with self.lock:
+            self.text = text
+            if self.shown:
+                self.shown.update(text)
+
+    def show(self) -> None:
+        from rich.console import Console
+        from rich.status import Status
+
+        with self.lock:
+            if not self.over:
+                self.shown = Status(self.text, console=Console(stderr=True))
+                self.shown.start()
+
+    def stop(self) -> None:
+        with self.lock:
+            self.over = True
+            if self.shown:
+                self.shown.stop()
+
+
+@contextmanager
+def progress(wanted: bool = True) -> Iterator[Callable[[str], None]]:
+    """Give what to tell of each step; nothing is shown where stderr is no terminal."""
+    line = Line()
+    timer = Timer(DELAY, line.show)
+    timer.daemon = True
+    if wanted and sys.stderr.isatty():
+        timer.start()
+    try:
+        yield line.say
+    finally:
+        timer.cancel()
+        line.stop()

@@ -1,0 +1,74 @@
+"""Take keys out of a TOML file by spans; the parser itself says whether the right thing is gone."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from copy import deepcopy
+from typing import Any
+
+from ..source import Span
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+TABLE = re.compile(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
+"""What may stand before a key in its line: nothing, or the tables that lead to it."""
+STRING = r"""(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
+
+
+def entry(text: str, keys: Sequence[str]) -> tuple[Span, Span] | None:
+    """Return the spans of a key whose value is a one-line string, and of what to delete so that it is gone.
+
+    `keys` leads to it from the top: ("tool", "rospkg", "ignore", "XML104"). None where it isn't there or its form is
+    another.
+    """
+    data = tomllib.loads(text)
+    if not isinstance(value_at(data, keys), str):
+        return None
+    wanted = deepcopy(data)
+    del value_at(wanted, keys[:-1])[keys[-1]]
+    for key, whole in candidates(text, keys[-1]):
+        if pruned(parsed(text[: whole.start] + text[whole.end :])) == pruned(wanted):
+            return key, whole
+    return None
+
+
+def value_at(data: Any, keys: Sequence[str]) -> Any:
+    for key in keys:
+        data = data.get(key) if isinstance(data, dict) else None
+    return data
+
+
+def candidates(text: str, key: str) -> Iterator[tuple[Span, Span]]:
+    """Yield each `key = "…"`, with the line it stands in alone, or with one of the commas beside it."""
+    name = re.escape(key)
+    for match in re.finditer(rf"(?:(?<=[\s{{,.])|^)(?:{name}|\"{name}\"|'{name}')[ \t]*=[ \t]*{STRING}", text):
+        before = text[: match.start()]
+        line = before.rfind("\n") + 1
+        rest = re.compile(r"[ \t]*(?:#[^\n]*)?(?:\n|$)").match(text, match.end())
+        span = Span(match.start(), match.start() + len(match.group().split("=")[0].rstrip()))
+        if rest and TABLE.fullmatch(before, line):
+            yield span, Span(line, rest.end())
+        after = re.compile(r"[ \t]*,[ \t]*").match(text, match.end())
+        if after:
+            yield span, Span(match.start(), after.end())
+        comma = re.search(r"[ \t]*,[ \t]*$", before)
+        yield span, Span(comma.start() if comma else match.start(), match.end())
+
+
+def pruned(data: Any) -> Any:
+    """Return the data without empty tables: a dotted key takes its table along."""
+    if not isinstance(data, dict):
+        return data
+    return {key: value for key, value in ((k, pruned(v)) for k, v in data.items()) if value != {}}
+
+
+def parsed(text: str) -> Any:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return None
