@@ -40,3 +40,22 @@ LOADED_FROM: Mapping[str, str] = {
     "rviz_common::transformation::FrameTransformer": "rviz_common",
     "rviz_default_plugins::PointCloudTransformer": "rviz_default_plugins",
 }
+
+PLUGIN_HOMES: Mapping[str, str] = {
+    "chomp_interface": "moveit_planners_chomp",
+    "default_planner_request_adapters": "moveit_ros_planning",
+    "default_planning_request_adapters": "moveit_ros_planning",
+    "default_planning_response_adapters": "moveit_ros_planning",
+    "fake_components": "hardware_interface",
+    "kdl_kinematics_plugin": "moveit_kinematics",
+    "lma_kinematics_plugin": "moveit_kinematics",
+    "cached_ik_kinematics_plugin": "moveit_kinematics",
+    "mock_components": "hardware_interface",
+    "moveit_rviz_plugin": "moveit_ros_visualization",
+    "ompl_interface": "moveit_planners_ompl",
+    "stomp_moveit": "moveit_planners_stomp",
+}
+"""The packages of plug-ins that are called after something else, by what stands before the class."""
+
+TOOLS = frozenset({"rviz_common", "rviz_default_plugins"})
+"""What comes with the only program that reads their names."""

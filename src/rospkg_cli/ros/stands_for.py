@@ -64,6 +64,47 @@ IN_SOURCES: Mapping[str, frozenset[str]] = {
 """What C++ includes because macros and headers of another package ask for it."""
 
 
+NAVIGATION = frozenset(
+    "costmap_queue dwb_core dwb_critics dwb_msgs dwb_plugins nav2_amcl nav2_behavior_tree nav2_behaviors"
+    " nav2_bt_navigator nav2_collision_monitor nav2_constrained_smoother nav2_controller nav2_core nav2_costmap_2d"
+    " nav2_dwb_controller nav2_graceful_controller nav2_lifecycle_manager nav2_map_server nav2_mppi_controller"
+    " nav2_navfn_planner nav2_planner nav2_regulated_pure_pursuit_controller nav2_rotation_shim_controller nav2_route"
+    " nav2_rviz_plugins nav2_simple_commander nav2_smac_planner nav2_smoother nav2_theta_star_planner"
+    " nav2_velocity_smoother nav2_waypoint_follower opennav_docking".split()
+)
+MOVE_GROUP = frozenset({"moveit_core", "moveit_kinematics", "moveit_ros_planning"})
+MOVEIT = MOVE_GROUP | frozenset(
+    "moveit_planners_chomp moveit_planners_ompl moveit_planners_stomp moveit_ros_move_group moveit_ros_perception"
+    " moveit_ros_visualization moveit_simple_controller_manager pilz_industrial_motion_planner".split()
+)
+CONTROLLERS = frozenset(
+    "ackermann_steering_controller admittance_controller bicycle_steering_controller chained_filter_controller"
+    " diff_drive_controller effort_controllers force_torque_sensor_broadcaster forward_command_controller"
+    " gpio_controllers gps_sensor_broadcaster gripper_controllers imu_sensor_broadcaster joint_state_broadcaster"
+    " joint_trajectory_controller mecanum_drive_controller motion_primitives_controllers"
+    " omni_wheel_drive_controller parallel_gripper_controller pid_controller pose_broadcaster position_controllers"
+    " range_sensor_broadcaster state_interfaces_broadcaster steering_controllers_library"
+    " tricycle_controller tricycle_steering_controller vda5050_safety_state_broadcaster velocity_controllers".split()
+)
+
+IN_PARAMETERS: Mapping[str, frozenset[str]] = {
+    "moveit": MOVEIT,
+    "moveit_planners": frozenset({"moveit_planners_chomp", "moveit_planners_ompl", "moveit_planners_stomp"})
+    | {"pilz_industrial_motion_planner"},
+    "moveit_plugins": frozenset({"moveit_simple_controller_manager"}),
+    "moveit_ros": MOVE_GROUP | {"moveit_ros_perception", "moveit_ros_visualization"},
+    "moveit_ros_move_group": MOVE_GROUP,
+    "nav2_bringup": NAVIGATION,
+    "nav2_dwb_controller": frozenset({"costmap_queue", "dwb_core", "dwb_critics", "dwb_msgs", "dwb_plugins"}),
+    "navigation2": NAVIGATION,
+    "ros2_control": frozenset({"controller_interface", "controller_manager", "hardware_interface"}),
+    "ros2_controllers": CONTROLLERS,
+    "controller_manager": frozenset({"controller_interface", "hardware_interface"}),
+}
+"""What comes with a package for whoever names plug-ins in parameters, by the manifests of ros-navigation, moveit and
+ros-controls."""
+
+
 def brought(names: Iterable[str], table: Mapping[str, frozenset[str]]) -> frozenset[str]:
     """Return what some dependencies stand for, by one of the tables."""
     found: set[str] = set()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...example import CMAKE, Example
+from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...model.params.missing import MissingParameters
 from ...model.params.plugin_lists import unfound_plugins
@@ -68,7 +68,10 @@ FILES = {
         ),
         Example(
             on="config",
-            bad={"config/nav.yaml": PLUGINS.replace("[spin, wait]", "[spin, «waiting»]")},
+            bad={
+                "config/nav.yaml": PLUGINS.replace("[spin, wait]", "[spin, «waiting»]"),
+                "package.xml": manifest("  <exec_depend>nav2_behaviors</exec_depend>\n", "ament_cmake"),
+            },
             good={"config/nav.yaml": PLUGINS},
         ),
     ),
