@@ -109,6 +109,7 @@ def test_elsewhere_they_are_refused_with_the_command_to_run(form: str) -> None:
         plan(**{form + "s": ("Status:int32 x",)})
 
 
-def test_a_package_of_interfaces_has_no_nodes() -> None:
+@pytest.mark.parametrize("template", ["interfaces", "description"])
+def test_a_package_that_only_has_data_has_no_nodes(template: str) -> None:
     with pytest.raises(ScaffoldError, match="rospkg new my_robot_nodes --node talker"):
-        plan("my_robot_interfaces", template="interfaces", nodes=("talker",))
+        plan(f"my_robot_{template}", template=template, nodes=("talker",))

@@ -92,12 +92,17 @@ INTERFACES = {
 
 @pytest.mark.parametrize("depends", [(), ("nav_msgs", "ament_cmake_pytest")])
 @pytest.mark.parametrize("asked", INTERFACES)
-@pytest.mark.parametrize(
-    "distro, license", [*((d.name, "MIT") for d in DISTROS), *(("jazzy", e.spdx) for e in LICENSES)]
-)
+@pytest.mark.parametrize("distro, license", DISTROS_AND_LICENSES)
 def test_every_package_of_interfaces_is_too(distro: str, license: str, asked: str, depends: tuple[str, ...]) -> None:
     options = {"distro": distro, "license": license, "depends": depends, **INTERFACES[asked]}
     faultless(plan("my_interfaces", template="interfaces", **options))
+
+
+@pytest.mark.parametrize("depends", DEPENDS.values())
+@pytest.mark.parametrize("distro, license", DISTROS_AND_LICENSES)
+@pytest.mark.parametrize("name", ["my_robot_description", "robot"])
+def test_every_description_is_too(name: str, distro: str, license: str, depends: tuple[str, ...]) -> None:
+    faultless(plan(name, template="description", distro=distro, license=license, depends=depends))
 
 
 def faultless(planned: Plan) -> None:

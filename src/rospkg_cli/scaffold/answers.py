@@ -61,6 +61,11 @@ class Answers:
     distro: Distro
     year: int
 
+    @property
+    def robot(self) -> str:
+        """The robot that a package of its own describes or starts."""
+        return self.name.removesuffix("_description").removesuffix("_bringup")
+
     def nodes_in(self, language: str) -> tuple[Node, ...]:
         return tuple(node for node in self.nodes if node.language == language)
 

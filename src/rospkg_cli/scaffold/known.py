@@ -10,7 +10,7 @@ from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
 
 def known_values(answers: Answers) -> dict[str, Any]:
     """Return the values that a template may name."""
-    computed = ("copyright", "interface_packages", "sections", "section_of")
+    computed = ("copyright", "interface_packages", "sections", "section_of", "robot")
     return {
         **vars(answers),
         **{name: getattr(answers, name) for name in computed},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -32,7 +33,8 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[
     Raises ScaffoldError for what the template can't write.
     """
     if not template.kinds and asked:
-        command = f"rospkg new {package.removesuffix('_interfaces')}_nodes --node {asked[0]}"
+        stem = re.sub(r"_(interfaces|description|bringup)$", "", package)
+        command = f"rospkg new {stem}_nodes --node {asked[0]}"
         raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
     nodes: dict[str, Node] = {}
     for text in asked or default_nodes(package, template):

@@ -22,7 +22,7 @@ from .render import Written, render, render_line
 from .template import Template, load_template, template_names
 from .told import Told, told
 
-COMING = ("description", "bringup")
+COMING = ("bringup",)
 """Types of packages that have no template yet."""
 
 LICENSE = "Apache-2.0"

@@ -12,7 +12,7 @@ from . import one_of, split
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPE = "ament_python, ament_cmake, mixed or interfaces."
+TYPE = "ament_python, ament_cmake, mixed, interfaces or description."
 NODE = (
     "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
     "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python."

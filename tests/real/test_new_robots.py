@@ -1,0 +1,48 @@
+"""Packages that describe a robot or start one, under Debian's ament_cmake, check_urdf and linters; xacro is PyPI's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import DEBIAN_MODULES, DEBIAN_PYTHON, tools
+from shell import Shell
+from testing_new import linted, plan, results, write
+from venvs import COLCON, venv
+
+pytestmark = [pytest.mark.debian, pytest.mark.network]
+LINTERS = ("copyright", "flake8", "lint_cmake", "mypy", "pep257", "xmllint")
+LONG = "a_rather_long_name_for_a_robot_that_somebody_had"
+
+
+@pytest.fixture
+def colcon(shell: Shell) -> Shell:
+    """A shell in which colcon finds Debian's ament, and tests find xacro."""
+    wanted = ("setuptools==65.5.1", *COLCON, "xacro")
+    return shell.before(tools(lambda: venv(DEBIAN_PYTHON, wanted, DEBIAN_MODULES)))
+
+
+@pytest.mark.parametrize("options", [(), ("--symlink-install",)], ids=["copied", "symlinked"])
+def test_a_description_builds_and_check_urdf_accepts_it(
+    colcon: Shell, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    write(plan("my_robot_description", template="description", depends=("std_msgs", "launch_testing")), tmp_path)
+    built = colcon.run("colcon", "build", *options, cwd=tmp_path)
+    assert (built.returncode, built.stderr) == (0, "")
+    share = tmp_path / "install/my_robot_description/share/my_robot_description"
+    for path in ("urdf/my_robot.urdf.xacro", "launch/view.launch.py", "rviz/view.rviz"):
+        assert (share / path).is_file()
+    tested = colcon.run("colcon", "test", cwd=tmp_path)
+    assert (tested.returncode, tested.stderr) == (0, "")
+    found = results(colcon, tmp_path)
+    assert found.pop("tests") > 5
+    assert found == {"errors": 0, "failures": 0, "skipped": 0}
+
+
+@pytest.mark.parametrize("place", ["git root", "plain folder"])
+@pytest.mark.parametrize("name", ["my_robot_description", LONG + "_description"])
+def test_every_linter_is_content_with_a_description(shell: Shell, tmp_path: Path, name: str, place: str) -> None:
+    folder = write(plan(name, template="description"), tmp_path)
+    if place == "git root":
+        assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
+    linted(shell, folder, LINTERS)
