@@ -44,6 +44,7 @@ class Config:
     target: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
     build_types: tuple[str, ...] = ()
+    plugins: tuple[str, ...] = ()
     pedantic: bool = False
     release: bool = False
     fail_on: str = "warning"

@@ -73,6 +73,7 @@ FORMS: Mapping[str, Form] = {
     "target": distros,
     "exclude": strings,
     "build-types": strings,
+    "plugins": strings,
     "pedantic": flag,
     "release": flag,
     "fail-on": level,

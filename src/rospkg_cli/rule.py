@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cache
+from types import ModuleType
 from typing import Any, Generic, TypeVar
 
 from .example import Example as Example
@@ -76,14 +77,22 @@ def rule(
     return make
 
 
+PLUGGED_IN: dict[str, Rule[Any]] = {}
+"""Rules of other installed packages, by code; `engine.plugged` puts them here when a config names them."""
+
+
 @cache
 def all_rules() -> tuple[Rule[Any], ...]:
-    """Every rule of the house, by code."""
+    """Every rule of the house, and those that are plugged in, by code."""
     from . import rules
 
-    found: dict[str, Rule[Any]] = {}
+    found = dict(PLUGGED_IN)
     for info in pkgutil.walk_packages(rules.__path__, rules.__name__ + "."):
         if not info.ispkg:
-            module = importlib.import_module(info.name)
-            found |= {value.code: value for value in vars(module).values() if isinstance(value, Rule)}
+            found |= rules_in(importlib.import_module(info.name))
     return tuple(found[code] for code in sorted(found))
+
+
+def rules_in(module: ModuleType) -> dict[str, Rule[Any]]:
+    """Return the rules of a module by code."""
+    return {value.code: value for value in vars(module).values() if isinstance(value, Rule)}

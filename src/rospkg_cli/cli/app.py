@@ -48,6 +48,7 @@ def run() -> int:
     from ..configkeys import ConfigError
     from ..engine.baseline import BaselineError
     from ..engine.locate import LocateError
+    from ..engine.plugged import PluginError
     from ..engine.write import WriteError
 
     try:
@@ -55,7 +56,7 @@ def run() -> int:
         return status if isinstance(status, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
-    except (UsageError, ConfigError, LocateError, BaselineError, WriteError) as error:
+    except (UsageError, ConfigError, LocateError, PluginError, BaselineError, WriteError) as error:
         print(f"rospkg: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:

@@ -33,7 +33,7 @@ def lint(options: LintOptions) -> int:
 def lint_to(options: LintOptions, stream: IO[str]) -> int:
     """Lint and report to a stream; return the exit status.
 
-    Raises UsageError, ConfigError, LocateError, BaselineError and WriteError, each with one sentence.
+    Raises UsageError, ConfigError, LocateError, PluginError, BaselineError and WriteError, each with one sentence.
     """
     files = outputs(options)
     paths = options.paths or (Path(),)

@@ -10,6 +10,7 @@ from pathlib import Path
 from .. import __version__
 from ..config import Config
 from ..engine.locate import Located
+from ..engine.plugged import plug_in
 from ..engine.pool import SERIAL_BELOW, ProcessPool
 from ..engine.selection import Selection, codes_named, rule_names
 from ..engine.session import Pool, Session
@@ -57,6 +58,7 @@ class LintOptions:
 def make_session(options: LintOptions, config: Config, located: Located) -> Session:
     """Return the run that the options and the config ask for; raises UsageError."""
     require_version(config)
+    plug_in(config.plugins)
     for name in (*options.select, *options.ignore, *options.extend_select):
         if not codes_named(name):
             hint = did_you_mean(name, rule_names())
@@ -76,7 +78,7 @@ def make_session(options: LintOptions, config: Config, located: Located) -> Sess
         located.scope,
         selection.codes(),
         targets(options, config),
-        Settings(frozenset(config.build_types)),
+        Settings(frozenset(config.build_types), config.plugins),
         pool_for(options.jobs, len(located.scope.folders)),
     )
 

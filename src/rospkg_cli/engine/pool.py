@@ -11,6 +11,7 @@ from ..model.settings import Settings
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
 from ..tree import Tree
+from .plugged import plug_in
 from .session import Pool, Scope
 from .shard import Checked, Shard
 
@@ -49,6 +50,7 @@ class ProcessPool(Pool):
 
 def start_shard(tree: Tree, folders: Sequence[str], targets: Targets, settings: Settings, name: str) -> None:
     global _shard
+    plug_in(settings.plugins)
     _shard = Shard(tree, folders, targets, settings, name)
 
 

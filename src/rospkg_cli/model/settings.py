@@ -9,3 +9,5 @@ from dataclasses import dataclass
 class Settings:
     build_types: frozenset[str] = frozenset()
     """Build types that are known here beside those of `ros.manifest`."""
+    plugins: tuple[str, ...] = ()
+    """Installed packages of rules, which every process of a run must load."""

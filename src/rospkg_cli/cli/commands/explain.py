@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Annotated
 
 from typer import Argument, Option, echo
@@ -17,6 +18,7 @@ def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
     """What a rule finds, why, a bad and a good example, and its fix."""
     from ..explain import explain as text
 
+    load_plugins()
     if sys.stdout.isatty():
         from rich.console import Console
         from rich.markdown import Markdown
@@ -26,9 +28,18 @@ def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
         echo(text(rule), nl=False)
 
 
+def load_plugins() -> None:
+    """Make the rules known that the config of the current folder plugs in."""
+    from ...config import find_config
+    from ...engine.plugged import plug_in
+
+    plug_in(find_config(Path()).plugins)
+
+
 def rules(format: Annotated[str, Option("--format", metavar="FORMAT", help="text or json.")] = "text") -> None:
     """List all rules."""
     from ...docs import rules_json, rules_text
 
     one_of("--format", format, ("text", "json"))
+    load_plugins()
     echo(rules_json() if format == "json" else rules_text(), nl=False)
