@@ -2,7 +2,8 @@
 
     python bench/names.py ROSDISTRO
 
-The tables hold facts alone: which names exist, in which distribution, and by which installer a key is served.
+The tables hold facts alone: which names exist, in which distribution, by which installer a key is served, and what it
+is called there.
 """
 
 from __future__ import annotations
@@ -11,72 +12,43 @@ import sys
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
-import yaml
-
+from rospkg_cli.index.place import place_of
+from rospkg_cli.index.update import make_index
 from rospkg_cli.ros.distros import DISTROS
-from rospkg_cli.ros.rosdep import CODENAMES, installer, pip_names
+from rospkg_cli.ros.index import Named
+from rospkg_cli.ros.rosdep import CODENAMES
 
 TABLES = Path(__file__).parents[1] / "src/rospkg_cli/ros/tables"
-LISTS = ("base", "python", "ruby", "osx-homebrew")
 
 
-def read(path: Path) -> dict[str, Any]:
-    loaded = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.CSafeLoader)
-    assert isinstance(loaded, dict)
-    return loaded
+def write(name: str, says: str, lines: Iterable[str]) -> None:
+    text = "\n".join([f"# {says} Written by bench/names.py.", *lines]) + "\n"
+    (TABLES / name).write_text(text, encoding="utf-8")
 
 
-def packages(folder: Path, name: str) -> set[str]:
-    """Return the names of the packages that a distribution has released."""
-    released: dict[str, Mapping[str, Any]] = read(folder / name / "distribution.yaml")["repositories"]
-    return {
-        package
-        for repository, entry in released.items()
-        if "release" in entry
-        for package in entry["release"].get("packages", [repository])
-    }
-
-
-def grouped(marks: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
-    """Return the names by their mark, both in order."""
+def grouped(named: Named) -> Iterable[str]:
+    """Yield the names under the `[heading]` of their mark, both in order."""
     groups: dict[str, list[str]] = defaultdict(list)
-    for name, mark in sorted(marks):
-        groups[mark].append(name)
-    return dict(sorted(groups.items()))
+    for name, mark in sorted(named.items()):
+        groups[" ".join(mark)].append(name)
+    for heading, names in sorted(groups.items()):
+        yield from (f"[{heading}]", *names)
 
 
-def write(name: str, says: str, groups: Mapping[str, Iterable[str]]) -> None:
-    lines = [f"# {says} Written by bench/names.py."]
-    for mark, names in groups.items():
-        lines += [f"[{mark}]", *names] if mark else [*names]
-    (TABLES / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+def rows(named: Mapping[str, tuple[str, ...]]) -> Iterable[str]:
+    return sorted(f"{name} {key}" for name, keys in named.items() for key in keys)
 
 
-def main(folder: Path) -> None:
-    by_distro = {each.name: packages(folder, each.name) for each in DISTROS}
-    marks = {
-        name: " ".join(distro for distro, names in by_distro.items() if name in names)
-        for name in set().union(*by_distro.values())
-    }
-    write("packages.txt", "Released ROS packages, by the distributions that have them.", grouped(marks.items()))
-    keys: dict[str, Any] = {}
-    for each in LISTS:
-        keys |= read(folder / "rosdep" / f"{each}.yaml")
-    served = {key: " ".join(installer(entry, c) for c in CODENAMES.values()) for key, entry in keys.items()}
+def main(folder: str) -> None:
+    index = make_index(place_of(folder, {}, ""), [each.name for each in DISTROS], {"ROSDEP_SOURCE_PATH": ""})
+    write("packages.txt", "Released ROS packages, by the distributions that have them.", grouped(index.packages))
     heading = f"Keys of rosdep, by the installer on Ubuntu {', '.join(CODENAMES)} (- where there is none)."
-    write("keys.txt", heading, grouped(served.items()))
-    codenames = CODENAMES.values()
-    pips = {(pip, key) for key, entry in keys.items() for codename in codenames for pip in pip_names(entry, codename)}
-    lines = sorted(f"{pip} {key}" for pip, key in pips if not same(pip, key))
-    write("pip.txt", "Names on PyPI and the key that installs them, where it is not called like them.", {"": lines})
-
-
-def same(pip: str, key: str) -> bool:
-    """Return whether a key is called like the name on PyPI, so that nobody needs to be told."""
-    return key == f"python3-{pip.lower().replace('_', '-').replace('.', '-')}-pip"
+    write("keys.txt", heading, grouped(index.keys))
+    write("pip.txt", "Names on PyPI and the key that installs them, where it is not called like them.", rows(index.pip))
+    says = "Packages of Ubuntu and the key that stands for them alone, where no key is called like them."
+    write("apt.txt", says, rows(index.apt))
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main(sys.argv[1])

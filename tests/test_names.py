@@ -7,14 +7,32 @@ import pickle
 
 import pytest
 
-from rospkg_cli.ros.aliases import key_for_pip, keys_for_cmake, successors
-from rospkg_cli.ros.distros import Targets
+from rospkg_cli.ros.aliases import key_for_apt, key_for_pip, keys_for_cmake, successors
+from rospkg_cli.ros.distros import DISTROS, Targets, distro
 from rospkg_cli.ros.imports import NO_PYTHON, may_serve, serving
-from rospkg_cli.ros.names import BUILT_IN, Known, Names
-from rospkg_cli.ros.rosdep import installer, pip_names
+from rospkg_cli.ros.index import Index, dump
+from rospkg_cli.ros.likely import likely
+from rospkg_cli.ros.names import BUILT_IN, FetchedNames, Known
+from rospkg_cli.ros.rosdep import installer, merged, pip_names
 from rospkg_cli.ros.table import rows
 
-FETCHED = Names({"rclpy": ("jazzy",), "old": ("humble",)}, {"python3-yaml": ("apt", "apt", "apt")}, complete=True)
+ALL = tuple(each.name for each in DISTROS)
+FETCHED = FetchedNames(
+    dump(
+        Index(
+            "/a/copy",
+            "2026-11-01T12:00:00Z",
+            ALL,
+            {"rclpy": ("jazzy",), "old": ("humble",)},
+            {
+                "python3-yaml": ("apt", "apt", "apt"),
+                "python-old": ("apt", "-", "-"),
+                "python3-new-pip": ("-", "-", "pip"),
+            },
+            apt={"libnew-dev": ("new",), "libtwo-dev": ("two", "deux")},
+        )
+    )
+)
 
 
 @pytest.mark.parametrize("name", ["rclpy", "rclcpp", "sensor_msgs", "nav2_bringup", "launch_ros", "xacro", "rviz2"])
@@ -42,6 +60,30 @@ def test_a_package_counts_for_the_targets_that_have_it() -> None:
     assert FETCHED.what("old", Targets(("humble",))) is Known.PACKAGE
     assert FETCHED.what("old", Targets(("jazzy",))) is Known.UNKNOWN
     assert FETCHED.what("old") is Known.PACKAGE
+
+
+def test_a_key_counts_for_the_targets_whose_ubuntu_has_a_rule() -> None:
+    assert FETCHED.what("python-old") is Known.KEY
+    assert FETCHED.resolves("python-old", distro("humble")) is True
+    assert FETCHED.resolves("python-old", distro("jazzy")) is False
+    assert FETCHED.is_pip("python3-new-pip", Targets(("lyrical",)))
+    assert not FETCHED.is_pip("python3-new-pip", Targets(("jazzy",)))
+
+
+def test_what_is_built_in_contradicts_the_no_of_an_index() -> None:
+    """A mirror may hold a part of rosdistro."""
+    assert FETCHED.what("sensor_msgs") is Known.CANT_TELL
+    assert FETCHED.resolves("sensor_msgs", distro("jazzy")) is None
+    assert not FETCHED.is_package("sensor_msgs")
+
+
+def test_an_index_of_one_distribution_knows_nothing_of_the_others() -> None:
+    names = FetchedNames(dump(Index("/a", "2026-11-01T12:00:00Z", ("humble",), {"own": ("humble",)}, {})))
+    assert names.what("my_companys_driver", Targets(("humble",))) is Known.UNKNOWN
+    assert names.what("my_companys_driver", Targets(("humble", "jazzy"))) is Known.CANT_TELL
+    assert names.what("my_companys_driver") is Known.CANT_TELL
+    assert names.what("sensor_msgs", Targets(("jazzy",))) is Known.PACKAGE
+    assert set(names.packages["own"]) == {"humble"}
 
 
 def test_the_built_in_names_pickle_small() -> None:
@@ -100,6 +142,47 @@ def test_a_pip_name_without_a_key_has_none() -> None:
     assert key_for_pip("no-such-thing-on-pypi") is None
 
 
+@pytest.mark.parametrize(
+    "name, meant",
+    [
+        ("libeigen3-dev", "eigen"),
+        ("ros-jazzy-nav2-bringup", "nav2_bringup"),
+        ("ros-jazzy-no-such-thing", None),
+        ("libopencv-dev", None),
+        ("libqt5core5a", None),
+    ],
+)
+def test_names_in_ubuntu_have_keys(name: str, meant: str | None) -> None:
+    assert key_for_apt(name) == meant
+
+
+def test_a_name_in_ubuntu_with_several_keys_means_none() -> None:
+    assert key_for_apt("libnew-dev", FETCHED) == "new"
+    assert key_for_apt("libtwo-dev", FETCHED) is None
+
+
+@pytest.mark.parametrize(
+    "name, meant",
+    [
+        ("sensor_msg", "sensor_msgs"),
+        ("Sensor-Msgs", "sensor_msgs"),
+        ("robot_localisation", "robot_localization"),
+        ("python3-pyserial", "python3-serial"),
+        ("eigen3", "eigen"),
+        ("turtlebot4", None),
+        ("my_companys_driver", None),
+        ("std_srvs", None),
+    ],
+)
+def test_what_is_likely_meant(name: str, meant: str | None) -> None:
+    assert likely(name, BUILT_IN, Targets(("jazzy",))) == meant
+
+
+def test_only_what_a_target_has_is_meant() -> None:
+    assert likely("olt", FETCHED, Targets(("humble",))) == "old"
+    assert likely("olt", FETCHED, Targets(("jazzy",))) is None
+
+
 def test_cmake_names() -> None:
     assert keys_for_cmake("Eigen3")[0] == "eigen"
     assert "-" in keys_for_cmake("Threads")
@@ -134,6 +217,14 @@ def test_what_is_ros_1s_alone_is_no_package_of_ros_2() -> None:
         ({"ubuntu": {"focal": ["x"], "*": {"pip": {"packages": ["x"]}}}}, "pip"),
         ({"ubuntu": {"focal": ["x"]}}, "-"),
         ({"ubuntu": {"jammy": None, "*": ["x"]}}, "-"),
+        ({"ubuntu": {"jammy": "x y"}}, "apt"),
+        ({"ubuntu": {"snap": {"packages": ["x"]}}}, "-"),
+        ({"ubuntu": {"npm": {"packages": ["x"]}}}, "npm"),
+        ({"ubuntu": {"jammy": {"unheard-of": ["x"]}}}, "apt"),
+        ({"*": {"pip": {"packages": ["x"]}}, "fedora": ["x"]}, "pip"),
+        ({"*": ["x"]}, "-"),
+        ({"ubuntu": None, "*": {"pip": ["x"]}}, "-"),
+        ({"ubuntu": 3}, "-"),
         ({"fedora": ["x"]}, "-"),
         (None, "-"),
     ],
@@ -145,3 +236,8 @@ def test_how_a_key_resolves_on_jammy(entry: object, way: str) -> None:
 def test_the_names_on_pypi_of_a_key() -> None:
     assert pip_names({"ubuntu": {"*": {"pip": {"packages": ["a", "b"]}}}}, "noble") == ("a", "b")
     assert pip_names({"ubuntu": ["a"]}, "noble") == ()
+
+
+def test_the_first_list_holds_for_each_operating_system() -> None:
+    lists = [{"a": {"ubuntu": ["x"]}}, {"a": {"ubuntu": ["y"], "fedora": ["z"]}, "b": None, 3: {}}]
+    assert merged(lists) == {"a": {"ubuntu": ["x"], "fedora": ["z"]}}

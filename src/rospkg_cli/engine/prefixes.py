@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+INSTALLED = Path("/opt/ros")
+"""Where Debian packages of ROS put each distribution."""
 
-def prefix_names(environment: Mapping[str, str]) -> frozenset[str]:
-    """Return the names in the resource index of every prefix of AMENT_PREFIX_PATH, and of /opt/ros/<distro>."""
-    prefixes = [p for p in environment.get("AMENT_PREFIX_PATH", "").split(":") if p]
-    if environment.get("ROS_DISTRO"):
-        prefixes.append(f"/opt/ros/{environment['ROS_DISTRO']}")
+
+def prefix_names(environment: Mapping[str, str], installed: Path = INSTALLED) -> frozenset[str]:
+    """Return the names in the resource index of every prefix of AMENT_PREFIX_PATH, and of /opt/ros/<distro>.
+
+    Where ROS_DISTRO does not say which that is, of every distribution that is there.
+    """
     names: set[str] = set()
-    for prefix in prefixes:
-        index = Path(prefix, "share/ament_index/resource_index/packages")
-        if index.is_dir():
-            names |= {entry.name for entry in index.iterdir()}
+    for prefix in prefixes(environment, installed):
+        index = prefix / "share/ament_index/resource_index/packages"
+        try:
+            names.update(os.listdir(index))
+        except OSError:
+            continue
     return frozenset(names)
+
+
+def prefixes(environment: Mapping[str, str], installed: Path) -> Iterator[Path]:
+    yield from (Path(each) for each in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if each)
+    if environment.get("ROS_DISTRO"):
+        yield installed / environment["ROS_DISTRO"]
+    elif installed.is_dir():
+        yield from sorted(installed.iterdir())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..ros.distros import Targets
+from ..ros.distros import Distro, Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
@@ -56,17 +56,27 @@ class Workspace:
 
     def what(self, name: str, targets: Targets | None = None) -> Known:
         """Return what a name in package.xml stands for; unknown only where nothing else can add it."""
-        if name in self._by_name or name in self.prefix_names:
+        if name in self._by_name:
             return Known.PACKAGE
         found = self.index.what(name, targets)
-        return Known.CANT_TELL if found is Known.UNKNOWN and not self.complete else found
+        unsure = not self.complete or name in self.prefix_names
+        return Known.CANT_TELL if found is Known.UNKNOWN and unsure else found
+
+    def is_here(self, name: str) -> bool:
+        """Return whether a package is around, or installed on this machine."""
+        return name in self._by_name or name in self.prefix_names
+
+    def resolves(self, name: str, distro: Distro) -> bool | None:
+        """Return whether a name can be had on a distribution; None where nobody can tell."""
+        found = self.is_here(name) or self.index.resolves(name, distro)
+        return found if found or self.complete else None
 
     @cached_property
     def _loading(self) -> dict[str, set[str]]:
         found = {base: {package} for base, package in LOADED_FROM.items()}
         for facts in self.packages:
             for package, base in facts.loaders:
-                if self.what(package) is Known.PACKAGE:
+                if self.is_here(package) or self.what(package) is Known.PACKAGE:
                     found.setdefault(base, set()).add(package)
         return found
 

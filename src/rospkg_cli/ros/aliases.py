@@ -1,9 +1,10 @@
-"""Names from elsewhere for what rosdep and ROS 2 call otherwise: PyPI, CMake, ROS 1."""
+"""Names from elsewhere for what rosdep and ROS 2 call otherwise: PyPI, Ubuntu, CMake, ROS 1."""
 
 from __future__ import annotations
 
 import re
 
+from .distros import DISTROS
 from .imports import keys_called_like
 from .names import BUILT_IN, Names
 from .table import rows
@@ -35,6 +36,9 @@ PYPI = {
 }
 """Names on PyPI whose key is called like something else, by normalised name (PEP 503)."""
 
+OF_ROS = re.compile(rf"ros-(?:{'|'.join(each.name for each in DISTROS)})-([a-z0-9-]+)")
+"""What Ubuntu's packages of ROS packages are called."""
+
 NOTHING_NEEDED = "-"
 
 
@@ -44,8 +48,18 @@ def key_for_pip(name: str, names: Names = BUILT_IN) -> str | None:
     if normal in PYPI:
         return PYPI[normal]
     likely = [key for key in keys_called_like(normal) if names.is_key(key)]
-    listed = {re.sub(r"[-_.]+", "-", pip).lower(): keys for pip, keys in rows("pip.txt").items()}
+    listed = {re.sub(r"[-_.]+", "-", pip).lower(): keys for pip, keys in names.pip.items()}
     return next(iter([*likely, *listed.get(normal, ())]), None)
+
+
+def key_for_apt(name: str, names: Names = BUILT_IN) -> str | None:
+    """Return the rosdep key, or the ROS package, for a package of Ubuntu that is called otherwise; else None."""
+    released = OF_ROS.fullmatch(name)
+    if released:
+        package = released[1].replace("-", "_")
+        return package if names.is_package(package) else None
+    keys = names.apt.get(name, ())
+    return keys[0] if len(keys) == 1 and "-" in name and not names.is_key(name) else None
 
 
 def keys_for_cmake(name: str) -> tuple[str, ...]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 
-from .distros import DISTROS, Targets
-from .rosdep import CODENAMES
-from .table import marked
+from .distros import DISTROS, Distro, Targets
+from .index import Index, parse
+from .rosdep import CODENAMES, NOT_THERE
+from .table import marked, rows
 
 
 class Known(Enum):
@@ -20,36 +21,56 @@ class Known(Enum):
 
 @dataclass(frozen=True)
 class Names:
-    """The names of released packages, and the keys of rosdep; the built-in ones where nothing is given.
+    """The names of released packages, and the keys of rosdep: those that are built in.
 
-    Pickles small: the built-in tables are read in the process that asks.
+    Pickles small: the tables are read in the process that asks.
     """
-
-    released: Mapping[str, Collection[str]] | None = None
-    """Package to the distributions that have it."""
-    served: Mapping[str, Collection[str]] | None = None
-    """Key to its installer on each Ubuntu release of `CODENAMES`, `-` where there is none."""
-    own: frozenset[str] = field(default=frozenset())
-    """Names that a user's own lists add: they are known, whatever they are."""
-    complete: bool = False
-    """Whether a name that is not here does not exist: so for an index that was fetched, not for what is built in."""
 
     @property
     def packages(self) -> Mapping[str, Collection[str]]:
-        return marked("packages.txt") if self.released is None else self.released
+        """Package to the distributions that have it."""
+        return marked("packages.txt")
 
     @property
     def keys(self) -> Mapping[str, Collection[str]]:
-        return marked("keys.txt") if self.served is None else self.served
+        """Key to its installer on each Ubuntu release of `CODENAMES`, `-` where there is none."""
+        return marked("keys.txt")
+
+    @property
+    def pip(self) -> Mapping[str, tuple[str, ...]]:
+        """Name on PyPI to the keys that install it, where these are not called like it."""
+        return rows("pip.txt")
+
+    @property
+    def apt(self) -> Mapping[str, tuple[str, ...]]:
+        """Name of a package of Ubuntu to the keys that stand for it alone, where none is called like it."""
+        return rows("apt.txt")
+
+    @property
+    def covered(self) -> Collection[str]:
+        """The distributions of which a name that is not here does not exist."""
+        return ()
 
     def what(self, name: str, targets: Targets | None = None) -> Known:
         """Return what a name is for one of the targets; a package of another distribution can't be told."""
         distros = self.packages.get(name)
-        if distros is not None and any(each.name in distros for each in targets or DISTROS):
+        targets = targets or Targets()
+        if distros is not None and any(each.name in distros for each in targets):
             return Known.PACKAGE
-        if name in self.keys or name in self.own:
+        if name in self.keys:
             return Known.KEY
-        return Known.UNKNOWN if self.complete else Known.CANT_TELL
+        return Known.UNKNOWN if all(self.resolves(name, each) is False for each in targets) else Known.CANT_TELL
+
+    def resolves(self, name: str, distro: Distro) -> bool | None:
+        """Return whether rosdep can install what a name stands for on a distribution; None where nobody can tell."""
+        if distro.name in self.packages.get(name, ()) or self.way(name, distro) != NOT_THERE:
+            return True
+        return False if distro.name in self.covered else None
+
+    def way(self, key: str, distro: Distro) -> str:
+        """Return the installer that serves a key on a distribution's Ubuntu, `-` where none does."""
+        ways = dict(zip(CODENAMES, self.keys.get(key, ()), strict=False))
+        return ways.get(distro.ubuntu, NOT_THERE)
 
     def is_package(self, name: str) -> bool:
         """Return whether a distribution that is supported has the package."""
@@ -60,9 +81,7 @@ class Names:
 
     def is_pip(self, key: str, targets: Targets) -> bool:
         """Return whether PyPI serves a key on a target, as far as rosdep serves it at all."""
-        releases = {each.ubuntu for each in targets}
-        ways = zip(CODENAMES, self.keys.get(key, ()), strict=False)
-        return any(release in releases and way == "pip" for release, way in ways)
+        return any(self.way(key, each) == "pip" for each in targets)
 
     def all(self) -> Iterable[str]:
         """Return every name, of packages and of keys."""
@@ -70,3 +89,46 @@ class Names:
 
 
 BUILT_IN = Names()
+
+
+@dataclass(frozen=True)
+class FetchedNames(Names):
+    """The names of an index that was fetched; for a distribution that is not in it, what is built in."""
+
+    text: str
+    """As `index.dump` writes it: read when the first name is asked for, in each process that asks."""
+
+    @property
+    def index(self) -> Index:
+        return parse(self.text)
+
+    @property
+    def packages(self) -> Mapping[str, Collection[str]]:
+        missing = {each.name for each in DISTROS}.difference(self.covered)
+        if not missing:
+            return self.index.packages
+        found: dict[str, Collection[str]] = {
+            name: kept for name, distros in BUILT_IN.packages.items() if (kept := missing.intersection(distros))
+        }
+        return found | {name: {*distros, *found.get(name, ())} for name, distros in self.index.packages.items()}
+
+    @property
+    def keys(self) -> Mapping[str, Collection[str]]:
+        return self.index.keys
+
+    @property
+    def pip(self) -> Mapping[str, tuple[str, ...]]:
+        return self.index.pip
+
+    @property
+    def apt(self) -> Mapping[str, tuple[str, ...]]:
+        return self.index.apt
+
+    @property
+    def covered(self) -> Collection[str]:
+        return self.index.distros
+
+    def resolves(self, name: str, distro: Distro) -> bool | None:
+        """As above; what is built in may contradict a no (a mirror may hold a part of rosdistro), never a yes."""
+        found = super().resolves(name, distro)
+        return None if found is False and BUILT_IN.resolves(name, distro) else found

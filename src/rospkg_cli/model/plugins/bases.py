@@ -79,7 +79,7 @@ class PluginBases:
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""
-        if self.workspace.what(package) is not Known.PACKAGE:
+        if not self.workspace.is_here(package) and self.workspace.what(package) is not Known.PACKAGE:
             return True
         around = self.workspace.named(package) is not None
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
@@ -104,7 +104,7 @@ class PluginBases:
         for loader in self.loaders.loaders if self.facts.ament else ():
             package, base = loader.names
             known = self.workspace.what(package)
-            if known is Known.PACKAGE or package == self.facts.name:
+            if known is Known.PACKAGE or self.workspace.is_here(package) or package == self.facts.name:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
             if package not in served and (served or known is Known.UNKNOWN):

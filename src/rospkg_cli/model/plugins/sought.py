@@ -54,10 +54,15 @@ class Sought:
         if owner is not None:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
                 yield Unknown(user, use, owner, self.meant(owner, use.name))
-        elif self.workspace.complete and self.workspace.what(name) not in (Known.PACKAGE, Known.KEY):
+        elif self.is_nowhere(name):
             alike = self._tails.get(tail(use.name), [])
             if len(alike) == 1:
                 yield Unknown(user, use, *alike[0])
+
+    def is_nowhere(self, package: str) -> bool:
+        """Return whether there is no such package, as far as anybody knows."""
+        known = self.workspace.is_here(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
+        return self.workspace.complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:
         """Return whether a package has plug-ins in C++, and all of them are known."""

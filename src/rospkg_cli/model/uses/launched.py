@@ -56,7 +56,8 @@ class Launched:
 
     def is_strange(self, name: str) -> bool:
         """Return whether nobody knows a package of that name."""
-        return self.declared.workspace.what(name) is not Known.PACKAGE
+        workspace = self.declared.workspace
+        return not workspace.is_here(name) and workspace.what(name) is not Known.PACKAGE
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
         """Return each package that is needed and not declared, with the places that need it."""

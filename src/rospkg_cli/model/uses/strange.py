@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...ros.aliases import NOTHING_NEEDED, key_for_pip, keys_for_cmake, successors
-from ...ros.distros import DISTROS, Targets
+from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
+from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.imports import STANDARD
-from ...ros.names import Known
-from ...suggest import near, nearest
+from ...suggest import near
+from ..condition import certain
 from ..manifest import Dependency
 from .declared import Declared
+from .lacking import Lacking
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -29,12 +30,16 @@ MIN_FAMILY = 3
 
 @dataclass(frozen=True, slots=True)
 class Strange:
-    """A dependency that is no name of anything."""
+    """A dependency that is no name of anything, or of nothing that a target has."""
 
     dependency: Dependency
     meant: str | None
     why: str
     """What the name is instead, as a sentence goes on."""
+    fails: str = "Cannot locate rosdep definition for [{}]"
+    """What rosdep says of the name."""
+    instead: str = ""
+    """What to do where no other name is meant."""
 
 
 @dataclass(frozen=True)
@@ -76,17 +81,31 @@ class NamesDeclared:
     def strange(self) -> Iterator[Strange]:
         """Yield the dependencies that no package and no key is called like, as far as that is certain."""
         for each in self.active():
-            known = self.declared.workspace.what(each.name, self.targets)
-            if known in (Known.PACKAGE, Known.KEY) or successors(each.name) is not None:
+            if self.declared.workspace.is_here(each.name) or successors(each.name) is not None:
                 continue
-            if self.declared.workspace.index.is_package(each.name):
-                continue
-            found = self.meant(each)
+            index = self.declared.workspace.index
+            found = None if index.is_package(each.name) or index.is_key(each.name) else self.meant(each)
+            lacking = Lacking(each, self.declared.workspace, self.targets, self.lacking(each))
+            if found is None and lacking.distros:
+                found = Strange(each, lacking.meant, lacking.why, lacking.fails, lacking.instead)
             if found is not None:
                 yield found
-            elif known is Known.UNKNOWN:
-                meant = nearest(each.name, self.declared.workspace.index.all())
-                yield Strange(each, meant, "no ROS package and no rosdep key is called so")
+
+    def lacking(self, dependency: Dependency) -> tuple[Distro, ...]:
+        """Return the targets on which a name is needed for certain and can't be had; none where it can be on one that
+        may be the target, as long as nobody said which is."""
+        without = [each for each in self.targets if self.declared.workspace.resolves(dependency.name, each) is False]
+        needing = list(self.needing(dependency)) if without else []
+        found = [each for each in needing if each in without]
+        return tuple(found) if self.targets.names or found == needing else ()
+
+    def needing(self, dependency: Dependency) -> Iterator[Distro]:
+        """Yield the targets for which a dependency of that name holds for certain."""
+        same = [each for each in (dependency, *self.again(dependency)) if each.tag not in NO_NEEDS]
+        for distro in self.targets:
+            environments = Targets((distro.name,)).environments()
+            if any(certain(each.condition, environments) for each in same):
+                yield distro
 
     def meant(self, dependency: Dependency) -> Strange | None:
         """Return what is meant by a name that is wrong for certain, whatever an index would say."""
@@ -95,10 +114,13 @@ class NamesDeclared:
         if listed and not name.islower():
             return Strange(dependency, listed[0], "is what CMake calls it")
         if name.removeprefix("python3-").replace("-", "_") in STANDARD:
-            return Strange(dependency, None, "comes with Python itself")
+            return Strange(dependency, None, "comes with Python itself", instead="take the line out")
         key = key_for_pip(name, self.declared.workspace.index) if self.is_for_python(dependency) else None
         if key is not None:
             return Strange(dependency, key, "is its name on PyPI")
+        key = key_for_apt(name, self.declared.workspace.index)
+        if key is not None:
+            return Strange(dependency, key, "is its name in Ubuntu")
         if (member := self.renamed(name)) is not None:
             return Strange(dependency, member, "is no package of this workspace or any other that is known")
         if (core := self.misspelt(name)) is not None:

@@ -55,14 +55,13 @@ def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
     manifest = names.declared.manifest
     for each in names.strange():
         name = each.dependency.name
-        instead = f"; write `{each.meant}`" if each.meant else ""
-        if each.meant is None and "Python itself" in each.why:
-            instead = "; take the line out"
+        instead = f"write `{each.meant}`" if each.meant else each.instead
         others = names.again(each.dependency)
         fix = None
         if each.meant:
             edits = tuple(rename_dependency(manifest, d, each.meant) for d in (each.dependency, *others))
             fix = Fix(f"write `{each.meant}`", edits, Safety.UNSAFE)
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
-        fails = f'`rosdep install` ends with "Cannot locate rosdep definition for [{name}]"'
-        yield Hit(manifest.path, each.dependency.span, f"`{name}` {each.why}: {fails}{instead}", None, related, fix)
+        message = f'`{name}` {each.why}: `rosdep install` ends with "{each.fails.format(name)}"'
+        message += f"; {instead}" if instead else ""
+        yield Hit(manifest.path, each.dependency.span, message, None, related, fix)

@@ -1,0 +1,90 @@
+"""Where rosdistro is: a folder, a file, or a URL; as typed, else as the environment and the user's config say."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import urljoin, urlsplit, urlunsplit
+
+from . import NamesError
+
+DEFAULT = "https://raw.githubusercontent.com/ros/rosdistro/master/index-v4.yaml"
+INDEX = "index-v4.yaml"
+SCHEMES = ("http", "https", "file")
+
+
+@dataclass(frozen=True)
+class Place:
+    """The URL of an index file; what it names without a scheme lies beside it."""
+
+    url: str
+
+    def beside(self, path: str) -> Place:
+        """Return the place of a path that is relative to the index file, or of a URL; a query goes with the former."""
+        if urlsplit(path).scheme:
+            return Place(path)
+        parts = urlsplit(self.url)
+        return Place(urljoin(urlunsplit(parts._replace(query="")), path) + (f"?{parts.query}" if parts.query else ""))
+
+    def holds(self, other: Place) -> bool:
+        """Return whether another place lies in the folder of the index file."""
+        folder = urlunsplit(urlsplit(self.url)._replace(query="", fragment="")).rpartition("/")[0]
+        return other.url.startswith(folder + "/")
+
+    def __str__(self) -> str:
+        """The place as it may be shown: a folder's path, a URL without password and query."""
+        parts = urlsplit(self.url)
+        if parts.scheme == "file":
+            return path_of(self.url)
+        return urlunsplit(parts._replace(netloc=parts.netloc.rpartition("@")[2], query="", fragment=""))
+
+
+def path_of(url: str) -> str:
+    from urllib.request import url2pathname
+
+    return url2pathname(urlsplit(url).path)
+
+
+def place_of(asked: str, environment: Mapping[str, str], configured: str) -> Place:
+    """Return the index file that was asked for, else $ROSDISTRO_INDEX_URL, else the config's, else ros/rosdistro's.
+
+    Raises NamesError for what is neither a folder, a file nor a URL that can be read.
+    """
+    named = (
+        (asked, "--source"),
+        (environment.get("ROSDISTRO_INDEX_URL", ""), "ROSDISTRO_INDEX_URL"),
+        (configured, "`index.source` of your config"),
+        (DEFAULT, ""),
+    )
+    text, where = next((text, where) for text, where in named if text)
+    scheme = urlsplit(text).scheme
+    if "://" not in text and not text.startswith("file:"):
+        return local(Path(text).expanduser(), where)
+    if scheme not in SCHEMES:
+        raise NamesError(f"{where}: `{text}` can't be read; there are {', '.join(SCHEMES)} URLs, and folders")
+    if scheme == "file":
+        return local(Path(path_of(text)), where)
+    parts = urlsplit(text)
+    if not parts.netloc:
+        raise NamesError(f"{where}: `{text}` names no host")
+    if parts.path.endswith((".yaml", ".yml")):
+        return Place(text)
+    return Place(urlunsplit(parts._replace(path=f"{parts.path.rstrip('/')}/{INDEX}")))
+
+
+def local(path: Path, where: str) -> Place:
+    path = path.resolve()
+    if path.is_dir():
+        path = path / INDEX
+        if not path.is_file():
+            raise NamesError(f"{where}: `{path.parent}` is no copy of rosdistro: it has no {INDEX}")
+    if not path.is_file():
+        raise NamesError(f"{where}: there is no folder and no file `{path}`; give a copy of rosdistro, or its URL")
+    return Place(path.as_uri())
+
+
+def shortened(place: Place) -> Place:
+    """Return the folder around an index file of the usual name on this machine; any other place as it is."""
+    url = place.url.removesuffix(f"/{INDEX}") if place.url.startswith("file:") else place.url
+    return Place(url)

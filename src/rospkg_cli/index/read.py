@@ -1,0 +1,62 @@
+"""What stands in rosdistro's files, and in rosdep's lists: their shape is checked, everything else is left out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from . import NamesError
+from .fetch import fetch
+from .place import Place
+
+Entries = Mapping[Any, Any]
+
+
+def document(place: Place) -> Entries:
+    """Return the mapping that a YAML file holds; raises NamesError, and NotThereError where there is no file."""
+    import yaml
+
+    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    data = fetch(place)
+    try:
+        loaded = yaml.load(data, Loader=loader)
+    except (yaml.YAMLError, UnicodeError, ValueError, RecursionError) as error:
+        mark = getattr(error, "problem_mark", None)
+        raise NamesError(f"{place} is not YAML{f', from line {mark.line + 1} on' if mark else ''}") from None
+    if not isinstance(loaded, Mapping):
+        raise NamesError(f"{place} is not what it should be: it holds no mapping; is that a page for people?")
+    return loaded
+
+
+def distribution_files(place: Place, index: Entries) -> dict[str, list[Place]]:
+    """Return the distribution files of each distribution of an index file (REP-153); raises NamesError."""
+    listed = index.get("distributions")
+    if index.get("type") != "index" or not isinstance(listed, Mapping):
+        raise NamesError(f"{place} is no index of rosdistro: it lists no distributions")
+    found: dict[str, list[Place]] = {}
+    for name, entry in listed.items():
+        files = entry.get("distribution") if isinstance(entry, Mapping) else None
+        files = [files] if isinstance(files, str) else files
+        if isinstance(name, str) and isinstance(files, list) and all(isinstance(each, str) for each in files):
+            found[name] = [place.beside(each) for each in files]
+    return found
+
+
+def released(files: Iterable[tuple[Place, Entries]]) -> set[str]:
+    """Return the packages that a distribution releases (REP-143); raises NamesError.
+
+    Where a distribution has several files, a repository of a later one replaces that of an earlier one.
+    """
+    repositories: dict[Any, Any] = {}
+    for place, entries in files:
+        listed = entries.get("repositories")
+        if entries.get("type") != "distribution" or not isinstance(listed, Mapping | None):
+            raise NamesError(f"{place} is no distribution file of rosdistro")
+        repositories |= listed or {}
+    names: set[str] = set()
+    for repository, entry in repositories.items():
+        release = entry.get("release") if isinstance(entry, Mapping) else None
+        if isinstance(release, Mapping) and release:
+            listed = release.get("packages") or [repository]
+            names |= {name for name in listed if isinstance(name, str)} if isinstance(listed, list | Mapping) else set()
+    return names
