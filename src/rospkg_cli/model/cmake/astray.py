@@ -41,7 +41,19 @@ class AstrayExecutables:
 
     def all(self) -> Iterator[Astray]:
         """Yield each executable that is meant for `ros2 run` and does not stand in lib/<package>."""
-        cmake, table = self.package.cmake, Table(self.package.cmake, self.package.facts.name)
+        found = list(self.anywhere())
+        right = {row.destination for row in self.table.rows()} if found else set()
+        for each in found:
+            if f"lib/{self.package.facts.name}/{each.name}" not in right:
+                yield each
+
+    @cached_property
+    def table(self) -> Table:
+        return Table(self.package.cmake, self.package.facts.name)
+
+    def anywhere(self) -> Iterator[Astray]:
+        """Yield each executable that a rule installs into another place, whatever other rules do with it."""
+        cmake, table = self.package.cmake, self.table
         for rule in cmake.installs:
             if rule.call.maybe:
                 continue

@@ -11,7 +11,7 @@ from ...ros.table import rows
 from ..facts import PackageFacts
 from ..workspace import Workspace
 from .call import Call
-from .headers import INCLUDES, PLUGINS, Headers
+from .headers import PLUGINS, Headers
 from .links import Link, Links
 from .words import HOLE, Word
 
@@ -31,6 +31,8 @@ class Unexported:
     package: str
     word: Word
     link: Link
+    as_target: bool
+    """Whether the library is exported as a target: what a target is linked with must be there."""
 
 
 @dataclass(frozen=True)
@@ -44,19 +46,19 @@ class ExportedDependencies:
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
         unclear = not cmake.complete or cmake.clouded or automatic or HOLE in self.exported
-        only_loaded = cmake.named(PLUGINS) and not cmake.named(*INCLUDES) and not self.is_built_against()
-        if unclear or not self.headers.installed or only_loaded:
+        if unclear or not self.headers.installed or (cmake.named(PLUGINS) and not self.is_built_against):
             return
         seen: set[str] = set()
         for link in Links(cmake).all:
             package = self.package_of(link)
-            passed = link.exported and link.target in self.libraries and not link.call.maybe and not link.word.maybe
-            if passed and package in self.found & self.included and package not in self.there | seen:
+            passed = link.exported and link.target in self.offered and not link.call.maybe and not link.word.maybe
+            if passed and package in self.needed and package not in self.there | seen:
                 seen.add(package)
-                yield Unexported(package, link.word, link)
+                yield Unexported(package, link.word, link, link.target in self.targets)
 
+    @cached_property
     def is_built_against(self) -> bool:
-        """Return whether a package around builds against this one: a plug-in is only loaded."""
+        """Whether a package around builds against this one: plug-ins and components are only loaded."""
         name = self.headers.package.facts.name
         return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
 
@@ -70,13 +72,25 @@ class ExportedDependencies:
         return match.group(1) if match else ""
 
     @cached_property
-    def libraries(self) -> frozenset[str]:
+    def offered(self) -> frozenset[str]:
         """The libraries that other packages are meant to link."""
+        components = {each.target.text for each in self.headers.package.cmake.components}
+        return self.libraries if self.is_built_against else self.libraries - components
+
+    @cached_property
+    def targets(self) -> frozenset[str]:
+        """The names that are exported as targets."""
         cmake = self.headers.package.cmake
         exports = {text for call in cmake.exports for text in call.texts}
         rules = [rule for rule in cmake.installs if rule.export is not None and rule.export.text in exports]
-        named = {word.text for rule in rules for word in rule.items}
-        named |= {text for call in cmake.named("ament_export_libraries") if not call.folder for text in call.texts}
+        return frozenset(word.text for rule in rules for word in rule.items)
+
+    @cached_property
+    def libraries(self) -> frozenset[str]:
+        """The libraries that are exported."""
+        cmake = self.headers.package.cmake
+        old = {text for call in cmake.named("ament_export_libraries") if not call.folder for text in call.texts}
+        named = self.targets | old
         targets = (cmake.target(name) for name in named)
         return frozenset(each.name for each in targets if each is not None and each.library and not each.call.testing)
 
@@ -105,14 +119,18 @@ class ExportedDependencies:
             if name not in found:
                 found.add(name)
                 facts = self.workspace.named(name)
-                needs = rows("brings.txt").get(name, ()) if facts is None else built_against(facts)
-                waiting += needs
+                waiting += rows("exports.txt").get(name, ())
+                waiting += rows("brings.txt").get(name, ()) if facts is None else built_against(facts)
         return frozenset(found)
 
     @cached_property
-    def included(self) -> frozenset[str]:
-        """The packages that installed headers include."""
-        return frozenset(name for _, _, name in self.headers.included_packages())
+    def needed(self) -> frozenset[str]:
+        """The ROS packages that are declared, certainly looked for, and included by installed headers.
+
+        A library of the system is declared under another name, and often found with the package's own find module.
+        """
+        declared = {each.name for each in self.headers.package.manifest.dependencies}
+        return self.found & declared & {name for _, _, name in self.headers.included_packages()}
 
     @cached_property
     def found(self) -> frozenset[str]:

@@ -11,6 +11,7 @@ from typing import Literal
 from ...ros.distros import Targets
 from ...ros.linking import Linking, linking
 from ..workspace import Workspace
+from .asking import guarded
 from .call import Call
 from .package import CMakePackage
 from .read import CMakeFile
@@ -66,7 +67,8 @@ class LinkedPackages:
     targets: Targets
 
     def removed(self) -> Iterator[Removed]:
-        """Yield every place where the command is written, also where nothing runs it."""
+        """Yield every place where the command is written, also where nothing runs it, but not what asks for the
+        distribution first."""
         cmake = self.package.cmake
         runs: dict[tuple[str, int], list[Call]] = {}
         idle = [call for call in cmake.idle if call.name == REMOVED]
@@ -75,8 +77,9 @@ class LinkedPackages:
         for call in idle:
             runs.setdefault((call.path, call.command.span.start), [call])
         for file in cmake.files:
+            elsewhere = {id(command) for command in guarded(file.body)}
             for command in file.syntax.commands:
-                if command.name == REMOVED:
+                if command.name == REMOVED and id(command) not in elsewhere:
                     yield Removed(file, command, tuple(runs.get((file.path, command.span.start), ())))
 
     def replacement(self, removed: Removed) -> Replacement | None:

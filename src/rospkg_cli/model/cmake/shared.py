@@ -9,6 +9,7 @@ from functools import cached_property
 
 from ...ros.share import FOLDERS, LAUNCH
 from ..install import InstallTable
+from ..spoken import speaks_of
 from ..unreadable import UnreadableError
 from .call import Call, located
 from .package import CMakePackage
@@ -64,10 +65,11 @@ class RuntimeFolders:
 
     def refers_to(self, folder: str) -> bool:
         """Return whether a launch file or the README speaks of a folder of the share directory."""
-        name = re.escape(self.package.facts.name)
-        spoken = re.compile(rf"""["'/]{re.escape(folder)}["'/]""")
-        started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
-        return any(spoken.search(text) if code else started and started.search(text) for text, code in self.texts)
+        name = self.package.facts.name
+        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
+        return any(
+            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+        )
 
     @cached_property
     def texts(self) -> tuple[tuple[str, bool], ...]:

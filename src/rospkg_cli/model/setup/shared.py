@@ -12,6 +12,7 @@ from ...ros.share import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ..evaluate.folder import MAGIC
 from ..evaluate.values import Globbed
+from ..spoken import speaks_of
 from ..unreadable import UnreadableError
 from .data_files import DataEntry, DataFile
 from .slices import PythonPackage
@@ -121,10 +122,11 @@ class SharedFiles:
 
     def refers_to(self, folder: str) -> bool:
         """Return whether a launch file, a module or the README speaks of a folder of the share directory."""
-        name = re.escape(self.package.name)
-        spoken = re.compile(rf"""["'/]{re.escape(folder)}["'/]""")
-        started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
-        return any(spoken.search(text) if code else started and started.search(text) for text, code in self.texts)
+        name = self.package.name
+        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
+        return any(
+            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+        )
 
     @cached_property
     def texts(self) -> tuple[tuple[str, bool], ...]:

@@ -68,7 +68,7 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
     """
     ## What it does
     Finds executables and scripts that are installed anywhere but in `lib/${PROJECT_NAME}`. A tool that is no node may
-    stand in bin/ on purpose.
+    stand in bin/ on purpose, and a node there too if it is in both.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.headers import Headers
+from ...model.cmake.headers import INCLUDES, Headers
 from ...rule import rule
 
 LINES = """\
@@ -65,9 +65,14 @@ def headers_not_installed(headers: Headers) -> Iterator[Hit]:
         return
     call = headers.exports[0]
     first = headers.offered[0]
-    message = (
-        f"`{call.name}` exports what needs the headers in `include/` (`{first}`), and none of them is installed: who "
-        "links it stops at the first `#include`; add `install(DIRECTORY include/ …)`"
-    )
+    if call.name in INCLUDES:
+        start = f"`{call.name}` exports a folder of headers, and none of those in `include/` (`{first}`) is installed:"
+        message = (
+            f"{start} `find_package({package.facts.name})` warns that the folder does not exist, and who includes one "
+            "stops; add `install(DIRECTORY include/ …)`, or export nothing"
+        )
+    else:
+        start = f"`{call.name}` exports what needs the headers in `include/` (`{first}`), and none of them is installed"
+        message = f"{start}: who links it stops at the first `#include`; add `install(DIRECTORY include/ …)`"
     fix = Fix("install the headers", (install_headers(package.cmake),))
     yield Hit(call.path, call.command.span, message, fix=fix)

@@ -62,11 +62,12 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     ## What it does
     Finds packages that an exported library is linked with in public (PUBLIC, INTERFACE, or without a keyword), that one
     of its installed headers includes, and that `ament_export_dependencies()` does not name. What comes with a package
-    that it does name is left alone.
+    that it does name is left alone, and so are plug-ins and components where no package around builds against them:
+    those are only loaded.
 
     ## Why is this bad?
-    This package builds. Another one that links the library stops with "the target was not found", unless it happens to
-    look for the package itself.
+    This package builds. Another one that links the library stops with "the target was not found", or at the first
+    `#include` where no target is exported, unless it happens to look for the package itself.
 
     ## Fix safety
     The package is added. Where the library needs it only inside, linking it as PRIVATE is better.
@@ -75,9 +76,10 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     if not package.ament:
         return
     for each in exported.missing():
+        lacks = "a target" if each.as_target else "a header"
         message = (
             f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
-            f"not name: who links it stops because a target of `{each.package}` was not found; export it"
+            f"not name: who links it stops because {lacks} of `{each.package}` was not found; export it"
         )
         fix = Fix(f"export {each.package}", (export_dependency(package.cmake, each.package),), Safety.UNSAFE)
         yield Hit(each.word.path, each.word.span, message, fix=fix)

@@ -1,0 +1,43 @@
+"""Whether code speaks of a folder of a package's own share directory, as far as its words show."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+SHARE = re.compile(
+    r"(?:get_package_share_(?:directory|path)|FindPackageShare)\s*\(\s*(?:package\s*=\s*)?(?:[\"']([\w-]+)[\"'])?"
+    r"|\$\(find-pkg-share\s+([\w-]+)"
+)
+"""Where a share directory is asked for: of a package that is named, or of one that a variable holds."""
+
+ASSIGNED = re.compile(r"[ \t]*(\w+)\s*(?::[^=\n]*)?=[^=]")
+REACH = 200
+"""How many characters a path takes from its share directory to its folder."""
+
+
+def speaks_of(text: str, package: str, folder: str) -> bool:
+    """Return whether a text joins a folder to the share directory of a package, or of one that can't be told."""
+    spoken = [match.start() for match in re.finditer(rf"""["'/]{re.escape(folder)}["'/]""", text)]
+    if not spoken:
+        return False
+    said = sorted(mentions(text))
+    for at in spoken:
+        before = [name for place, name in said if at - REACH <= place <= at]
+        if before and before[-1] in (package, ""):
+            return True
+    return False
+
+
+def mentions(text: str) -> Iterator[tuple[int, str]]:
+    """Yield where a share directory is meant, with its package's name; "" where a variable holds that."""
+    held: dict[str, str] = {}
+    for match in SHARE.finditer(text):
+        name = match[1] or match[2] or ""
+        yield match.start(), name
+        line = text.rfind("\n", 0, match.start()) + 1
+        if assigned := ASSIGNED.match(text, line, match.start()):
+            held[assigned[1]] = name
+    for match in re.finditer(r"\w+", text) if held else ():
+        if match[0] in held:
+            yield match.start(), held[match[0]]

@@ -1,0 +1,129 @@
+"""CMake rules on what real packages do: where they keep quiet, and how they say it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.finding import Severity
+from rospkg_cli.rules.cmake import cmk113_missing_export_dependency as cmk113
+from rospkg_cli.testing import lint_files
+
+RVIZ = {"rviz/robot.rviz": "Panels: []\n"}
+OPENS = """\
+from ament_index_python.packages import get_package_share_directory
+
+
+def generate_launch_description():
+    mine = get_package_share_directory('my_pkg')
+    theirs = get_package_share_directory('nav2_bringup')
+    return LaunchDescription([Node(arguments=['-d', os.path.join({}, 'rviz', 'robot.rviz')])])
+"""
+ASKED = """\
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+if({})
+  ament_target_dependencies(talker rclcpp)
+else()
+  target_link_libraries(talker PUBLIC rclcpp::rclcpp)
+endif()
+install(TARGETS talker DESTINATION lib/${{PROJECT_NAME}})
+"""
+
+
+def package(lines: str, body: str = "", name: str = "my_pkg") -> dict[str, str]:
+    """Return a package whose CMakeLists.txt has lines before ament_package()."""
+    cmake = CMAKE.replace("my_pkg", name).replace("ament_package()", f"{lines}\nament_package()")
+    return {"package.xml": manifest(body, "ament_cmake", name), "CMakeLists.txt": cmake}
+
+
+def said(files: dict[str, str], code: str, *targets: str) -> list[str]:
+    return [finding.message for finding in lint_files(files, [code], targets).findings]
+
+
+@pytest.mark.parametrize(
+    ("share", "level"),
+    [
+        ("mine", Severity.ERROR),
+        ("theirs", Severity.WARNING),
+        ("get_package_share_directory('nav2_bringup')", Severity.WARNING),
+        ("get_package_share_directory(name)", Severity.ERROR),
+        ("FindPackageShare(package='my_pkg')", Severity.ERROR),
+    ],
+)
+def test_a_folder_is_needed_where_its_own_package_is_asked_for_it(share: str, level: Severity) -> None:
+    install = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
+    files = {**package(install), **RVIZ, "launch/a.launch.py": OPENS.format(share)}
+    assert [finding.severity for finding in lint_files(files, ["CMK101"]).findings] == [level]
+
+
+@pytest.mark.parametrize(("share", "level"), [("mine", Severity.ERROR), ("theirs", Severity.WARNING)])
+def test_the_same_holds_for_setup_py(clean, share: str, level: Severity) -> None:
+    launch = OPENS.format(share).replace("rviz", "bt_xml")
+    files = {**clean, "bt_xml/tree.xml": "<root/>\n", "launch/a.launch.py": launch}
+    assert [finding.severity for finding in lint_files(files, ["SET206"]).findings] == [level]
+
+
+def test_an_executable_may_stand_in_bin_too() -> None:
+    lines = "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION bin)\n"
+    files = {**package(lines), "src/talker.cpp": "int main() {return 0;}\n"}
+    assert len(said(files, "CMK104")) == 1
+    both = package(f"{lines}install(TARGETS talker DESTINATION lib/${{PROJECT_NAME}})\n")
+    assert said({**files, **both}, "CMK104") == []
+
+
+@pytest.mark.parametrize(
+    "condition",
+    ['$ENV{ROS_DISTRO} MATCHES "humble"', "NOT ROS_DISTRO STREQUAL lyrical", "COMMAND ament_target_dependencies"],
+)
+def test_what_asks_for_the_distribution_first_is_left_alone(condition: str) -> None:
+    files = {
+        **package(ASKED.format(condition), "  <depend>rclcpp</depend>\n"),
+        "src/talker.cpp": "int main() {return 0;}\n",
+    }
+    assert said(files, "CMK005", "lyrical") == []
+    other = {**files, **package(ASKED.format("WIN32"), "  <depend>rclcpp</depend>\n")}
+    assert len(said(other, "CMK005", "lyrical")) == 1
+
+
+def exporting(lines: str) -> dict[str, str]:
+    cmake = cmk113.cmake(lines).replace("«", "").replace("»", "")
+    return {**cmk113.FILES, "CMakeLists.txt": cmake}
+
+
+def test_plugins_and_components_are_loaded_and_not_linked() -> None:
+    plugin = "pluginlib_export_plugin_description_file(rviz_common plugins.xml)\n"
+    component = 'rclcpp_components_register_node(core PLUGIN "my_pkg::Core" EXECUTABLE core_node)\n'
+    for line in (plugin, component):
+        files = exporting(cmk113.LINES + line)
+        assert said(files, "CMK113") == []
+        own = {f"src/my_pkg/{path}": text for path, text in files.items()}
+        user = package("find_package(my_pkg REQUIRED)", "  <depend>OTHER</depend>\n", "user_pkg")
+        user["package.xml"] = user["package.xml"].replace("OTHER", "my_pkg")
+        theirs = {f"src/user_pkg/{path}": text for path, text in user.items()}
+        assert len(said({**own, **theirs}, "CMK113")) == 1
+
+
+def test_a_library_without_a_target_lacks_headers() -> None:
+    old = cmk113.LINES.replace("core EXPORT export_core", "core").replace(
+        "ament_export_targets(export_core HAS_LIBRARY_TARGET)",
+        "ament_export_include_directories(include/${PROJECT_NAME})\nament_export_libraries(core)",
+    )
+    (message,) = said(exporting(old), "CMK113")
+    assert "because a header of `std_msgs` was not found" in message
+
+
+def test_libraries_of_the_system_are_found_in_ways_of_their_own() -> None:
+    files = exporting(cmk113.LINES)
+    renamed = {path: text.replace("std_msgs", "GeographicLib") for path, text in files.items()}
+    declared = renamed["package.xml"].replace("<depend>GeographicLib<", "<depend>geographiclib<")
+    assert len(said(renamed, "CMK113")) == 1
+    assert said({**renamed, "package.xml": declared}, "CMK113") == []
+
+
+def test_what_another_package_looks_for_itself_is_there() -> None:
+    files = exporting(
+        cmk113.LINES.replace("std_msgs", "class_loader").replace("cies(rclcpp)", "cies(rclcpp_components)")
+    )
+    files = {path: text.replace("std_msgs", "class_loader") for path, text in files.items()}
+    assert said(files, "CMK113") == []
