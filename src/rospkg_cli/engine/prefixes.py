@@ -19,7 +19,7 @@ def prefix_names(environment: Mapping[str, str], installed: Path = INSTALLED) ->
     for prefix in prefixes(environment, installed):
         index = prefix / "share/ament_index/resource_index/packages"
         try:
-            names.update(os.listdir(index))
+            names.update(each.name for each in index.iterdir())
         except OSError:
             continue
     return frozenset(names)
