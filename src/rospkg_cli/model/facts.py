@@ -80,6 +80,10 @@ class PackageFacts:
     """`msg/Name`, `srv/Name`, `action/Name`."""
     share_files: frozenset[str] = frozenset()
     """What stands in share/<name> after the build, relative to it."""
+    uninstalled: frozenset[str] = frozenset()
+    """The files that it has in its folders for run time, and that nothing installs."""
+    made: frozenset[str] = frozenset()
+    """The names of the files that its build writes, with `*` for what of them can't be told."""
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
     """The targets that its CMake exports, with their namespace; as far as these can be told."""

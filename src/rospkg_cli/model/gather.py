@@ -19,6 +19,7 @@ from .needs import dependencies, group_needs, groups
 from .params.code import node_code
 from .params.gathered import declared_parameters, given_parameters
 from .plugins.facts import plugin_facts
+from .uninstalled import made_files, uninstalled_files
 
 
 def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
@@ -55,6 +56,8 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         given_parameters=given_parameters(reading),
         node_code=node_code(reading) if any(each.required for each in declared) else (),
         share_files=installed.share_files,
+        uninstalled=uninstalled_files(reading),
+        made=made_files(reading),
         components=components,
         cmake_targets=exported_targets(reading),
         modules=installed.modules,

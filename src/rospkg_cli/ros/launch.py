@@ -46,6 +46,9 @@ PROCESS = (
 )
 NODE = f"{PROCESS} pkg namespace args ros_args node-name exec_name"
 
+LAUNCH_SUFFIXES = ("launch.py", "launch.xml", "launch.yaml", "launch.yml", ".launch", ".xml", ".yaml", ".yml")
+"""What the names of launch files end in, for `ros2 launch` to complete them (ros2launch, and both frontends)."""
+
 ACTIONS: Mapping[str, EntityKind] = {
     "launch": EntityKind(actions=True, open=True),
     "arg": kind("name", "default description", "choice"),
@@ -90,6 +93,18 @@ INCLUDE_ARGUMENT = part("name value", "description if unless")
 
 ROS1_ONLY = frozenset({"machine", "rosparam", "test"})
 """Elements of ROS 1 launch files that ROS 2 does not have."""
+
+ROS1_ENTITIES: Mapping[str, str] = {
+    "param": "`<param>` inside of a node, or `<set_parameter>`",
+    "rosparam": '`<param from="…"/>` inside of a node',
+    "remap": "`<remap>` inside of a node, or `<set_remap>`",
+    "env": "`<set_env>`",
+    "machine": "",
+}
+"""Elements that ROS 1 takes among actions and ROS 2 does not, and what stands for each."""
+
+ROS1_SUBSTITUTIONS: Mapping[str, str] = {"find": "find-pkg-share", "arg": "var", "optenv": ""}
+"""Substitutions of ROS 1 that ROS 2 does not have, and what each is called now; "" where another form is needed."""
 
 SUBSTITUTIONS: Mapping[str, tuple[int, int]] = {
     "if": (1, 3),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from functools import cached_property
 
 from ..files import PackageFiles, Reading
@@ -19,7 +20,7 @@ from .machine import Machine
 from .packages import FoundPackage, found_packages
 from .read import ROOT, CMakeFile, is_built_with_cmake
 from .targets import MAKERS, Target, by_name, targets_of
-from .words import Word
+from .words import HOLE, Word
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,18 @@ class CMake:
         if len(names) == 1:
             return self._by_name.get(names[0], [])
         return [call for call in self.calls if call.name in names]
+
+    def speaks_of(self, path: str) -> bool:
+        """Return whether a command names a file, with its suffixes or without, or a test of launch may do so."""
+        name = path.rpartition("/")[2]
+        wanted = (name, name.partition(".")[0], name.rpartition(".")[0])
+        for call in self.calls:
+            if call.open_ended and any(each in call.name for each in ("launch", "ros_test", "pytest")):
+                return True
+            for last in (text.rpartition("/")[2] for text in call.texts):
+                if last in wanted or (HOLE in last and last.strip(HOLE) and fnmatchcase(name, last.replace(HOLE, "*"))):
+                    return True
+        return False
 
     @cached_property
     def project(self) -> Word | None:

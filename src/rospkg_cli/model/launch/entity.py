@@ -9,7 +9,7 @@ from ...source import Source, Span
 from ..written import Written
 from ..xml import Document, Element, read_xml
 from ..yaml import Branch, Tree, compose
-from .file import Fault
+from .faults import Fault
 
 
 @dataclass(frozen=True)

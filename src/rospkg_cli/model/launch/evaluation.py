@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ..evaluate.evaluator import Evaluator
 from ..evaluate.folder import Folder
-from ..evaluate.values import Call, Class, Function, Scope, Value
+from ..evaluate.machine import Machine
+from ..evaluate.values import Call, Class, Function, Joined, Scope, Value
 from ..python import PythonFile
 from .values import class_of
 
@@ -14,11 +15,31 @@ ENTRIES = ("generate_launch_description", "generate_test_description")
 """What launch and launch_testing call."""
 
 
+def found_path(machine: Machine, call: Call) -> Value:
+    """get_package_share_path: what is joined to it with `/` is a path below it."""
+    machine.calls.append(call)
+    return Joined(call.span, (call,), path=True)
+
+
+def as_path(machine: Machine, call: Call) -> Value | None:
+    """PathSubstitution(text): a path of one text, to be joined with `/`."""
+    path = call.get("path", 0)
+    return Joined(call.span, (path,), path=True) if isinstance(path, Call) else None
+
+
+PATHS = {
+    "ament_index_python.get_package_share_path": found_path,
+    "ament_index_python.packages.get_package_share_path": found_path,
+    "launch.substitutions.PathSubstitution": as_path,
+}
+"""What makes a path that others are joined to."""
+
+
 class LaunchEvaluator(Evaluator):
     """An evaluator that remembers which functions it has been in."""
 
     def __init__(self, file: PythonFile, folder: Folder) -> None:
-        super().__init__(file, folder, name="launch_file")
+        super().__init__(file, folder, PATHS, name="launch_file")
         self.entered: set[int] = set()
         self.active: list[int] = []
 

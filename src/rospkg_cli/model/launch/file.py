@@ -9,6 +9,9 @@ from typing import Literal
 from ...source import Source, Span
 from ..files import Reading
 from ..python import Import
+from .faults import Fault as Fault
+from .faults import OldSyntax, RemovedArgument
+from .named_paths import NamedPath
 from .text import LaunchText, Substitution
 
 Frontend = Literal["python", "xml", "yaml"]
@@ -74,14 +77,6 @@ class Command:
     words: tuple[LaunchText, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """Something that the frontend refuses, or that fails for certain when the file runs."""
-
-    span: Span
-    message: str
-
-
 @dataclass(frozen=True)
 class LaunchFile:
     source: Source
@@ -94,6 +89,12 @@ class LaunchFile:
     """Every substitution, also those inside of others."""
     assigned: tuple[LaunchText, ...] = ()
     """Names of launch configurations that the file sets itself."""
+    paths: tuple[NamedPath, ...] = ()
+    """The files that it names."""
+    removed: tuple[RemovedArgument, ...] = ()
+    """Arguments of nodes that launch no longer has."""
+    old: tuple[OldSyntax, ...] = ()
+    """Places that only ROS 1 understands, in a file for ROS 2."""
     faults: tuple[Fault, ...] = ()
     complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
@@ -109,6 +110,10 @@ class LaunchFile:
     @property
     def path(self) -> str:
         return self.source.path
+
+    def reckons_with(self, span: Span) -> bool:
+        """Return whether the file goes on where what stands there is missing."""
+        return any(guard.start <= span.start < guard.end for guard in self.guarded)
 
     def configurations(self) -> Iterator[Substitution]:
         """Yield the uses of launch configurations: `$(var x)`."""

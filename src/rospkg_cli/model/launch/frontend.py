@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ...ros.launch import ACTIONS
@@ -19,6 +21,9 @@ from .file import (
     NodeKind,
     Parameters,
 )
+from .named_paths import NamedPath, Use, paths_in
+from .old import is_ros1, old_syntax
+from .removed import typed_nodes
 from .structure import faults_of, substitution_faults
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, Literal, plain_text, unknown_text
@@ -52,6 +57,13 @@ class Walk:
         self.texts.append(found)
         self.faults += substitution_faults(found)
         return found
+
+    def paths(self, folder: str) -> Iterator[NamedPath]:
+        """Yield the files that the texts of a file in `folder` name."""
+        uses: dict[Span, Use] = {include.file.span: "include" for include in self.includes}
+        uses |= {each.default.span: "default" for each in self.arguments if each.default is not None}
+        for text in self.texts:
+            yield from paths_in(text, folder, uses.get(text.span, "file"))
 
     def get(self, entity: Entity, name: str) -> LaunchText | None:
         written = entity.attributes.get(name)
@@ -161,16 +173,9 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, faults: list[F
         tuple(walk.commands),
         tuple(found for text in walk.texts for found in text.substitutions()),
         tuple(walk.assigned),
-        () if ros1 else tuple(walk.faults),
+        paths=tuple(dict.fromkeys(walk.paths(posixpath.dirname(source.path)))),
+        removed=() if ros1 else tuple(typed_nodes(root)),
+        old=() if ros1 else tuple(old_syntax(source, root, walk.texts)),
+        faults=() if ros1 else tuple(walk.faults),
         ros1=ros1,
     )
-
-
-def is_ros1(root: Entity) -> bool:
-    """Return whether a file is a leftover of ROS 1: nodes by `type=`, or `$(find x)`, and none by `exec=`."""
-    every = list(root.walk())
-    if any(entity.name == "node" and "exec" in entity.attributes for entity in every):
-        return False
-    old = any(entity.name == "node" and "type" in entity.attributes for entity in every)
-    values = " ".join(written.text for entity in every for written in entity.attributes.values())
-    return old or "$(find " in values or "$(arg " in values

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator
 
 from ..evaluate.evaluator import Evaluator
@@ -10,8 +11,10 @@ from ..evaluate.values import Call, Text, Value
 from ..python import PythonFile
 from .evaluation import ENTRIES, LaunchEvaluator
 from .file import LaunchFile
-from .guarded import guarded_in
+from .guarded import ABSENT, guarded_in
 from .made import NODES, argument_of, argument_text, command_of, include_of, node_of
+from .removed import removed_arguments
+from .texts import named_paths
 from .values import class_of, substitution
 
 
@@ -30,6 +33,8 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
         commands=tuple(map(command_of, [*of.get("ExecuteProcess", ()), *of.get("ExecuteLocal", ())])),
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
         assigned=tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ())),
+        paths=tuple(named_paths(calls, posixpath.dirname(file.source.path), tuple(guarded_in(file, ABSENT)))),
+        removed=tuple(removed_arguments(calls, file.source)),
         complete=not evaluator.gave_up,
         entry=any(has_name(file, evaluator, name) for name in ENTRIES),
         imports=file.imports,

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from ...source import Span
 from ..facts import PackageFacts
-from ..workspace import Workspace
-from .file import LaunchFile
+from .scope import LaunchScope
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,19 +25,24 @@ class StartedNode:
 
 @dataclass(frozen=True)
 class Started:
-    workspace: Workspace
-    file: LaunchFile
+    scope: LaunchScope
 
     def nodes(self) -> Iterator[StartedNode]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
-        for package, executable, span in self.file.programs():
-            facts = self.workspace.named(package)
+        file = self.scope.file
+        for package, executable, span in file.programs():
+            facts = self.scope.workspace.named(package)
             if facts is not None:
-                plain = self.file.source.slice(span) == executable
-                yield StartedNode(self.file.path, span, executable, plain, facts)
+                plain = file.source.slice(span) == executable
+                yield StartedNode(file.path, span, executable, plain, facts)
 
     def unknown_executables(self) -> Iterator[StartedNode]:
-        """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere."""
+        """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere.
+
+        Launch files of tests that CMake does not run are left alone.
+        """
+        if self.scope.idle:
+            return
         for node in self.nodes():
             if node.facts.knows("executables") and node.executable not in node.facts.executables | node.facts.astray:
                 yield node

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...ros.launch import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
 from ...suggest import did_you_mean, nearest
 from .entity import Entity
-from .file import Fault
+from .faults import Fault
 from .text import LaunchText
 
 
@@ -53,6 +53,9 @@ def part_faults(entity: Entity, around: str) -> Iterator[Fault]:
 
 def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:
     given, meant = entity.attribute_spans, set()
+    if entity.name == "node" and "type" in given:
+        given = {**given, "exec": given["type"]}
+        del given["type"]
     for name, span in given.items():
         if not kind.takes(name) and name not in kind.inside and not (kind.actions and name == "children"):
             meant.add(nearest(name, kind.attributes | kind.inside))

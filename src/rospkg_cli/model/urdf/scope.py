@@ -12,6 +12,7 @@ from ...source import Span
 from ...suggest import nearest
 from ..facts import PackageFacts
 from ..files import PackageFiles
+from ..near_files import meant_file
 from ..workspace import Workspace
 from .file import Reference, RobotFile
 
@@ -82,14 +83,8 @@ class RobotInWorkspace:
         return folders_of(self.package.share_files)
 
     def meant(self, facts: PackageFacts, path: str) -> str | None:
-        """Return the one path that is near: the same name elsewhere, or a near name in the same folder."""
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
-        folder, name = posixpath.split(path)
-        beside = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
-        if near := nearest(name, beside):
-            return posixpath.join(folder, near)
-        same = {each for each in known if posixpath.basename(each) == name and each != path}
-        return same.pop() if len(same) == 1 else None
+        return meant_file(path, known)
 
     def beside(self, path: str) -> list[str]:
         folder = posixpath.dirname(path)

@@ -44,7 +44,7 @@ def unknown_executable(started: Started) -> Iterator[Hit]:
     ## What it does
     Finds nodes of this package, or of another package of the workspace, whose executable nothing installs: it is
     neither a console_script nor a target or script that CMake installs. Packages whose executables can't all be told
-    are left alone.
+    are left alone, and launch files of tests that CMake does not run.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".

@@ -1,0 +1,38 @@
+"""How one file more is installed into the share directory, beside its like."""
+
+from __future__ import annotations
+
+import posixpath
+
+from ..finding import Edit
+from ..model.cmake.project import CMake
+from ..model.setup.setup_py import SetupPy
+from .cmake_install import SHARE, block, extend_or_add
+from .data_files import add_data_entry, share_code
+from .setup import add_item, quoted
+
+
+def install_for_cmake(cmake: CMake, name: str, path: str) -> tuple[Edit, ...]:
+    """Name a file in the rule for its folder, or in a rule of its own."""
+    folder = posixpath.dirname(path)
+    place = posixpath.join(f"share/{name}", folder)
+    lines = block(cmake.root, "FILES", path, posixpath.join(SHARE, folder))
+    return (
+        extend_or_add(
+            cmake,
+            lambda rule: rule.kind == "FILES" and rule.destination == place and rule.rename is None,
+            path,
+            lines,
+        ),
+    )
+
+
+def install_for_setup(setup: SetupPy, name: str, path: str) -> tuple[Edit, ...]:
+    """Name a file in the entry for its folder, where that is a list of names, or in an entry of its own."""
+    folder = posixpath.dirname(path)
+    place = posixpath.join(f"share/{name}", folder)
+    for entry in setup.data_entries:
+        found = entry.sources if entry.folder == place else None
+        if found is not None and (edits := add_item(setup, found, quoted(setup, path))):
+            return edits
+    return add_data_entry(setup, share_code(setup, name, *folder.split("/")), f"[{quoted(setup, path)}]")

@@ -1,0 +1,18 @@
+"""Which file was meant where a path leads to none."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Collection
+
+from ..suggest import nearest
+
+
+def meant_file(path: str, known: Collection[str]) -> str | None:
+    """Return the one path that is near: a near name in the same folder, or the same name elsewhere."""
+    folder, name = posixpath.split(path)
+    beside = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
+    if near := nearest(name, beside):
+        return posixpath.join(folder, near)
+    same = {each for each in known if posixpath.basename(each) == name and each != path}
+    return same.pop() if len(same) == 1 else None

@@ -1,0 +1,32 @@
+"""What the install table of a package does not tell: files that stay behind, and files that the build writes."""
+
+from __future__ import annotations
+
+import posixpath
+
+from ..ros.share import FOLDERS
+from .cmake.named import NamedPaths, written_by
+from .cmake.project import CMake
+from .cmake.words import HOLE
+from .files import Reading
+from .install import InstallTable
+
+CODE = (".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".cxx", ".cmake", ".in", ".txt", ".so", ".a")
+
+
+def uninstalled_files(reading: Reading) -> frozenset[str]:
+    """Return the files in the folders for run time that nothing installs."""
+    table = reading.parts(InstallTable).only
+    if table is None:
+        return frozenset()
+    sources = {row.source for row in table.rows}
+    found = (path for folder in FOLDERS for path in reading.files.below(folder))
+    return frozenset(path for path in found if path not in sources)
+
+
+def made_files(reading: Reading) -> frozenset[str]:
+    """Return the names of the files that CMake writes, wherever; `*` stands for what of a name can't be told."""
+    cmake = reading.parts(CMake).only
+    words = (word for call in NamedPaths(cmake).calls for word in written_by(call)) if cmake is not None else ()
+    names = {posixpath.basename(word.text).replace(HOLE, "*") for word in words}
+    return frozenset(name for name in names if name.strip("*") and not name.endswith(CODE))

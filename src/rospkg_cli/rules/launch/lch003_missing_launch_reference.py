@@ -1,0 +1,95 @@
+"""LCH003 missing-launch-reference."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import SETUP_PY_FOR_ALL, Example, manifest
+from ...finding import Hit, Related, Severity
+from ...model.launch.named_paths import Use
+from ...model.launch.scope import LaunchScope, Missing
+from ...rule import rule
+
+LAUNCH = """\
+<launch>
+  <arg name="speed" default="1.0"/>
+  <include file="$(find-pkg-share my_pkg)«/launch/wheel.launch.xml»"/>
+  <let name="twice" value="$(var speed)"/>
+</launch>
+"""
+PYTHON = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = «os.path.join(get_package_share_directory('my_pkg'), 'config', 'robot_params.yaml')»
+    return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[config])])
+"""
+SETUP = SETUP_PY_FOR_ALL.replace(
+    "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
+)
+NODE = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+    "setup.py": SETUP,
+    "my_pkg/talker.py": "def main():\n    pass\n",
+    "config/robot.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n",
+}
+HARM: dict[Use, str] = {
+    "include": "the launch stops there, as the file can't be opened",
+    "default": "the launch does not work unless another one is given",
+    "file": "what opens it finds nothing there",
+}
+
+
+@rule(
+    "LCH003",
+    "missing-launch-reference",
+    over=LaunchScope,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the file is the default of an argument"},
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/robot.launch.xml": LAUNCH,
+                "launch/wheels.launch.xml": "<launch>\n</launch>\n",
+            },
+            good={"launch/robot.launch.xml": LAUNCH.replace("«", "").replace("»", "").replace("wheel.", "wheels.")},
+        ),
+        Example(
+            bad={**NODE, "launch/robot.launch.py": PYTHON},
+            good={"launch/robot.launch.py": PYTHON.replace("«", "").replace("»", "").replace("robot_params", "robot")},
+        ),
+    ),
+)
+def missing_launch_reference(scope: LaunchScope) -> Iterator[Hit]:
+    """
+    ## What it does
+    Follows the files that a launch file names in the share directory of this package or of another one of the
+    workspace (`$(find-pkg-share x)/…`, `FindPackageShare`, `get_package_share_directory`), and those that it names
+    beside itself. It speaks of a file that is not there at all. Files that are asked for first (`os.path.exists`,
+    `try`), that the build writes, and packages whose files can't all be told are left alone; so are launch files of
+    tests that CMake does not run.
+
+    ## Why is this bad?
+    The build is green, and the launch stops with "No such file or directory", or a node starts without its parameters.
+    """
+    for each in scope.missing():
+        if each.state in ("absent", "no slash"):
+            level = Severity.WARNING if each.use == "default" else None
+            again = tuple(Related(scope.file.path, span, "here too") for span in each.again)
+            yield Hit(scope.file.path, each.span, message(each), level, again)
+
+
+def message(missing: Missing) -> str:
+    if missing.state == "no slash":
+        return (
+            f"no `/` stands between the share directory of `{missing.package}` and `{missing.path}`: "
+            f"{HARM[missing.use]}; begin it with `/`"
+        )
+    hint = f" (did you mean `{missing.meant}`?)" if missing.meant else ""
+    return f"`{missing.package}` has no file `{missing.path}`{hint}: {HARM[missing.use]}"

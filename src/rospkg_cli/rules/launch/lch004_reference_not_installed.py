@@ -1,0 +1,80 @@
+"""LCH004 reference-not-installed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.install_file import install_for_cmake, install_for_setup
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...model.launch.installing import LaunchedFiles
+from ...model.launch.scope import Missing
+from ...rule import rule
+
+LAUNCH = """\
+<launch>
+  <include file="$(find-pkg-share my_pkg)«/launch/wheels.launch.xml»"/>
+</launch>
+"""
+ONE = CMAKE.replace(
+    "ament_package",
+    "install(FILES launch/robot.launch.xml\n  DESTINATION share/${PROJECT_NAME}/launch\n)\nament_package",
+)
+BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xml")
+
+
+@rule(
+    "LCH004",
+    "reference-not-installed",
+    over=LaunchedFiles,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the file is the default of an argument"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+                "CMakeLists.txt": ONE,
+                "launch/robot.launch.xml": LAUNCH,
+                "launch/wheels.launch.xml": "<launch>\n</launch>\n",
+            },
+            good={"CMakeLists.txt": BOTH},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def reference_not_installed(files: LaunchedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files that a launch file names in a share directory, and that are there in the source, but that the package
+    does not install, or installs elsewhere. Where nothing of the folder is installed, SET206 or CMK101 says so.
+
+    ## Why is this bad?
+    The build is green, and the launch stops with "No such file or directory": only what is installed is found.
+    """
+    for missing in files.missing():
+        edits = repair(files, missing) if missing.state == "not installed" else ()
+        fix = Fix(f"install {missing.path}", edits) if edits else None
+        level = Severity.WARNING if missing.use == "default" else None
+        again = tuple(Related(files.scope.file.path, span, "here too") for span in missing.again)
+        yield Hit(files.scope.file.path, missing.span, message(missing), level, again, fix)
+
+
+def repair(files: LaunchedFiles, missing: Missing) -> tuple[Edit, ...]:
+    if missing.package != files.name:
+        return ()
+    if files.cmake is not None:
+        return install_for_cmake(files.cmake, files.name, missing.path)
+    return install_for_setup(files.setup, files.name, missing.path) if files.setup is not None else ()
+
+
+def message(missing: Missing) -> str:
+    if missing.state == "elsewhere":
+        return (
+            f"`{missing.path}` of `{missing.package}` goes to `{missing.meant}`, not to where it is looked for: the "
+            f"build is green, and nothing is found; name it as it is installed, or install it there"
+        )
+    return (
+        f"`{missing.path}` is there, but `{missing.package}` does not install it: the build is green, and nothing is "
+        f"found in its share directory"
+    )

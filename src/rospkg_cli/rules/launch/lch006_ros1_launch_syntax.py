@@ -1,0 +1,89 @@
+"""LCH006 ros1-launch-syntax."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.launch.faults import OldSyntax
+from ...model.launch.scope import LaunchScope
+from ...rule import rule
+from ...source import Span
+
+BAD = """\
+<launch>
+  <let name="map" value="«$(find my_pkg)»/maps/house.yaml"/>
+</launch>
+"""
+WHOLE = """\
+<«launch»>
+  <node pkg="my_pkg" type="talker" name="talker"/>
+</launch>
+"""
+PARAM = """\
+<launch>
+  <«param» name="speed" value="1.0"/>
+  <let name="speed" value="1.0"/>
+</launch>
+"""
+FILES = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+    "maps/house.yaml": "image: house.pgm\n",
+}
+
+
+@rule(
+    "LCH006",
+    "ros1-launch-syntax",
+    over=LaunchScope,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "the whole file is one for ROS 1"},
+    examples=(
+        Example(
+            bad={**FILES, "launch/house.launch.xml": BAD},
+            good={
+                "launch/house.launch.xml": BAD.replace("«", "").replace("»", "").replace("(find ", "(find-pkg-share ")
+            },
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"launch/house.launch.xml": PARAM},
+            good={"launch/house.launch.xml": PARAM.replace("«param»", "set_parameter")},
+        ),
+        Example(
+            bad={"launch/house.launch.xml": WHOLE},
+            good={"launch/house.launch.xml": "<launch>\n</launch>\n"},
+        ),
+    ),
+)
+def ros1_launch_syntax(scope: LaunchScope) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds what only ROS 1 understands in launch files of the XML and YAML frontends: `$(find x)`, `$(arg x)`, and
+    `<param>`, `<rosparam>`, `<remap>`, `<env>` or `<machine>` among the actions. A file that is for ROS 1 altogether
+    is named once, where this package installs it.
+
+    ## Why is this bad?
+    `ros2 launch` stops with "Unknown substitution: find" or "Unrecognized entity of the type: param".
+    """
+    file = scope.file
+    for each in file.old:
+        yield Hit(file.path, each.span, f"{told(each)}: `ros2 launch` refuses the file", fix=rename(file.path, each))
+    if scope.left_over:
+        at = file.source.text.find("<launch") + 1
+        message = (
+            "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "
+            "refuses it; port it, or install it no longer"
+        )
+        yield Hit(file.path, Span(at, at + len("launch") if at else 0), message, Severity.WARNING)
+
+
+def told(old: OldSyntax) -> str:
+    return f"{old.old} is ROS 1's" + (f", ROS 2 has {old.new}" if old.new else " and ROS 2 has nothing like it")
+
+
+def rename(path: str, old: OldSyntax) -> Fix | None:
+    if old.name is None:
+        return None
+    return Fix(f"write {old.new}", (Edit(path, old.name, old.now),))

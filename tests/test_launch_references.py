@@ -1,0 +1,221 @@
+"""Files that launch files name: what is read, what is missing, and what can't be told."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.model.launch.file import LaunchFile
+from rospkg_cli.testing import lint_files
+from tests.reading import package
+
+HEAD = """\
+import os
+from ament_index_python.packages import get_package_prefix, get_package_share_directory, get_package_share_path
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution, PathSubstitution, ThisLaunchFileDir
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterFile
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+"""
+INSTALL = CMAKE.replace(
+    "ament_package", "install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+YAML = "/**:\n  ros__parameters:\n    rate: 2.0\n"
+BASE = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+    "CMakeLists.txt": INSTALL,
+    "config/robot.yaml": YAML,
+}
+CODES = ["LCH002", "LCH003", "LCH004", "LCH005", "LCH006", "LCH012"]
+
+
+def python(body: str) -> str:
+    return HEAD + "".join(f"    {line}\n" for line in body.splitlines())
+
+
+def named(path: str, text: str) -> set[tuple[str, str, str]]:
+    """Return package, path and use of every file that a launch file names."""
+    (file,) = package({path: text}).parts(LaunchFile).good
+    return {(each.package, each.path, each.use) for each in file.paths}
+
+
+def said(files: Mapping[str, str], *codes: str) -> list[str]:
+    return [f"{f.code} {f.severity.value}" for f in lint_files(files, codes or CODES).findings]
+
+
+@pytest.mark.parametrize(
+    "body, path, use",
+    [
+        ("Node(parameters=[os.path.join(get_package_share_directory('a'), 'x', 'y.yaml')])", "x/y.yaml", "file"),
+        ("Node(parameters=[{'f': get_package_share_directory('a') + '/y.yaml'}])", "y.yaml", "file"),
+        ("Node(arguments=['-d', PathJoinSubstitution([FindPackageShare('a'), 'y.rviz'])])", "y.rviz", "file"),
+        ("Node(parameters=[ParameterFile([FindPackageShare('a'), '/y.yaml'])])", "y.yaml", "file"),
+        ("Node(parameters=[get_package_share_path('a') / 'x' / 'y.yaml'])", "x/y.yaml", "file"),
+        ("Node(parameters=[get_package_prefix('a') + '/share/a/y.yaml'])", "y.yaml", "file"),
+        ("Command(['xacro ', FindPackageShare('a'), '/y.xacro', ' b:=1'])", "y.xacro", "file"),
+        ("Node(parameters=[PathSubstitution(FindPackageShare('a')) / 'y.yaml'])", "y.yaml", "file"),
+        ("DeclareLaunchArgument('p', default_value=get_package_share_directory('a') + '/y.yaml')", "y.yaml", "default"),
+        ("IncludeLaunchDescription([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
+        ("PythonLaunchDescriptionSource([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
+        ("ExecuteProcess(cmd=['cat', [FindPackageShare('a'), '/y.urdf']])", "y.urdf", "file"),
+        ("open(os.path.join(get_package_share_directory('a'), 'y.urdf')).read()", "y.urdf", "file"),
+    ],
+)
+def test_files_of_a_package_are_found_in_python(body: str, path: str, use: str) -> None:
+    assert named("launch/a.launch.py", python(f"return LaunchDescription([{body}])")) == {("a", path, use)}
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "Node(parameters=[os.path.join(get_package_share_directory('a'), 'maps')])",
+        "Node(parameters=[[FindPackageShare('a'), '/', LaunchConfiguration('file'), '.yaml']])",
+        "Node(parameters=[[FindPackageShare('a'), '/x.', LaunchConfiguration('suffix')]])",
+        "Node(parameters=[os.path.join(get_package_share_directory('a'), '..', 'b', 'y.yaml')])",
+        "Node(parameters=[get_package_prefix('a') + '/lib/a/y.py'])",
+        "Node(parameters=[get_package_share_directory(os.environ['P']) + '/y.yaml'])",
+        "Node(parameters=[{'log': get_package_share_directory('a') + '/logs/y.yaml'}])",
+        "open(get_package_share_directory('a') + '/y.yaml', 'w')",
+        "os.path.join(get_package_share_directory('a'), 'y.yaml')",
+    ],
+)
+def test_what_is_a_folder_or_not_literal_or_written_is_left_alone(body: str) -> None:
+    assert named("launch/a.launch.py", python(f"return LaunchDescription([{body}])")) == set()
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "p = get_package_share_directory('a') + '/y.yaml'\nif os.path.exists(p):\n    return Node(parameters=[p])",
+        "p = get_package_share_path('a') / 'y.yaml'\nif p.exists():\n    return Node(parameters=[p])",
+        "try:\n    return open(get_package_share_directory('a') + '/y.yaml')\nexcept OSError:\n    return None",
+    ],
+)
+def test_a_file_that_is_asked_for_first_may_be_missing(body: str) -> None:
+    assert named("launch/a.launch.py", python(body)) == set()
+
+
+def test_files_are_found_in_xml_and_beside_the_launch_file() -> None:
+    text = (
+        '<launch><arg name="a" default="$(find-pkg-share a)/y.yaml"/><include file="$(dirname)/b.launch.xml"/>'
+        '<let name="d" value="$(command \'xacro $(find-pkg-share a)/z.xacro x:=1\')"/></launch>'
+    )
+    beside = ("", "launch/b.launch.xml", "include")
+    assert named("launch/a.launch.xml", text) == {("a", "y.yaml", "default"), ("a", "z.xacro", "file"), beside}
+    body = "return IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'b.launch.py'))"
+    assert named("launch/a.launch.py", python(body)) == {("", "launch/b.launch.py", "include")}
+    body = "return IncludeLaunchDescription([ThisLaunchFileDir(), '/../config/b.launch.py'])"
+    assert named("launch/a.launch.py", python(body)) == {("", "config/b.launch.py", "include")}
+
+
+def test_files_beside_are_looked_for_where_the_launch_file_stands_and_where_it_goes() -> None:
+    text = '<launch>\n  <include file="$(dirname)/b.launch.xml"/>\n</launch>\n'
+    files = {**BASE, "launch/a.launch.xml": text}
+    assert said(files) == ["LCH003 error"]
+    assert said({**files, "launch/b.launch.xml": "<launch/>"}) == []
+    flat = INSTALL.replace("launch config", "launch/ config/ more/")
+    assert said({**files, "CMakeLists.txt": flat, "more/b.launch.xml": "<launch/>"}) == []
+
+
+def test_what_other_packages_install_is_known() -> None:
+    other = {f"other/{path}": text.replace("my_pkg", "other") for path, text in BASE.items()}
+    launch = '<launch>\n  <include file="$(find-pkg-share other)/{}"/>\n</launch>\n'
+
+    def finds(path: str, **more: str) -> list[str]:
+        own = {f"my_pkg/{name}": text for name, text in BASE.items()}
+        return said({**own, **other, "my_pkg/launch/a.launch.xml": launch.format(path), **more}, "LCH003", "LCH004")
+
+    assert finds("config/robot.yaml") == []
+    assert finds("config/robots.yaml") == ["LCH003 error"]
+    one = INSTALL.replace("my_pkg", "other").replace("DIRECTORY launch config", "FILES config/robot.yaml")
+    more = {"other/CMakeLists.txt": one.replace("NAME}", "NAME}/config"), "other/config/more.yaml": YAML}
+    assert finds("config/more.yaml", **more) == ["LCH004 error"]
+    more["other/CMakeLists.txt"] = one.replace("config/robot.yaml", "${FILES_OF}")
+    assert finds("config/more.yaml", **more) == []
+
+
+def test_what_the_build_writes_may_be_missing() -> None:
+    launch = '<launch>\n  <include file="$(find-pkg-share my_pkg)/config/made.yaml"/>\n</launch>\n'
+    files = {**BASE, "launch/a.launch.xml": launch}
+    assert said(files) == ["LCH003 error"]
+    line = "configure_file(config/made.yaml.in ${CMAKE_CURRENT_SOURCE_DIR}/config/made.yaml)\nament_package"
+    assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", line)}) == []
+    foreach = line.replace("made.yaml)", "${NAME}.yaml)")
+    assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", foreach)}) == []
+
+
+def test_a_default_may_be_given_anew() -> None:
+    launch = '<launch>\n  <arg name="a" default="$(find-pkg-share my_pkg)/config/no.yaml"/>\n</launch>\n'
+    assert said({**BASE, "launch/a.launch.xml": launch}) == ["LCH003 warning"]
+
+
+def test_a_missing_slash_is_seen_where_the_file_is_there() -> None:
+    body = "return Node(parameters=[get_package_share_directory('my_pkg') + '{}'])"
+    assert said({**BASE, "launch/a.launch.py": python(body.format("config/robot.yaml"))}) == ["LCH003 error"]
+    assert said({**BASE, "launch/a.launch.py": python(body.format("_more/robot.yaml"))}) == []
+
+
+def test_one_file_that_is_missing_is_one_finding() -> None:
+    line = '  <include file="$(find-pkg-share my_pkg)/launch/b.launch.xml"/>\n'
+    (found,) = lint_files({**BASE, "launch/a.launch.xml": f"<launch>\n{line * 3}</launch>\n"}, CODES).findings
+    assert len(found.related) == 2
+
+
+def test_of_a_folder_that_stays_behind_its_own_rule_speaks() -> None:
+    launch = '<launch>\n  <include file="$(find-pkg-share my_pkg)/config/robot.yaml"/>\n</launch>\n'
+    files = {**BASE, "launch/a.launch.xml": launch, "CMakeLists.txt": INSTALL.replace("launch config", "launch")}
+    assert said(files, "CMK101", "LCH003", "LCH004") == ["CMK101 error"]
+    renamed = INSTALL.replace("launch config", "launch").replace(
+        "ament_package", "install(FILES config/robot.yaml DESTINATION share/${PROJECT_NAME})\nament_package"
+    )
+    assert said({**files, "CMakeLists.txt": renamed}, "CMK101", "LCH003", "LCH004") == ["LCH004 error"]
+
+
+def test_a_launch_test_that_cmake_does_not_run_is_left_alone() -> None:
+    launch = python("return LaunchDescription([Node(package='my_pkg', executable='no')])")
+    files = {**BASE, "test/no_launch_test.launch.py": launch}
+    assert said(files) == []
+    named_there = INSTALL.replace("ament_package", "add_launch_test(test/no_launch_test.launch.py)\nament_package")
+    assert said({**files, "CMakeLists.txt": named_there}) == ["LCH002 error"]
+
+
+def test_old_arguments_are_left_where_the_distro_is_asked_for() -> None:
+    both = (
+        "if os.environ['ROS_DISTRO'] == 'dashing':\n    return Node(node_executable='x')\nreturn Node(executable='x')"
+    )
+    assert said({**BASE, "launch/a.launch.py": python(both)}) == []
+    assert said({**BASE, "launch/a.launch.py": python("return Node(node_executable='x')")}) == ["LCH005 error"]
+    twice = lint_files({**BASE, "launch/a.launch.py": python("return Node(node_name='x', name='x')")}, ["LCH005"])
+    assert [f.fix for f in twice.findings] == [None]
+
+
+@pytest.mark.parametrize(
+    "text, found",
+    [
+        ('<launch><node pkg="a" type="b"/></launch>', ["LCH006 warning"]),
+        ('<launch><node pkg="a" type="b" args="$(var x)"/></launch>', ["LCH005 error"]),
+        ('<launch><let name="a" value="$(find b)/$(arg c)"/></launch>', ["LCH006 error", "LCH006 error"]),
+        ('<launch><let name="a" value="b"/><rosparam file="c"/></launch>', ["LCH006 error"]),
+        ('<launch><node pkg="a" exec="b"><param name="c" value="d"/></node></launch>', []),
+    ],
+)
+def test_what_only_ros1_knows(text: str, found: list[str]) -> None:
+    assert said({**BASE, "launch/a.launch.xml": text}, "LCH005", "LCH006", "LCH007") == found
+    plain = {**BASE, "launch/a.launch.xml": text, "CMakeLists.txt": CMAKE}
+    assert [each for each in said(plain, "LCH006") if each.endswith("warning")] == []
+
+
+def test_a_launch_file_that_others_include_by_its_path_is_no_double() -> None:
+    empty = "<launch/>"
+    files = {**BASE, "launch/a/robot.launch.xml": empty, "launch/b/robot.launch.xml": empty}
+    assert said(files) == ["LCH012 warning"]
+    lines = [f'<include file="$(find-pkg-share my_pkg)/launch/{each}/robot.launch.xml"/>' for each in "ab"]
+    assert said({**files, "launch/all.launch.xml": f"<launch>{''.join(lines)}</launch>"}) == []
