@@ -6,14 +6,19 @@ import ast
 import configparser
 import itertools
 import re
+import xml.etree.ElementTree as ElementTree
+from typing import Any
 
 import pytest
 import yaml
+from pairwise import pairwise
 from planned import plan, texts
 
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
+from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.kinds import all_kinds
+from rospkg_cli.scaffold.launching import FORMATS
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
 
@@ -47,37 +52,40 @@ def all_in_both() -> tuple[str, ...]:
 
 DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_testing", "geometry_msgs")}
 WITH_NODES = [name for name in template_names() if load_template(name).kinds]
-IN_ONE_LANGUAGE = [name for name in WITH_NODES if len(load_template(name).languages) == 1]
+FACTORS = {
+    "distro": [distro.name for distro in DISTROS],
+    "launch": FORMATS,
+    "params": (True, False),
+    "depends": tuple(DEPENDS),
+}
 COMBINATIONS = [
-    *(
-        (template, distro, license, nodes, depends)
-        for template in IN_ONE_LANGUAGE
-        for distro, license, nodes, depends in (
-            *itertools.product([distro.name for distro in DISTROS], ["MIT-0"], node_sets(template), DEPENDS),
-            *itertools.product(["jazzy"], [each.spdx for each in LICENSES], ["default", "empty"], DEPENDS),
-        )
-    ),
-    *(
-        ("mixed", distro.name, license.spdx, nodes, depends)
-        for (nodes, depends), distro, license in zip(
-            itertools.product(node_sets("mixed"), DEPENDS),
-            itertools.cycle(DISTROS),
-            itertools.cycle(LICENSES),
-            strict=False,
-        )
-    ),
+    {"template": template, **row}
+    for template in WITH_NODES
+    for row in pairwise({"nodes": tuple(node_sets(template)), **FACTORS})
 ]
-"""Every distribution with all nodes and dependencies; a license changes nothing but headers and one test.
-
-What two languages share was tried with each of them: for both, all nodes, with distributions and licenses in turn."""
+"""Every two answers meet, in each template."""
 
 
-@pytest.mark.parametrize("template, distro, license, nodes, depends", COMBINATIONS)
-def test_every_combination_is_written_without_a_finding(
-    template: str, distro: str, license: str, nodes: str, depends: str
-) -> None:
-    asked = node_sets(template)[nodes]
-    faultless(plan(template=template, distro=distro, license=license, nodes=asked, depends=DEPENDS[depends]))
+@pytest.mark.parametrize("row", COMBINATIONS, ids=lambda row: "-".join(map(str, row.values())))
+def test_every_combination_is_written_without_a_finding(row: dict[str, Any]) -> None:
+    row = {**row, "nodes": node_sets(row["template"])[row["nodes"]], "depends": DEPENDS[row["depends"]]}
+    faultless(plan(**row))
+
+
+@pytest.mark.parametrize("license", [each.spdx for each in LICENSES])
+@pytest.mark.parametrize("template", WITH_NODES)
+def test_every_license_is_too(template: str, license: str) -> None:
+    faultless(plan(template=template, license=license))
+
+
+def test_every_two_answers_meet() -> None:
+    for template in WITH_NODES:
+        rows = [row for row in COMBINATIONS if row["template"] == template]
+        kinds = {f"a_node:{kind}" for kind in load_template(template).kinds}
+        assert {asked for row in rows for asked in node_sets(template)[row["nodes"]]} >= kinds
+        for one, other in itertools.combinations(FACTORS, 2):
+            met = {(row[one], row[other]) for row in rows}
+            assert met == set(itertools.product(FACTORS[one], FACTORS[other]))
 
 
 DISTROS_AND_LICENSES = [*((d.name, "MIT-0") for d in DISTROS), *(("jazzy", each.spdx) for each in LICENSES)]
@@ -197,6 +205,69 @@ def test_without_parameters_there_is_no_file_of_them() -> None:
     assert "params_file" not in files["launch/my_robot_nav.launch.py"]
     assert "config" not in files["setup.py"]
     assert "yaml" not in files["package.xml"]
+
+
+def test_parameters_that_nobody_wants_in_a_file_are_still_declared() -> None:
+    files = texts(plan(params=False))
+    assert "declare_parameter(" in files["my_robot_nav/my_robot_nav_node.py"]
+    assert not [path for path in files if "params" in path]
+    assert "params_file" not in files["launch/my_robot_nav.launch.py"]
+    assert "<exec_depend>rcl_interfaces</exec_depend>" in files["package.xml"]
+    assert "src/describe.hpp" in cmake(params=False)
+
+
+@pytest.mark.parametrize("template", WITH_NODES)
+@pytest.mark.parametrize("format, needs", [("xml", {"launch_xml"}), ("yaml", {"launch_yaml"}), ("py", {"launch"})])
+def test_a_launch_file_declares_the_frontend_that_reads_it(template: str, format: str, needs: set[str]) -> None:
+    files = texts(plan(template=template, launch=format))
+    assert f"launch/my_robot_nav.launch.{format}" in files
+    declared = set(re.findall(r"<exec_depend>(launch\w*)</exec_depend>", files["package.xml"]))
+    assert declared == {"launch_ros", *needs}
+
+
+def test_a_package_that_starts_nothing_of_its_own_has_no_launch_formats() -> None:
+    for template in set(template_names()) - set(WITH_NODES):
+        with pytest.raises(ScaffoldError, match="leave it out"):
+            plan(template=template, launch="xml")
+    with pytest.raises(ScaffoldError, match=r"no launch files in `xlm` \(did you mean `xml`\?\)"):
+        plan(launch="xlm")
+
+
+@pytest.mark.parametrize("template", WITH_NODES)
+def test_without_a_launch_file_nothing_speaks_of_one(template: str) -> None:
+    also = ("idle:empty:python",) if template == "mixed" else ()
+    planned = plan(template=template, launch="none", nodes=("talker", "lc:lifecycle", *also))
+    files = texts(planned)
+    assert not [path for path, text in files.items() if "launch" in path or "launch" in text]
+    assert planned.commands[-1] == "ros2 run my_robot_nav talker"
+    assert "--params-file" in files["README.md"]
+
+
+def entity(format: str, **asked: Any) -> dict[str, Any]:
+    """Return the first node of a launch file as the attributes that its frontend sees."""
+    text = texts(plan(launch=format, **asked))[f"launch/my_robot_nav.launch.{format}"]
+    if format == "xml":
+        found = next(each for each in ElementTree.fromstring(text) if each.tag != "arg")
+        return {"action": found.tag, **found.attrib, "param": [dict(each.attrib) for each in found]}
+    [(action, attributes)] = next(each for each in yaml.safe_load(text)["launch"] if "arg" not in each).items()
+    return {"action": action, **attributes, **({"autostart": "true"} if attributes.get("autostart") else {})}
+
+
+@pytest.mark.parametrize("asked", ["talker", "adder:service", "lc:lifecycle"])
+@pytest.mark.parametrize("distro", ["humble", "lyrical"])
+def test_launch_files_in_xml_and_yaml_say_the_same(asked: str, distro: str) -> None:
+    assert entity("xml", nodes=(asked,), distro=distro) == entity("yaml", nodes=(asked,), distro=distro)
+
+
+def test_a_frontend_that_knows_no_lifecycle_leaves_the_node_unconfigured_and_says_so() -> None:
+    nodes = ("lc:lifecycle",)
+    for distro, action in (("humble", "node"), ("kilted", "node"), ("lyrical", "lifecycle_node")):
+        assert entity("xml", nodes=nodes, distro=distro)["action"] == action
+        planned = plan(launch="xml", nodes=nodes, distro=distro)
+        said = "ros2 lifecycle set /lc configure"
+        assert any(said in note for note in planned.notes) == (action == "node")
+        assert (said in texts(planned)["README.md"]) == (action == "node")
+    assert plan(nodes=nodes, distro="humble").notes == ()
 
 
 def test_a_kind_brings_its_dependencies() -> None:

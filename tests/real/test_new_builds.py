@@ -23,12 +23,13 @@ NASTY = {
 ALL = tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in load_template("ament_python").kinds)
 PLANS = {
     "default": lambda: plan(),
-    "nodes": lambda: plan(nodes=("talker", "listener"), depends=("sensor_msgs", "launch_testing")),
+    "nodes": lambda: plan(nodes=("talker", "listener"), depends=("sensor_msgs", "launch_testing"), launch="xml"),
     "nasty": lambda: plan(**NASTY),
     "kinds": lambda: plan(
         nodes=tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in load_template("ament_python").kinds)
     ),
-    "bare": lambda: plan(nodes=("adder:service",)),
+    "bare": lambda: plan(nodes=("adder:service",), launch="yaml"),
+    "least": lambda: plan(launch="none", params=False),
 }
 LINTERS = ("copyright", "flake8", "mypy", "pep257", "xmllint")
 

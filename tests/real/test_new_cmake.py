@@ -34,8 +34,11 @@ def cpp(name: str = "my_robot_nav", **asked: object) -> Plan:
 PLANS = {
     "default": lambda: cpp(),
     "all": lambda: cpp(nodes=ALL, distro="humble"),
-    "bare": lambda: cpp(nodes=("idle:empty",), depends=("std_msgs", "eigen", "launch_testing")),
-    "component": lambda: cpp(nodes=("loaded:component",), maintainer="Adá 'the first'; & <Lovelace> {{ name }}"),
+    "bare": lambda: cpp(nodes=("idle:empty",), depends=("std_msgs", "eigen", "launch_testing"), launch="xml"),
+    "component": lambda: cpp(
+        nodes=("loaded:component",), maintainer="Adá 'the first'; & <Lovelace> {{ name }}", launch="yaml"
+    ),
+    "least": lambda: cpp(launch="none", params=False),
     "mixed": lambda: plan(template="mixed", distro="humble", nodes=ALL + IN_PYTHON, depends=("python3-numpy",)),
     "mixed bare": lambda: plan(template="mixed", nodes=("idle:empty", "adder:service:python")),
 }
@@ -59,7 +62,8 @@ def test_it_builds_and_its_tests_pass(built: Shell, tmp_path: Path, name: str) -
         assert os.access(prefix / "lib/my_robot_nav" / node.name, os.X_OK)
     for logic in planned.answers.logics_in("cpp"):
         assert (prefix / f"include/my_robot_nav/my_robot_nav/{logic}.hpp").is_file()
-    assert (prefix / "share/my_robot_nav/launch/my_robot_nav.launch.py").is_file()
+    launched = planned.answers.launch
+    assert not launched or (prefix / f"share/my_robot_nav/launch/my_robot_nav.launch.{launched}").is_file()
     assert (prefix / "share/my_robot_nav/config/params.yaml").is_file() == bool(planned.answers.sections)
     tested = built.run("colcon", "test", cwd=tmp_path)
     assert (tested.returncode, tested.stderr) == (0, "")

@@ -78,6 +78,9 @@ ACTIONS: Mapping[str, EntityKind] = {
     "set_ros_log_dir": kind("new_log_dir"),
 }
 
+BEFORE_LIFECYCLE_NODE = frozenset({"humble", "jazzy", "kilted"})
+"""The distributions whose XML and YAML frontends know no `lifecycle_node` (ros2/launch_ros#482 came later)."""
+
 PARTS: Mapping[str, EntityKind] = {
     "choice": part("value"),
     "env": part("name value"),

@@ -30,6 +30,9 @@ class Request:
     """`NAME` or `NAME:FIELDS`; so are the next two."""
     srvs: tuple[str, ...] = ()
     actions: tuple[str, ...] = ()
+    launch: str = ""
+    """`py`, `xml`, `yaml` or `none`."""
+    params: bool = True
     description: str = ""
     license: str = ""
     maintainer: str = ""
@@ -60,6 +63,10 @@ class Answers:
     version: str
     distro: Distro
     year: int
+    launch: str
+    """`py`, `xml` or `yaml`; "" for no launch file."""
+    params: bool
+    """Whether there is a file of parameters for nodes that have some."""
 
     @property
     def robot(self) -> str:
@@ -88,15 +95,18 @@ class Answers:
 
     @property
     def sections(self) -> dict[str, tuple[Parameter, ...]]:
-        """The parameters of the nodes by the key of their block: one block where all that have some have the same."""
+        """The parameters of the file, by the key of their block: one block where all nodes that have some have the
+        same."""
+        if not self.params:
+            return {}
         having = {node.name: node.kind.parameters for node in self.nodes if node.kind.parameters}
         if len(set(having.values())) == 1:
             return {EVERY_NODE: next(iter(having.values()))}
         return {f"{EVERY_NODE}/{name}": parameters for name, parameters in having.items()}
 
     def section_of(self, node: Node) -> str:
-        """Return the key of a node's block; "" for a node without parameters."""
-        if not node.kind.parameters:
+        """Return the key of a node's block in the file of parameters; "" for a node that has none there."""
+        if not self.sections or not node.kind.parameters:
             return ""
         return EVERY_NODE if EVERY_NODE in self.sections else f"{EVERY_NODE}/{node.name}"
 

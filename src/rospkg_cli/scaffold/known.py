@@ -6,6 +6,7 @@ from typing import Any
 
 from .answers import Answers
 from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
+from .launching import autostarted, launch_packages, unconfigured
 
 
 def known_values(answers: Answers) -> dict[str, Any]:
@@ -16,6 +17,9 @@ def known_values(answers: Answers) -> dict[str, Any]:
         **{name: getattr(answers, name) for name in computed},
         **in_cpp(answers),
         **in_python(answers),
+        "launch_packages": list(launch_packages(answers)),
+        "autostarted": autostarted(answers),
+        "unconfigured": unconfigured(answers),
     }
 
 
@@ -43,5 +47,5 @@ def in_python(answers: Answers) -> dict[str, Any]:
         "python_nodes": nodes,
         "python_logics": answers.logics_in("python"),
         "python_needs": needs if nodes else [],
-        "python_tests": [*answers.logics_in("python"), *(["params"] if declaring else [])],
+        "python_tests": [*answers.logics_in("python"), *(["params"] if declaring and answers.sections else [])],
     }

@@ -15,6 +15,7 @@ from . import ScaffoldError
 from .answers import Answers, Request
 from .ask import asked_interfaces, depends_of, distro_of, license_of, version_of
 from .identity import Who, check_for_cmake, who
+from .launching import check_typed, launch_of, notes_on_launch
 from .names import check_package_name
 from .node import nodes_of
 from .proof import lint_written
@@ -25,6 +26,7 @@ from .told import Told, told
 COMING = ("bringup",)
 """Types of packages that have no template yet."""
 
+LAUNCH = "py"
 LICENSE = "Apache-2.0"
 VERSION = "0.1.0"
 
@@ -58,6 +60,7 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str]) -> Pl
     template = template_of(request.template)
     check_package_name(request.name)
     notes: list[str] = []
+    check_typed(request.launch, template)
     request = request.with_defaults(defaults)
     maintainer = who(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
@@ -95,11 +98,14 @@ def answers_of(request: Request, maintainer: Who, template: Template, notes: lis
         version=version_of(request.version or VERSION),
         distro=distro_of(request.distro, notes),
         year=request.year or datetime.date.today().year,
+        launch=launch_of(request.launch or LAUNCH),
+        params=request.params,
     )
     if BUILT_IN.is_package(answers.name):
         notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")
     if not answers.license.header_known:
         notes.append(f"ament_copyright knows no header for {answers.license.spdx}; its test was left out")
+    notes += notes_on_launch(answers)
     if answers.description.text:
         return answers
     return replace(answers, description=Told(render_line(template, template.description, answers)))

@@ -32,6 +32,12 @@ def new(
     msg: Annotated[Names, Option(metavar="NAME[:FIELDS]", help=MSG, rich_help_panel=WHAT)] = None,
     srv: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="A service.", rich_help_panel=WHAT)] = None,
     action: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="An action.", rich_help_panel=WHAT)] = None,
+    launch: Annotated[
+        str, Option(metavar="FORMAT", help="The launch file: py, xml, yaml or none. Else py.", rich_help_panel=WHAT)
+    ] = "",
+    params: Annotated[
+        bool, Option("--params/--no-params", help="A file of parameters for the nodes.", rich_help_panel=WHAT)
+    ] = True,
     depends: Annotated[
         Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
     ] = None,
@@ -63,6 +69,8 @@ def new(
         msgs=tuple(msg or ()),
         srvs=tuple(srv or ()),
         actions=tuple(action or ()),
+        launch=launch,
+        params=params,
         description=description,
         license=license,
         maintainer=maintainer,

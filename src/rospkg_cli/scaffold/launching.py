@@ -1,0 +1,63 @@
+"""Launch files in Python, XML and YAML: what each needs, and what it can do for nodes with a lifecycle."""
+
+from __future__ import annotations
+
+from ..ros.launch import BEFORE_LIFECYCLE_NODE
+from ..suggest import did_you_mean
+from . import ScaffoldError
+from .answers import Answers
+from .node import Node
+from .template import Template
+
+FORMATS = ("py", "xml", "yaml", "none")
+
+
+def check_typed(asked: str, template: Template) -> None:
+    """Raise ScaffoldError where a format was typed and the template has no launch file in different ones."""
+    if asked and not template.kinds:
+        raise ScaffoldError(f"--launch chooses what starts nodes, and --type {template.name} has none; leave it out")
+
+
+def launch_of(asked: str) -> str:
+    """Return the format of the launch file, "" for no launch file; raises ScaffoldError."""
+    if asked not in FORMATS:
+        raise ScaffoldError(
+            f"there are no launch files in `{asked}`{did_you_mean(asked, FORMATS)}; known: {', '.join(FORMATS)}"
+        )
+    return "" if asked == "none" else asked
+
+
+def launch_packages(answers: Answers) -> tuple[str, ...]:
+    """Return the packages that the launch file needs to be read and run."""
+    if not answers.launch:
+        return ()
+    if answers.launch != "py":
+        return (f"launch_{answers.launch}", "launch_ros")
+    return ("launch", "launch_ros", *(["lifecycle_msgs"] if lifecycle(answers) else []))
+
+
+def lifecycle(answers: Answers) -> tuple[Node, ...]:
+    return tuple(node for node in answers.nodes if node.kind.name == "lifecycle")
+
+
+def autostarted(answers: Answers) -> tuple[Node, ...]:
+    """Return the nodes that a launch file in XML or YAML brings to work with `lifecycle_node`."""
+    known = answers.launch in ("xml", "yaml") and answers.distro.name not in BEFORE_LIFECYCLE_NODE
+    return lifecycle(answers) if known else ()
+
+
+def unconfigured(answers: Answers) -> tuple[Node, ...]:
+    """Return the nodes that wait, once started, for somebody to configure and activate them."""
+    return () if answers.launch == "py" or autostarted(answers) else lifecycle(answers)
+
+
+def notes_on_launch(answers: Answers) -> list[str]:
+    """Return what the user should hear of the launch file."""
+    waiting = unconfigured(answers)
+    if not waiting or not answers.launch:
+        return []
+    names = ", ".join(f"`{node.name}`" for node in waiting)
+    return [
+        f"launch files in {answers.launch.upper()} can't activate lifecycle nodes on {answers.distro.name}, so {names} "
+        f"will wait for `ros2 lifecycle set /{waiting[0].name} configure` and `activate`; --launch py does it by itself"
+    ]
