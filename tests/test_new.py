@@ -18,7 +18,6 @@ from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.ask import distro_of
 from rospkg_cli.scaffold.names import check_node_name, check_package_name, repaired
 from rospkg_cli.scaffold.place import workspace_of
-from rospkg_cli.scaffold.plan import COMING
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}
 
@@ -157,12 +156,6 @@ def test_a_bad_option_is_refused_with_the_reason(option: str, value: object, rea
 def test_a_dependency_that_makes_no_sense_is_refused(key: str, reason: str) -> None:
     with pytest.raises(UsageError, match=reason):
         new(Request("my_robot_nav", depends=(key,), **ADA))
-
-
-@pytest.mark.parametrize("kind", COMING)
-def test_a_type_without_a_template_is_one_clear_sentence(kind: str) -> None:
-    with pytest.raises(UsageError, match=f"--type {kind}` isn't there yet"):
-        new(Request("my_robot_nav", template=kind, **ADA))
 
 
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch, lambda path: path.symlink_to("nowhere")])

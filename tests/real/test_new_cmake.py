@@ -109,7 +109,7 @@ def test_another_package_can_use_its_library(built: Shell, tmp_path: Path) -> No
     assert (made.returncode, made.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("template", ["ament_cmake", "mixed", "interfaces", "description"])
+@pytest.mark.parametrize("template", ["ament_cmake", "mixed", "interfaces", "description", "bringup"])
 def test_the_newest_cmake_has_nothing_to_say(built: Shell, tmp_path: Path, template: str) -> None:
     folder = write(plan("a_package", template=template), tmp_path)
     newest = venv("/usr/bin/python3", ("cmake>=4",)) / "bin" / "cmake"

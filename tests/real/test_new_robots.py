@@ -7,8 +7,10 @@ from pathlib import Path
 import pytest
 from conftest import DEBIAN_MODULES, DEBIAN_PYTHON, tools
 from shell import Shell
-from testing_new import linted, plan, results, write
+from testing_new import around, linted, plan, results, write
 from venvs import COLCON, venv
+
+from rospkg_cli.scaffold.plan import Plan
 
 pytestmark = [pytest.mark.debian, pytest.mark.network]
 LINTERS = ("copyright", "flake8", "lint_cmake", "mypy", "pep257", "xmllint")
@@ -43,6 +45,43 @@ def test_a_description_builds_and_check_urdf_accepts_it(
 @pytest.mark.parametrize("name", ["my_robot_description", LONG + "_description"])
 def test_every_linter_is_content_with_a_description(shell: Shell, tmp_path: Path, name: str, place: str) -> None:
     folder = write(plan(name, template="description"), tmp_path)
+    if place == "git root":
+        assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
+    linted(shell, folder, LINTERS)
+
+
+def bringup(name: str = "my_robot_bringup") -> Plan:
+    robot = name.removesuffix("_bringup")
+    there = around(plan(robot, nodes=("talker", "counter:timer")), plan(f"{robot}_description", template="description"))
+    return plan(name, there, template="bringup", depends=(robot, f"{robot}_description"), nodes=("demo_nodes_py/ear",))
+
+
+def test_a_bringup_builds_and_its_tests_pass(colcon: Shell, tmp_path: Path) -> None:
+    write(bringup(), tmp_path)
+    built = colcon.run("colcon", "build", cwd=tmp_path)
+    assert (built.returncode, built.stderr) == (0, "")
+    share = tmp_path / "install/my_robot_bringup/share/my_robot_bringup"
+    for path in ("launch/my_robot_bringup.launch.py", "config/my_robot.yaml", "config/params.yaml"):
+        assert (share / path).is_file()
+    tested = colcon.run("colcon", "test", cwd=tmp_path)
+    assert (tested.returncode, tested.stderr) == (0, "")
+    found = results(colcon, tmp_path)
+    assert found.pop("tests") > 5
+    assert found == {"errors": 0, "failures": 0, "skipped": 0}
+
+
+@pytest.mark.parametrize("place", ["git root", "plain folder"])
+@pytest.mark.parametrize("name", ["my_robot_bringup", "a_long_name_for_a_robot_that_somebody_had_bringup"])
+def test_every_linter_is_content_with_a_bringup(shell: Shell, tmp_path: Path, name: str, place: str) -> None:
+    folder = write(bringup(name), tmp_path)
+    if place == "git root":
+        assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
+    linted(shell, folder, LINTERS)
+
+
+@pytest.mark.parametrize("place", ["git root", "plain folder"])
+def test_every_linter_is_content_with_an_empty_bringup(shell: Shell, tmp_path: Path, place: str) -> None:
+    folder = write(plan("my_robot_bringup", template="bringup"), tmp_path)
     if place == "git root":
         assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
     linted(shell, folder, LINTERS)

@@ -11,6 +11,7 @@ from shell import Shell
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # for `planned`
 
+from planned import around as around
 from planned import plan as plan
 
 from rospkg_cli.scaffold.plan import Plan

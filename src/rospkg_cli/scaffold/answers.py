@@ -11,6 +11,7 @@ from ..ros.licenses import License
 from .interface import Interface
 from .kinds import Parameter
 from .node import Node
+from .start import Started
 from .told import Told
 
 EVERY_NODE = "/**"
@@ -24,7 +25,7 @@ class Request:
     name: str
     template: str = "ament_python"
     nodes: tuple[str, ...] = ()
-    """`NAME`, `NAME:KIND` or `NAME:KIND:LANGUAGE`."""
+    """`NAME`, `NAME:KIND` or `NAME:KIND:LANGUAGE`; `PACKAGE/EXECUTABLE` where nodes of others are started."""
     depends: tuple[str, ...] = ()
     msgs: tuple[str, ...] = ()
     """`NAME` or `NAME:FIELDS`; so are the next two."""
@@ -51,6 +52,8 @@ class Request:
 class Answers:
     name: str
     nodes: tuple[Node, ...]
+    started: Started
+    """What it starts of other packages."""
     interfaces: tuple[Interface, ...]
     depends: tuple[str, ...]
     """What was asked for beside what the template needs: sorted, each once."""

@@ -20,6 +20,7 @@ def known_values(answers: Answers) -> dict[str, Any]:
         "launch_packages": list(launch_packages(answers)),
         "autostarted": autostarted(answers),
         "unconfigured": unconfigured(answers),
+        **in_others(answers),
     }
 
 
@@ -48,4 +49,16 @@ def in_python(answers: Answers) -> dict[str, Any]:
         "python_logics": answers.logics_in("python"),
         "python_needs": needs if nodes else [],
         "python_tests": [*answers.logics_in("python"), *(["params"] if declaring and answers.sections else [])],
+    }
+
+
+def in_others(answers: Answers) -> dict[str, Any]:
+    """Return what a package knows that starts others."""
+    started = answers.started
+    return {
+        "starts": started.starts,
+        "includes": started.includes,
+        "started_packages": started.packages,
+        "launch_arguments": started.arguments,
+        "has_config": bool(started.starts) or any(include.params for include in started.includes),
     }

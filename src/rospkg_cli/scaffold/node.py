@@ -32,6 +32,8 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[
 
     Raises ScaffoldError for what the template can't write.
     """
+    if template.starts:
+        return ()
     if not template.kinds and asked:
         stem = re.sub(r"_(interfaces|description|bringup)$", "", package)
         command = f"rospkg new {stem}_nodes --node {asked[0]}"

@@ -13,6 +13,7 @@ from ..ros.names import BUILT_IN
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers, Request
+from .around import Around, around
 from .ask import asked_interfaces, depends_of, distro_of, license_of, version_of
 from .identity import Who, check_for_cmake, who
 from .launching import check_typed, launch_of, notes_on_launch
@@ -20,11 +21,9 @@ from .names import check_package_name
 from .node import nodes_of
 from .proof import lint_written
 from .render import Written, render, render_line
+from .start import Started, started_by
 from .template import Template, load_template, template_names
 from .told import Told, told
-
-COMING = ("bringup",)
-"""Types of packages that have no template yet."""
 
 LAUNCH = "py"
 LICENSE = "Apache-2.0"
@@ -51,11 +50,12 @@ class Plan:
         return [render_line(self.template, line, self.answers) for line in self.template.commands]
 
 
-def make_plan(request: Request, folder: Path, defaults: Mapping[str, str]) -> Plan:
+def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there: Around | None = None) -> Plan:
     """Return what would be written into a folder; raises ScaffoldError for what can't be, OwnFaultError.
 
     `defaults` holds a config's values by the names of the request's fields. What is missing there too comes from the
-    environment, from git's config as it holds in the folder, and at last from the login.
+    environment, from git's config as it holds in the folder, and at last from the login. `there` are the packages
+    around, if not those on disk.
     """
     template = template_of(request.template)
     check_package_name(request.name)
@@ -65,9 +65,10 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str]) -> Pl
     maintainer = who(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
         check_for_cmake(maintainer.name)
-    answers = answers_of(request, maintainer, template, notes)
+    there = there or around(folder)
+    answers = answers_of(request, maintainer, template, there, notes)
     files = render(template, answers)
-    findings = lint_written(answers, files).findings
+    findings = lint_written(answers, files, there).findings
     refuse_errors(template, findings)
     if maintainer.guessed:
         notes.append(where_guessed(maintainer, files))
@@ -78,16 +79,17 @@ def template_of(name: str) -> Template:
     known = template_names()
     if name in known:
         return load_template(name)
-    if name in COMING:
-        raise ScaffoldError(f"`--type {name}` isn't there yet; so far there is {', '.join(known)}")
     raise ScaffoldError(f"there is no type of package `{name}`{did_you_mean(name, known)}; known: {', '.join(known)}")
 
 
-def answers_of(request: Request, maintainer: Who, template: Template, notes: list[str]) -> Answers:
+def answers_of(request: Request, maintainer: Who, template: Template, there: Around, notes: list[str]) -> Answers:
     depends, test_depends = depends_of(request.depends, request.name)
+    started = started_by(request.name, request.nodes, depends, there) if template.starts else Started()
+    notes.extend(started.unknown)
     answers = Answers(
         name=request.name,
         nodes=nodes_of(request.nodes, request.name, template),
+        started=started,
         interfaces=asked_interfaces(request, template),
         depends=depends,
         test_depends=test_depends,

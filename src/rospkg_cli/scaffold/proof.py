@@ -9,11 +9,19 @@ from ..engine.session import Results, Scope, Session
 from ..ros.distros import Targets
 from ..tree import MemoryTree
 from .answers import Answers
+from .around import Around
 from .render import Written
 
 
-def lint_written(answers: Answers, files: Iterable[Written]) -> Results:
-    """Lint a package in memory with all rules, pedantic and release included, for its distribution."""
-    tree = MemoryTree({f"{answers.name}/{file.path}": file.entry for file in files})
-    scope = Scope((answers.name,), frozenset({answers.name}))
+def lint_written(answers: Answers, files: Iterable[Written], there: Around) -> Results:
+    """Lint a package in memory with all rules, pedantic and release included, for its distribution.
+
+    The packages around that are only in memory too are read with it; of those on disk, the names are known.
+    """
+    written = {name: tree for name, tree in there.trees.items() if isinstance(tree, MemoryTree)}
+    content = {f"{name}/{path}": entry for name, tree in written.items() for path, entry in tree.content.items()}
+    tree = MemoryTree({**content, **{f"{answers.name}/{file.path}": file.entry for file in files}})
+    scope = Scope(
+        tuple(sorted({answers.name, *written})), frozenset({answers.name}), prefix_names=frozenset(there.trees)
+    )
     return Session(tree, scope, EVERYTHING.codes(), Targets((answers.distro.name,))).run()

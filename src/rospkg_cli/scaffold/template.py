@@ -43,6 +43,8 @@ class Template:
     """The kinds of nodes that it can write, first the one that is written where none is named."""
     languages: tuple[str, ...]
     """The languages of the nodes, first the one of a node that names none."""
+    starts: bool
+    """Whether it starts what other packages have."""
     interfaces: bool
     """Whether it generates messages, services and actions."""
     files: tuple[TemplateFile, ...]
@@ -70,6 +72,7 @@ def load_template(name: str) -> Template:
         description=data["description"],
         kinds=tuple(data["kinds"]),
         languages=tuple(data.get("languages", ())),
+        starts=data.get("starts", False),
         interfaces=data.get("interfaces", False),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),

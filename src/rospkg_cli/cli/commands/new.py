@@ -12,10 +12,11 @@ from . import one_of, split
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPE = "ament_python, ament_cmake, mixed, interfaces or description."
+TYPE = "ament_python, ament_cmake, mixed, interfaces, description or bringup."
 NODE = (
     "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
-    "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python."
+    "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python. "
+    "In a bringup package: PACKAGE/EXECUTABLE."
 )
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 

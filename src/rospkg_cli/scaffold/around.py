@@ -1,0 +1,82 @@
+"""The packages around the one that is written: those of its workspace, and those that are written with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from ..model.discover import packages_below
+from ..model.facts import PackageFacts
+from ..model.files import PackageFiles
+from ..model.gather import gather
+from ..model.launch.file import LaunchFile
+from ..model.manifest import Manifest
+from ..model.package import Package
+from ..model.unreadable import UnreadableError
+from ..ros.distros import Targets
+from ..tree import DiskTree, MemoryTree, Tree
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """A package that is there, or will be."""
+
+    package: Package
+
+    @cached_property
+    def facts(self) -> PackageFacts:
+        return gather(self.package, Targets(), self.package.folder, self.package.folder)
+
+    @property
+    def launch_files(self) -> dict[str, frozenset[str]]:
+        """The arguments of each launch file that is installed in `launch/`, by the file's name."""
+        read = {file.path: file for file in self.package.parts(LaunchFile).good}
+        paths = [path for path in sorted(self.facts.share_files) if path.startswith("launch/") and path in read]
+        return {path.removeprefix("launch/"): frozenset(arguments_of(read[path])) for path in paths}
+
+    def text(self, path: str) -> str:
+        """Return the text of a file that is installed in share/; "" where there is none."""
+        if path not in self.facts.share_files or not self.package.files.exists(path):
+            return ""
+        try:
+            return self.package.files.source(path).text
+        except UnreadableError:
+            return ""
+
+
+def arguments_of(file: LaunchFile) -> Iterator[str]:
+    for argument in file.arguments:
+        if argument.name.literal is not None:
+            yield argument.name.literal
+
+
+@dataclass(frozen=True)
+class Around:
+    trees: Mapping[str, Tree] = field(default_factory=dict)
+    """Each package's files, by its name."""
+
+    def with_package(self, name: str, tree: MemoryTree) -> Around:
+        return Around({**self.trees, name: tree})
+
+    def named(self, name: str) -> Neighbour | None:
+        tree = self.trees.get(name)
+        return None if tree is None else Neighbour(Package(PackageFiles(tree, name)))
+
+
+def around(into: Path) -> Around:
+    """Return the packages below the nearest `src` that holds a folder; where there is none, those in the folder."""
+    trees: dict[str, Tree] = {}
+    for folder in package_folders(into.absolute()):
+        tree = DiskTree(folder)
+        manifest = Package(PackageFiles(tree, folder.name)).parts(Manifest).only
+        trees.setdefault((manifest.name if manifest else "") or folder.name, tree)
+    return Around(trees)
+
+
+def package_folders(into: Path) -> Iterable[Path]:
+    for folder in (into, *into.parents):
+        if folder.name == "src":
+            return packages_below(folder)
+    return sorted(each.parent for each in into.glob("*/package.xml"))
