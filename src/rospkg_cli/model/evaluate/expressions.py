@@ -55,6 +55,9 @@ class Expressions(Machine):
             return handler(node, scope)
         return self.vague(node)
 
+    def made_of(self, node: ast.expr, *operands: Value) -> None:
+        """Look at what an operator or an f-string is given: nothing here, but a subclass may have something to say."""
+
     def vague(self, node: ast.expr, *, options: tuple[Value, ...] = ()) -> Unknown:
         span = self.span(node)
         return self.unknown(span, f"{self.shown(span)} can't be evaluated", options=options)
@@ -113,6 +116,7 @@ class Expressions(Machine):
 
     def on_BinOp(self, node: ast.BinOp, scope: Scope) -> Value:
         left, right = self.evaluate(node.left, scope), self.evaluate(node.right, scope)
+        self.made_of(node, left, right)
         found = binary(type(node.op), left, right, self.span(node))
         if isinstance(found, Text) and len(found.text) > MAX_TEXT:
             raise LimitError(f"a text of more than {MAX_TEXT} characters")
@@ -122,6 +126,7 @@ class Expressions(Machine):
 
     def on_UnaryOp(self, node: ast.UnaryOp, scope: Scope) -> Value:
         value, span = self.evaluate(node.operand, scope), self.span(node)
+        self.made_of(node, value)
         if isinstance(node.op, ast.Not):
             verdict = truth(value)
             return self.otherwise(None, node, value) if verdict is None else Constant(span, not verdict)
@@ -133,14 +138,17 @@ class Expressions(Machine):
     def on_BoolOp(self, node: ast.BoolOp, scope: Scope) -> Value:
         stops = isinstance(node.op, ast.Or)
         options: list[Value] = []
+        asked: list[Value] = []
         value: Value = Constant(self.span(node), None)
         for each in node.values:
             value = self.evaluate(each, scope)
+            asked.append(value)
             verdict = truth(value)
             if verdict is None:
                 options.append(value)
             elif verdict is stops:
                 break
+        self.made_of(node, *asked)
         if not options or options == [value]:
             return value
         return self.vague(node, options=tuple(options if value in options else [*options, value]))
@@ -149,6 +157,7 @@ class Expressions(Machine):
         left, told = self.evaluate(node.left, scope), True
         for kind, each in zip(node.ops, node.comparators, strict=True):
             right = self.evaluate(each, scope)
+            self.made_of(node, left, right)
             verdict = compared(type(kind), left, right)
             if verdict is False:
                 return Constant(self.span(node), False)
@@ -180,6 +189,7 @@ class Expressions(Machine):
         if not isinstance(node, ast.FormattedValue):
             return self.evaluate(node, scope)
         value = self.evaluate(node.value, scope)
+        self.made_of(node, value)
         spec = self.evaluate(node.format_spec, scope) if node.format_spec else Text(span, "")
         conversion = chr(node.conversion) if node.conversion > 0 else ""
         if not isinstance(spec, Text):

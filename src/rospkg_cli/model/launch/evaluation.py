@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..evaluate.evaluator import Evaluator
 from ..evaluate.folder import Folder
 from ..evaluate.machine import Machine
 from ..evaluate.values import Call, Class, Function, Joined, Scope, Value
 from ..python import PythonFile
 from .values import class_of
+from .watching import Watching
 
 ENTRIES = ("generate_launch_description", "generate_test_description")
 """What launch and launch_testing call."""
@@ -35,13 +35,15 @@ PATHS = {
 """What makes a path that others are joined to."""
 
 
-class LaunchEvaluator(Evaluator):
+class LaunchEvaluator(Watching):
     """An evaluator that remembers which functions it has been in."""
 
     def __init__(self, file: PythonFile, folder: Folder) -> None:
         super().__init__(file, folder, PATHS, name="launch_file")
         self.entered: set[int] = set()
         self.active: list[int] = []
+        self.results: dict[int, tuple[Function, Value]] = {}
+        """What each function that launch calls returned, by the `id` of its node."""
 
     def run(self, function: Function, call: Call) -> Value:
         """Run a function; one that calls itself on a condition that can't be told has no end that could be found."""
@@ -70,7 +72,7 @@ class LaunchEvaluator(Evaluator):
 
     def enter(self, function: Value | None) -> None:
         if isinstance(function, Function) and id(function.node) not in self.entered:
-            self.call(function)
+            self.results[id(function.node)] = function, self.call(function)
 
 
 def functions_in(scope: Scope) -> Iterator[Function]:

@@ -8,11 +8,13 @@ from typing import Literal
 
 from ...source import Source, Span
 from ..files import Reading
-from ..python import Import
+from ..python import Import, PythonFile
 from .faults import Fault as Fault
 from .faults import OldSyntax, RemovedArgument
+from .misuse import Misuse
 from .named_paths import NamedPath
 from .text import LaunchText, Substitution
+from .unquoted import Unquoted
 
 Frontend = Literal["python", "xml", "yaml"]
 NodeKind = Literal["node", "lifecycle_node", "node_container", "composable_node"]
@@ -102,8 +104,14 @@ class LaunchFile:
     """Whether it is written for ROS 1."""
     entry: bool = True
     """Whether it has what launch asks of it: in Python, `generate_launch_description`."""
+    python: PythonFile | None = None
+    """The file itself, where it is Python."""
     imports: tuple[Import, ...] = ()
     """What a Python file imports."""
+    misuses: tuple[Misuse, ...] = ()
+    """What a Python file hands to launch, and launch can't take."""
+    unquoted: tuple[Unquoted, ...] = ()
+    """Robot descriptions that launch_ros would read as YAML."""
     guarded: tuple[Span, ...] = ()
     """Where a missing package is caught."""
 

@@ -13,8 +13,10 @@ from .evaluation import ENTRIES, LaunchEvaluator
 from .file import LaunchFile
 from .guarded import ABSENT, guarded_in
 from .made import NODES, argument_of, argument_text, command_of, include_of, node_of
+from .misuses import misuses
 from .removed import removed_arguments
 from .texts import named_paths
+from .unquoted import unquoted_in
 from .values import class_of, substitution
 
 
@@ -37,7 +39,10 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
         removed=tuple(removed_arguments(calls, file.source)),
         complete=not evaluator.gave_up,
         entry=any(has_name(file, evaluator, name) for name in ENTRIES),
+        python=file,
         imports=file.imports,
+        misuses=misuses(evaluator, calls),
+        unquoted=tuple(unquoted_in(file, calls)),
         guarded=tuple(guarded_in(file)),
     )
 

@@ -1,0 +1,82 @@
+"""LCH009 unquoted-robot-description."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.launch import import_name, wrap
+from ...example import Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.launch.file import LaunchFile
+from ...model.launch.unquoted import Unquoted
+from ...rule import rule
+
+NEEDED = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("robot_state_publisher", "ros2launch", "xacro"))
+COMMAND = "Command(['xacro ', FindPackageShare('my_pkg'), '/urdf/robot.urdf.xacro'])"
+GOOD = f"""\
+from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    description = {COMMAND}
+    return LaunchDescription([
+        Node(
+            package='robot_state_publisher',
+            executable='robot_state_publisher',
+            parameters=[{{'robot_description': ParameterValue(description, value_type=str)}}],
+        ),
+    ])
+"""
+BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description»").replace(
+    "from launch_ros.parameter_descriptions import ParameterValue\n", ""
+)
+
+
+@rule(
+    "LCH009",
+    "unquoted-robot-description",
+    over=LaunchFile,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest(NEEDED),
+                "urdf/robot.urdf.xacro": '<robot name="robot">\n  <link name="base_link"/>\n</robot>\n',
+                "launch/a.launch.py": BAD,
+            },
+            good={"launch/a.launch.py": GOOD},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def unquoted_robot_description(file: LaunchFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds parameters of nodes that are the output of a command which prints a robot (`xacro …`, `cat x.urdf`) and are
+    not wrapped in `ParameterValue(…, value_type=str)`.
+
+    ## Why is this bad?
+    launch_ros reads the output as YAML. That goes well until somebody writes a colon and a blank into a comment of the
+    robot: then the launch stops with "Unable to parse the value of parameter robot_description as yaml".
+
+    ## Fix safety
+    The value is wrapped, and ParameterValue is imported: the parameter is the same text.
+    """
+    for each in file.unquoted:
+        message = (
+            f"launch_ros reads `{each.parameter}` as YAML: a `: ` in any comment of the robot ends the launch with "
+            f'"Unable to parse the value of parameter"; wrap it in `ParameterValue(…, value_type=str)`'
+        )
+        yield Hit(file.path, each.span, message, fix=wrapped(file, each))
+
+
+def wrapped(file: LaunchFile, each: Unquoted) -> Fix | None:
+    if not each.written or file.python is None:
+        return None
+    edits = wrap(file.path, each.span, "ParameterValue(", ", value_type=str)")
+    imported = import_name(file.python, "launch_ros.parameter_descriptions", "ParameterValue")
+    return Fix("call it a text", (*edits, *imported), Safety.SAFE)

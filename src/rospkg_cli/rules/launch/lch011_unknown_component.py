@@ -1,0 +1,91 @@
+"""LCH011 unknown-component."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.launch.components import Loaded, UnknownComponent
+from ...rule import rule
+
+BAD = """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">
+    <composable_node pkg="my_pkg" plugin="«my_pkg::Taker»" name="talker"/>
+  </node_container>
+</launch>
+"""
+COMPONENT = """\
+find_package(rclcpp REQUIRED)
+find_package(rclcpp_components REQUIRED)
+add_library(talker SHARED src/talker.cpp)
+target_link_libraries(talker rclcpp::rclcpp rclcpp_components::component)
+rclcpp_components_register_nodes(talker "my_pkg::Talker")
+install(TARGETS talker DESTINATION lib)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+"""
+FILES = {
+    "package.xml": manifest(
+        "  <depend>rclcpp</depend>\n  <depend>rclcpp_components</depend>\n  <exec_depend>ros2launch</exec_depend>\n",
+        "ament_cmake",
+    ),
+    "CMakeLists.txt": CMAKE.replace("ament_package", COMPONENT + "ament_package"),
+    "src/talker.cpp": (
+        "#include <rclcpp/rclcpp.hpp>\n#include <rclcpp_components/register_node_macro.hpp>\n\n"
+        "RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Talker)\n"
+    ),
+    "launch/a.launch.xml": BAD,
+}
+
+
+@rule(
+    "LCH011",
+    "unknown-component",
+    over=Loaded,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad=FILES,
+            good={"launch/a.launch.xml": BAD.replace("«my_pkg::Taker»", "my_pkg::Talker")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_component(loaded: Loaded) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds components (composable nodes) of this package, or of another package of the workspace, that its CMakeLists.txt
+    registers nowhere with `rclcpp_components_register_node`. Packages whose components can't all be told are left
+    alone. Of a package that nobody knows, the component is named where another package registers its class.
+
+    ## Why is this bad?
+    The container starts, and says "Could not find requested resource in ament index"; the node is missing.
+
+    ## Fix safety
+    The one class that is near is put in its place; it may be another one than was meant.
+    """
+    for each in loaded.unknown():
+        yield Hit(loaded.file.path, each.plugin.span, told(each), fix=rename(loaded, each))
+
+
+def told(each: UnknownComponent) -> str:
+    if each.facts is None:
+        whose = " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
+        return f"no package `{each.package}` is known, so the container can't load `{each.name}`; there is {whose}"
+    if each.meant:
+        hint = f"did you mean `{each.meant}`?"
+    elif each.elsewhere:
+        hint = "there is " + " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
+    else:
+        there = ", ".join(f"`{name}`" for name in sorted(each.facts.components)[:6]) or "no component at all"
+        hint = f"it registers {there}"
+    return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it; {hint}"
+
+
+def rename(loaded: Loaded, each: UnknownComponent) -> Fix | None:
+    span = each.plugin.span
+    if each.meant is None or loaded.file.source.slice(span) != each.name:
+        return None
+    return Fix(f"load `{each.meant}`", (Edit(loaded.file.path, span, each.meant),), Safety.UNSAFE)

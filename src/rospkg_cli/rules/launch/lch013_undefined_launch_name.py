@@ -1,0 +1,88 @@
+"""LCH013 undefined-launch-name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.file import LaunchFile
+from ...model.launch.imported import misimports
+from ...model.launch.names import Unbound, undefined_names
+from ...ros.launch_names import home_of
+from ...rule import rule
+from ...suggest import nearest
+
+NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
+BAD = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        «DeclareLaunchArgument»('rate', default_value='10'),
+        LogInfo(msg='up'),
+    ])
+"""
+BAD_IMPORT = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import «FindPackageShare»
+
+
+def generate_launch_description():
+    return LaunchDescription([LogInfo(msg=FindPackageShare('my_pkg'))])
+"""
+
+
+@rule(
+    "LCH013",
+    "undefined-launch-name",
+    over=LaunchFile,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": NEEDED, "launch/a.launch.py": BAD},
+            good={"launch/a.launch.py": BAD.replace("import LogInfo", "import DeclareLaunchArgument, LogInfo")},
+        ),
+        Example(
+            bad={
+                "package.xml": NEEDED,
+                "launch/a.launch.py": BAD_IMPORT,
+            },
+            good={"launch/a.launch.py": BAD_IMPORT.replace("launch.sub", "launch_ros.sub")},
+        ),
+    ),
+)
+def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that a Python launch file uses and that it neither defines nor imports, and names of launch and
+    launch_ros that it imports from a module that does not have them. Files that import `*`, or run text as code, are
+    left alone.
+
+    ## Why is this bad?
+    The launch stops with a NameError as soon as it comes there (often only for one value of an argument), or with an
+    ImportError at once.
+    """
+    if file.python is None or not file.entry:
+        return
+    told = set()
+    for unbound in undefined_names(file.python):
+        if unbound.name not in told:
+            told.add(unbound.name)
+            message = f"`{unbound.name}` is defined nowhere: the launch stops with NameError{hint(unbound)}"
+            yield Hit(file.path, unbound.span, message)
+    for each in misimports(file.python):
+        better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
+        message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"
+        yield Hit(file.path, each.span, message)
+
+
+def hint(unbound: Unbound) -> str:
+    home = home_of(unbound.name)
+    if home:
+        return f"; add `from {home} import {unbound.name}`"
+    near = nearest(unbound.name, unbound.known)
+    return f"; did you mean `{near}`?" if near else ""

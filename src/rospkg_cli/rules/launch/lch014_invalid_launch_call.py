@@ -1,0 +1,80 @@
+"""LCH014 invalid-launch-call."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...model.launch.file import LaunchFile
+from ...model.launch.misuse import Misuse
+from ...rule import rule
+
+NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n"
+BAD = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--x', «1.5»]),
+    ])
+"""
+BAD_CONDITION = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.conditions import IfCondition, UnlessCondition
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    quiet = LaunchConfiguration('quiet')
+    return LaunchDescription([
+        DeclareLaunchArgument('quiet', default_value='false'),
+        LogInfo(msg='up', condition=IfCondition(«not quiet»)),
+    ])
+"""
+
+
+@rule(
+    "LCH014",
+    "invalid-launch-call",
+    over=LaunchFile,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD},
+            good={"launch/a.launch.py": BAD.replace("«1.5»", "'1.5'")},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD_CONDITION},
+            good={"launch/a.launch.py": BAD_CONDITION.replace("IfCondition(«not quiet»)", "UnlessCondition(quiet)")},
+        ),
+    ),
+)
+def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds calls in Python launch files that launch can't carry out: numbers where it takes texts, a set where a
+    parameter dict is meant, `launch_arguments` without `.items()`, arguments that a class does not have or that are
+    missing; and places that treat a substitution as if its text were known while the file is read: `not x`, `a and b`,
+    `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`.
+
+    ## Why is this bad?
+    Most of these end the launch with a TypeError from deep inside of launch. The others are worse: a condition that
+    always holds, a path that holds the name of a Python object.
+
+    ## Fix safety
+    Quoting a number, adding `.items()`: this is what launch would need to go on.
+    """
+    for misuse in file.misuses if file.entry else ():
+        yield Hit(file.path, misuse.span, misuse.message, fix=mended(file, misuse))
+
+
+def mended(file: LaunchFile, misuse: Misuse) -> Fix | None:
+    if misuse.mend is None:
+        return None
+    span, text = misuse.mend
+    return Fix(f"write `{text}`", (Edit(file.path, span, text),), Safety.SAFE)

@@ -1,0 +1,198 @@
+"""What Python launch files hand to launch, and which names they use."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.launch.file import LaunchFile
+from rospkg_cli.model.launch.imported import misimports
+from rospkg_cli.model.launch.names import undefined_names
+from rospkg_cli.model.package import Package
+from rospkg_cli.tree import MemoryTree
+
+HEAD = """\
+import os
+from launch import LaunchDescription
+from launch.actions import (
+    DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, LogInfo, OpaqueFunction, SetEnvironmentVariable,
+    TimerAction)
+from launch.conditions import IfCondition, UnlessCondition
+from launch.event_handlers import OnProcessExit
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration
+from launch_ros.actions import ComposableNodeContainer, LifecycleNode, LoadComposableNodes, Node
+from launch_ros.descriptions import ComposableNode
+from launch_ros.substitutions import FindPackageShare
+from ament_index_python.packages import get_package_share_directory
+from pathlib import Path
+a, b = LaunchConfiguration('a'), LaunchConfiguration('b')
+source = get_package_share_directory('other') + '/launch/other.launch.py'
+"""
+
+
+def read(text: str) -> LaunchFile:
+    found = Package(PackageFiles(MemoryTree.of({"launch/a.launch.py": text}), "")).parts(LaunchFile).only
+    assert found is not None
+    return found
+
+
+def misused(*actions: str) -> list[str]:
+    """Return the code of what is misused when these are built."""
+    file = read(f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{', '.join(actions)}])\n")
+    return [file.source.slice(each.span) for each in file.misuses]
+
+
+@pytest.mark.parametrize(
+    "action, place",
+    [
+        ("LogInfo(msg='x', condition=IfCondition(not a))", "not a"),
+        ("LogInfo(msg='x', condition=IfCondition(a and b))", "a and b"),
+        (
+            "LogInfo(msg='x', condition=(IfCondition(a) and UnlessCondition(b)))",
+            "IfCondition(a) and UnlessCondition(b)",
+        ),
+        ("LogInfo(msg='x', condition=UnlessCondition(a == 'b'))", "a == 'b'"),
+        ("LogInfo(msg='x', condition=IfCondition(True))", "True"),
+        ("LogInfo(msg='x', condition=a)", "condition=a"),
+        ("LogInfo(msg='x', condition='true')", "'true'"),
+        ("LogInfo(msg=f'from {a}')", "f'from {a}'"),
+        ("LogInfo(msg='from ' + a)", "'from ' + a"),
+        ("LogInfo(msg=os.path.join('maps', a))", "os.path.join('maps', a)"),
+        ("LogInfo(msg=a.lower())", "a.lower()"),
+        ("LogInfo(msg=['a', 5])", "5"),
+        ("LogInfo('x')", "'x'"),
+        ("Node(package='p', executable='e', arguments=['--x', 1.5])", "1.5"),
+        ("Node(package='p', executable='e', arguments='--x 1')", "'--x 1'"),
+        ("Node(package='p', executable='e', arguments=['-d', Path(get_package_share_directory('p')) / 'a.rviz'])",
+         "Path(get_package_share_directory('p')) / 'a.rviz'"),
+        ("Node(package='p', executable='e', parameters=[{'rate', a}])", "{'rate', a}"),
+        ("Node(package='p', executable='e', parameters={'rate': 1})", "{'rate': 1}"),
+        ("Node(package='p', executable='e', parameters=[[{'rate': 1}]])", "[{'rate': 1}]"),
+        ("Node(package='p', executable='e', parameters=[{'rate': None}])", "None"),
+        ("Node(package='p', executable='e', parameters=[{'rates': []}])", "[]"),
+        ("Node(package='p', executable='e', remappings={'a': 'b'})", "{'a': 'b'}"),
+        ("Node(package='p', executable='e', remappings=[('a', 'b', 'c')])", "('a', 'b', 'c')"),
+        ("Node(package='p', executable='e', remappings=('a', 'b'))", "('a', 'b')"),
+        ("Node(package='p', executable='e', output='scren')", "'scren'"),
+        ("Node(package='p', executable='e', paramters=[])", "paramters=[]"),
+        ("Node(package='p')", "Node(package='p')"),
+        ("Node('p', 'e')", "'p'"),
+        ("ComposableNodeContainer(package='p', executable='e', namespace='', composable_node_descriptions=[])",
+         "ComposableNodeContainer(package='p', executable='e', namespace='', composable_node_descriptions=[])"),
+        ("ComposableNode(package='p', plugin='p::P')", "ComposableNode(package='p', plugin='p::P')"),
+        ("DeclareLaunchArgument('a', default_value=True)", "True"),
+        ("DeclareLaunchArgument('a', default='x')", "default='x'"),
+        ("DeclareLaunchArgument('a', 'x')", "'x'"),
+        ("IncludeLaunchDescription(source, launch_arguments={'a': 'x'})", "{'a': 'x'}"),
+        ("IncludeLaunchDescription(source, launch_arguments={'a': True}.items())", "True"),
+        ("IncludeLaunchDescription(source, launch_arguments=[{'a': 'x'}])", "{'a': 'x'}"),
+        ("TimerAction(period=5, actions=[])", "5"),
+        ("TimerAction(period=5.0, actions=LogInfo(msg='x'))", "LogInfo(msg='x')"),
+        ("GroupAction([[LogInfo(msg='x')]])", "[LogInfo(msg='x')]"),
+        ("None", "None"),
+        ("'x'", "'x'"),
+        ("a", "a"),
+        ("SetEnvironmentVariable('x', 1)", "1"),
+        ("OpaqueFunction(function=lambda: [])", "OpaqueFunction(function=lambda: [])"),
+        ("OpaqueFunction(function=lambda context: LogInfo(msg='x'))", "LogInfo(msg='x')"),
+        ("OpaqueFunction(function=[])", "[]"),
+    ],
+)  # fmt: skip
+def test_launch_can_not_take_it(action: str, place: str) -> None:
+    assert misused(action) == [place]
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "LogInfo(msg='x', condition=IfCondition(a))",
+        "LogInfo(msg=['from ', a])",
+        "LogInfo(msg='x', condition=None)",
+        "Node(package='p', executable='e', arguments=['--x', '1.5', a], parameters=[{'rate': 1.5}, 'a.yaml', a])",
+        "Node(package='p', executable='e', name=None, namespace=[a, '/x'], output={'both': 'screen'})",
+        "Node(executable='e', remappings=[('a', 'b'), (a, [b, '/x'])], output=a)",
+        "Node(package='p', executable='e', parameters=[{'nested': {'rate': 1}, ('a', b): a, 'names': ['x', 'y']}])",
+        "Node(package='p', executable='e', arguments=['-d', str(Path(get_package_share_directory('p')) / 'a.rviz')])",
+        "Node(package='p', executable='e', node_name='x')",
+        "IncludeLaunchDescription(source, launch_arguments={'a': 'x', 'b': b}.items())",
+        "IncludeLaunchDescription(source, launch_arguments=[('a', 'x')])",
+        "*[LogInfo(msg='x')]",
+        "LaunchDescription([])",
+        "GroupAction([LogInfo(msg='x')], scoped=False)",
+        "OpaqueFunction(function=lambda context: [LogInfo(msg='x')])",
+        "OpaqueFunction(function=lambda context, *args: None, args=[a])",
+        "LogInfo(msg=FindPackageShare('p').find('p'))",
+        "LogInfo(msg=str(5) + os.path.join('a', 'b'))",
+        "LogInfo(msg='x', condition=IfCondition(a if isinstance(a, LaunchConfiguration) else a == 'b'))",
+        "TimerAction(period=5.0, actions=[], condition=IfCondition('true'))",
+    ],
+)
+def test_launch_takes_it(action: str) -> None:
+    assert misused(action) == []
+
+
+def test_a_description_that_is_not_returned() -> None:
+    file = read("from launch import LaunchDescription\ndef generate_launch_description():\n    LaunchDescription([])\n")
+    assert [file.source.slice(each.span) for each in file.misuses] == ["generate_launch_description"]
+
+
+@pytest.mark.parametrize(
+    "text, names",
+    [
+        ("def f():\n    return [Node()]\n", ["Node"]),
+        ("from x import *\ndef f():\n    return [Node()]\n", []),
+        ("def f(a):\n    return [b for b in a] + [b]\n", ["b"]),
+        ("def f():\n    global x\n    x = 1\ndef g():\n    return x\n", []),
+        ("class A:\n    rate = 1\n    def f(self):\n        return rate\n", ["rate"]),
+        ("try:\n    unicode\nexcept NameError:\n    unicode = str\nprint(unicode)\n", []),
+        ("try:\n    pass\nexcept OSError as error:\n    print(error)\n", []),
+        ("def f(a: Missing) -> Missing:\n    return __file__\n", []),
+        ("def f(x):\n    match x:\n        case {'a': a, **rest}:\n            return a, rest\n        case [*b]:\n"
+         "            return b\n", []),
+        ("if (n := 1):\n    print(n)\nf = lambda x, *y: (x, y, z)\n", ["z"]),
+        ("globals()['x'] = 1\nprint(x)\n", []),
+        ("with open('a') as f, open('b') as (g, h):\n    print(f, g, h, i)\n", ["i"]),
+        ("import a.b as c, d.e\nprint(c, d, a)\n", ["a"]),
+    ],
+)  # fmt: skip
+def test_names_that_nothing_defines(text: str, names: list[str]) -> None:
+    file = read(f"{text}\ndef generate_launch_description(): ...\n").python
+    assert file is not None
+    assert [each.name for each in undefined_names(file)] == names
+
+
+def test_imports_from_the_wrong_module() -> None:
+    file = read(
+        "from launch.actions import Node, LogInfo, DeclareLaunchArguments, Brandnew\n"
+        "from launch_ros.actions import ComposableNode\n"
+        "from launch import actions, LaunchDescription, LaunchConfiguration\n"
+        "from launch_ros.parameter_descriptions import SomeSubstitutionsType\n"
+        "def generate_launch_description(): ...\n"
+    ).python
+    assert file is not None
+    assert [(each.name, each.home or each.near) for each in misimports(file)] == [
+        ("Node", "launch_ros.actions"),
+        ("DeclareLaunchArguments", "DeclareLaunchArgument"),
+        ("ComposableNode", "launch_ros.descriptions"),
+        ("LaunchConfiguration", "launch.substitutions"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "value, spans",
+    [
+        ("Command(['xacro ', a])", ["Command(['xacro ', a])"]),
+        ("Command([FindExecutable(name='xacro'), ' ', a])", ["Command([FindExecutable(name='xacro'), ' ', a])"]),
+        ("[Command(['cat ', 'robot.urdf'])]", ["[Command(['cat ', 'robot.urdf'])]"]),
+        ("Command(['uname'])", []),
+        ("ParameterValue(Command(['xacro ', a]), value_type=str)", []),
+    ],
+)
+def test_robot_descriptions_that_are_read_as_yaml(value: str, spans: list[str]) -> None:
+    text = (
+        f"{HEAD}from launch_ros.descriptions import ParameterValue\n"
+        "def generate_launch_description():\n    return LaunchDescription([\n"
+        f"        Node(package='p', executable='e', parameters=[{{'robot_description': {value}}}])])\n"
+    )
+    file = read(text)
+    assert [file.source.slice(each.span) for each in file.unquoted] == spans
