@@ -19,7 +19,7 @@ from launch.actions import (
     TimerAction)
 from launch.conditions import IfCondition, UnlessCondition
 from launch.event_handlers import OnProcessExit
-from launch.substitutions import Command, FindExecutable, LaunchConfiguration
+from launch.substitutions import PathSubstitution, Command, FindExecutable, LaunchConfiguration
 from launch_ros.actions import ComposableNodeContainer, LifecycleNode, LoadComposableNodes, Node
 from launch_ros.descriptions import ComposableNode
 from launch_ros.substitutions import FindPackageShare
@@ -122,7 +122,7 @@ def test_launch_can_not_take_it(action: str, place: str) -> None:
         "OpaqueFunction(function=lambda context: [LogInfo(msg='x')])",
         "OpaqueFunction(function=lambda context, *args: None, args=[a])",
         "LogInfo(msg=FindPackageShare('p').find('p'))",
-        "LogInfo(msg=str(5) + os.path.join('a', 'b'))",
+        "LogInfo(msg=PathSubstitution(FindPackageShare('p')) / 'b')",
         "LogInfo(msg='x', condition=IfCondition(a if isinstance(a, LaunchConfiguration) else a == 'b'))",
         "TimerAction(period=5.0, actions=[], condition=IfCondition('true'))",
     ],
