@@ -80,6 +80,7 @@ def test_the_install_table(text: str, destinations: str) -> None:
         ("install(CODE \"do()\")", "executable header library module other share"),
         ("someones_install_macro(config)", "executable share"),
         ("ExternalProject_Add(x URL y)", "executable share"),
+        ("FetchContent_MakeAvailable(x)", "executable"),
         ("install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gen.yaml DESTINATION share/my_pkg)", ""),
         ("install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/gen DESTINATION share/my_pkg)", "share"),
         ("someones_other_macro(config)", ""),

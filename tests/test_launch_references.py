@@ -219,3 +219,61 @@ def test_a_launch_file_that_others_include_by_its_path_is_no_double() -> None:
     assert said(files) == ["LCH012 warning"]
     lines = [f'<include file="$(find-pkg-share my_pkg)/launch/{each}/robot.launch.xml"/>' for each in "ab"]
     assert said({**files, "launch/all.launch.xml": f"<launch>{''.join(lines)}</launch>"}) == []
+
+
+def include(*arguments: str) -> str:
+    given = "".join(f'<arg name="{name}" value="1"/>' for name in arguments)
+    return f'<launch><include file="$(find-pkg-share my_pkg)/launch/arm.launch.xml">{given}</include></launch>'
+
+
+@pytest.mark.parametrize(
+    "inner, given, found",
+    [
+        ('<arg name="a"/><let name="b" value="$(var a)"/>', ["a"], []),
+        ('<arg name="a"/><let name="b" value="$(var a)"/>', [], ["a"]),
+        ('<arg name="a" default="1"/><let name="b" value="$(var a)"/>', ["b"], ["b"]),
+        ('<let name="b" value="$(var a)"/>', ["a"], []),
+        ('<arg name="a" if="$(env X)"/><let name="b" value="$(var a)"/>', [], []),
+        ('<node pkg="p" exec="e"><param from="/x.yaml" allow_substs="true"/></node>', ["a"], []),
+        ('<include file="$(find-pkg-share my_pkg)/launch/hand.launch.xml"/>', ["finger"], []),
+        ('<include file="$(find-pkg-share my_pkg)/launch/hand.launch.xml"/>', ["toe"], ["toe"]),
+        ('<include file="$(find-pkg-share elsewhere)/launch/hand.launch.xml"/>', ["toe"], []),
+        ('<include file="$(var which)"/>', ["toe"], []),
+    ],
+)
+def test_what_an_include_gives_is_what_the_file_takes(inner: str, given: list[str], found: list[str]) -> None:
+    hand = '<launch><arg name="finger" default="1"/><let name="b" value="$(var finger)"/></launch>'
+    files = {
+        **BASE,
+        "launch/arm.launch.xml": f"<launch>{inner}</launch>",
+        "launch/hand.launch.xml": hand,
+        "launch/robot.launch.xml": include(*given),
+    }
+    findings = [f for f in lint_files(files, ["LCH015"]).findings if f.place.path == "launch/robot.launch.xml"]
+    assert [name for f in findings for name in found if f"`{name}`" in f.message] == found
+    assert len(findings) == len(found)
+
+
+@pytest.mark.parametrize(
+    "body, found",
+    [
+        ("return LaunchDescription([DeclareLaunchArgument('a')])", 1),
+        ("def late(context):\n    return [DeclareLaunchArgument('a')]\nreturn OpaqueFunction(function=late)", 0),
+        ("if os.environ.get('X'):\n    return DeclareLaunchArgument('a')\nreturn []", 0),
+        ("return [DeclareLaunchArgument('a', default_value='1')]", 0),
+    ],
+)
+def test_only_what_is_declared_for_certain_is_required(body: str, found: int) -> None:
+    arm = python("from launch.actions import OpaqueFunction\n" + body)
+    text = include().replace("arm.launch.xml", "arm.launch.py")
+    files = {**BASE, "launch/arm.launch.py": arm, "launch/robot.launch.xml": text}
+    assert said(files, "LCH015") == ["LCH015 warning"] * found
+    more = arm.replace("return", "context.launch_configurations['b']\n    return", 1)
+    given = include("b").replace("arm.launch.xml", "arm.launch.py")
+    assert [
+        f
+        for f in lint_files(
+            {**files, "launch/arm.launch.py": more, "launch/robot.launch.xml": given}, ["LCH015"]
+        ).findings
+        if "`b`" in f.message
+    ] == []

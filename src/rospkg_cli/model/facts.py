@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..source import Span
+from .launch.declared import LaunchSignature
 from .params.declared import DeclaredParameter, NodeCode
 
 Unknown = Literal[
-    "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules", "launch_arguments",
+    "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
     "plugins", "loaders"
 ]  # fmt: skip
 
@@ -101,8 +102,8 @@ class PackageFacts:
     """The executables and components that CMake builds, as far as their code declares parameters."""
     given_parameters: tuple[frozenset[str], ...] = ()
     """The names in each block of its parameter files."""
-    launch_arguments: tuple[tuple[str, frozenset[str]], ...] = ()
-    """For each launch file in share/<name>: the arguments that it declares."""
+    launch_files: tuple[LaunchSignature, ...] = ()
+    """What its launch files take from those that include them."""
     unknown: frozenset[Unknown] = frozenset()
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
 

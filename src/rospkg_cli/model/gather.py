@@ -13,6 +13,7 @@ from .header_folders import header_folders
 from .installed import installed_facts
 from .interface.inventory import interface_names
 from .launch.file import started_nodes
+from .launch.signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .needs import dependencies, group_needs, groups
@@ -51,6 +52,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         executables=installed.executables,
         astray=installed.astray,
         starts=started_nodes(reading),
+        launch_files=launch_signatures(reading),
         interfaces=interfaces,
         parameters=declared,
         given_parameters=given_parameters(reading),

@@ -15,6 +15,8 @@ from .targets import Target
 from .words import BINARY, HOLE, Word
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
+FETCHES = "fetchcontent_makeavailable"
+"""It builds another project along: its programs may stand anywhere, its files go to a share folder of its own."""
 
 
 def cmake_table(cmake: CMake, name: str) -> InstallTable:
@@ -133,7 +135,7 @@ class Table:
             yield from self.unknown_rule(rule)
         for call in self.cmake.calls:
             if self.may_install(call):
-                for what in ALL[:2]:
+                for what in ALL[:1] if call.name == FETCHES else ALL[:2]:
                     yield NotKnown(what, f"`{call.name}` may install anything", call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[NotKnown]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...source import Span
 from ..evaluate.folder import Folder
 from ..evaluate.machine import Machine
 from ..evaluate.values import Call, Class, Function, Joined, Scope, Value
@@ -44,6 +45,8 @@ class LaunchEvaluator(Watching):
         self.active: list[int] = []
         self.results: dict[int, tuple[Function, Value]] = {}
         """What each function that launch calls returned, by the `id` of its node."""
+        self.late: list[Span] = []
+        """The functions that were not called by the file itself, nor by what launch calls of it."""
 
     def run(self, function: Function, call: Call) -> Value:
         """Run a function; one that calls itself on a condition that can't be told has no end that could be found."""
@@ -62,11 +65,14 @@ class LaunchEvaluator(Watching):
         self.run_file()
         for name in ENTRIES:
             self.enter(self.get(name))
+        self.late = [function.span for function in functions_in(self.scope) if id(function.node) not in self.entered]
         done = 0
         while done < len(self.calls):
             call, done = self.calls[done], done + 1
             if class_of(call) == "OpaqueFunction":
-                self.enter(call.get("function", 0))
+                function = call.get("function", 0)
+                self.late += [function.span] if isinstance(function, Function) else []
+                self.enter(function)
         for function in list(functions_in(self.scope)):
             self.enter(function)
 

@@ -114,6 +114,8 @@ class LaunchFile:
     """Robot descriptions that launch_ros would read as YAML."""
     guarded: tuple[Span, ...] = ()
     """Where a missing package is caught."""
+    late: tuple[Span, ...] = ()
+    """Functions that launch calls only when it comes to them, or that nothing calls."""
 
     @property
     def path(self) -> str:

@@ -44,6 +44,7 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
         misuses=misuses(evaluator, calls),
         unquoted=tuple(unquoted_in(file, calls)),
         guarded=tuple(guarded_in(file)),
+        late=tuple(evaluator.late),
     )
 
 

@@ -1,0 +1,66 @@
+"""LCH015 include-argument-mismatch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.including import Including, Mismatch
+from ...rule import rule
+
+ARM = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="$(var speed)"/>\n</launch>\n'
+GIVEN = """\
+<launch>
+  <include file="$(find-pkg-share my_pkg)/launch/arm.launch.xml">
+    <arg name="speed" value="1.0"/>
+    <arg name="«rate»" value="2.0"/>
+  </include>
+</launch>
+"""
+LACKS = """\
+<launch>
+  <«include» file="$(find-pkg-share my_pkg)/launch/arm.launch.xml"/>
+</launch>
+"""
+FILES = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+    "launch/arm.launch.xml": ARM,
+}
+GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value="2.0"/>\n', "")}
+
+
+@rule(
+    "LCH015",
+    "include-argument-mismatch",
+    over=Including,
+    severity=Severity.WARNING,
+    examples=(
+        Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
+        Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
+    ),
+)
+def include_argument_mismatch(including: Including) -> Iterator[Hit]:
+    """
+    ## What it does
+    Compares what a launch file gives to one that it includes, of this package or another one of the workspace, with
+    what that file declares: an argument that neither it nor anything it includes declares or uses, and an argument
+    without a default that is not given.
+
+    ## Why is this bad?
+    What is given under a name that nobody takes has no effect, and nothing says so. What is lacking stops the launch:
+    "Included launch description missing required argument 'speed'".
+    """
+    for each in including.mismatches():
+        yield Hit(including.scope.file.path, each.span, message(each))
+
+
+def message(mismatch: Mismatch) -> str:
+    of = "" if not mismatch.package else f" of `{mismatch.package}`"
+    if mismatch.lacks:
+        return (
+            f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which this include does not give: the "
+            f'launch stops with "missing required argument"'
+        )
+    hint = f" (did you mean `{mismatch.meant}`?)" if mismatch.meant else ""
+    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`{hint}: what is given here has no effect"
