@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
+from typing import Literal
 
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.names import Known
@@ -25,8 +26,8 @@ class Sought:
 
     found: FoundPackage
     names: tuple[str, ...]
-    brought: bool
-    """Whether something that is declared brings it with it, or may bring it."""
+    brought: Literal["surely", "maybe", "no"]
+    """Whether something that is declared brings it for whoever builds with it."""
 
 
 @dataclass(frozen=True)
@@ -49,9 +50,13 @@ class SoughtAndDeclared:
             seen.add(found.name)
             names = self.serving(found.name)
             if names and not self.declared.has(names) and not there.intersection(names):
-                brings, known = self.declared.brought, self.declared.brings_all_known
-                maybe = not known or bool(brings.intersection(names) or self.fitting(found.name, brings))
-                yield Sought(found, names, maybe)
+                yield Sought(found, names, self.is_brought(found, names))
+
+    def is_brought(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["surely", "maybe", "no"]:
+        brings = self.declared.brought
+        if brings.intersection(names) or self.fitting(found.name, brings):
+            return "surely"
+        return "no" if self.declared.brings_all_known else "maybe"
 
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration fails for certain where this is not there."""

@@ -25,7 +25,7 @@ FOUND_IN_TESTS = CMAKE.replace(
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "where only tests need it, or a declared dependency may bring it",
-        Severity.INFO: "where package.xml has it in a comment",
+        Severity.INFO: "where a declared dependency is known to bring it, or package.xml has it in a comment",
     },
     examples=(
         Example(
@@ -73,14 +73,14 @@ def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
             f"package.xml does not declare `{found.name}`{known}, which CMake can't do without: "
             f"{consequence(missing)}; add {tag}"
         )
-        level = Severity.WARNING if tests or missing.brought else None
-        level = Severity.INFO if name in sought.declared.put_aside else level
+        level = Severity.WARNING if tests or missing.brought == "maybe" else None
+        level = Severity.INFO if missing.brought == "surely" or name in sought.declared.put_aside else level
         fix = Fix(f"add {tag}", (add_dependency(sought.declared.manifest, kind, name),))
         yield Hit(found.word.path, found.word.span, message, level, fix=fix)
 
 
 def consequence(missing: Sought) -> str:
-    if missing.brought:
+    if missing.brought != "no":
         return "it is there only as long as another dependency brings it"
     stops = f'stops with "Could not find a package configuration file provided by {missing.found.name}"'
     return f"on a clean machine the build {'of the tests ' if missing.found.call.testing else ''}{stops}"
