@@ -79,12 +79,19 @@ def test_interfaces_are_a_ros_package_even_if_nobody_knows_it() -> None:
     assert imports("from acme.msg import helper\n") == []
 
 
-@pytest.mark.parametrize(
-    "path", ["test/test_a.py", "my_pkg/test/helper.py", "docs/conf.py", "setup.py", "scripts/once.py"]
-)
+@pytest.mark.parametrize("path", ["test/test_a.py", "my_pkg/test/helper.py", "docs/conf.py", "scripts/once.py"])
 def test_what_is_not_installed_does_not_count(path: str) -> None:
     files = {**PYTHON, path: PYTHON.get(path, "") + "import cv2\n"}
     assert said("DEP101", files) == []
+
+
+def test_what_setup_py_imports_is_needed_to_build() -> None:
+    setup = PYTHON["setup.py"] + "import cv2\nfrom catkin_pkg.python_setup import x\n"
+    files = {**PYTHON, "setup.py": setup}
+    (finding,) = lint_files(files, ["DEP101"]).findings
+    assert "<build_depend>python3-opencv</build_depend>" in finding.message
+    cmake = {"package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": CMAKE}
+    assert lint_files({**files, **cmake}, ["DEP101"]).findings == ()
 
 
 def test_a_package_may_be_called_like_a_test() -> None:
@@ -156,7 +163,20 @@ def test_tests_ask_for_test_dependencies() -> None:
     ],
 )
 def test_what_stands_for_others_in_tests(declared: str, text: str) -> None:
-    assert in_tests(f"  <test_depend>{declared}</test_depend>\n", {"test/test_a.py": text}) == []
+    body = f"  <test_depend>{declared}</test_depend>\n"
+    found = lint_files({**PYTHON, "package.xml": manifest(body), "test/test_a.py": text}, ["DEP102"]).findings
+    assert {finding.severity.value for finding in found} <= {"info"}
+    assert all(f"as long as `{declared}` brings it" in finding.message for finding in found)
+    assert not any("`python3-pytest`" in finding.message for finding in found)
+
+
+def test_templates_of_tests_are_read_where_cmake_fills_them() -> None:
+    test = "import launch\nWHAT = '@NAME@'\nHOW = @HOW@\n"
+    files: dict[str, str | None] = dict.fromkeys(PYTHON)
+    files |= {"package.xml": manifest(build_type="ament_cmake"), "test/test_a.py.in": test}
+    configure = "configure_file(test/test_a.py.in test_a.py)\nament_package()"
+    assert said("DEP102", {**files, "CMakeLists.txt": CMAKE.replace("ament_package()", configure)}) == ["launch"]
+    assert said("DEP102", {**files, "CMakeLists.txt": CMAKE}) == []
 
 
 def test_one_test_dependency_may_bring_the_others() -> None:
@@ -232,6 +252,15 @@ def test_launch_files_of_tests_ask_for_test_dependencies() -> None:
     files: dict[str, str | None] = {**PYTHON, "test/a.launch.xml": xml('<node pkg="a" exec="x"/>')}
     (finding,) = lint_files(present(files), ["DEP103"]).findings
     assert "<test_depend>a</test_depend>" in finding.message
+
+
+def test_code_that_describes_nodes_is_asked_mildly() -> None:
+    code = "def make(Writer, name):\n    return [Writer.Node(package='nav2_amcl', executable='amcl'), {}]\n"
+    for other in ("Writer.Node(package=name, executable='x')", "Box(package='b', executable='c')", "Node(package='d')"):
+        files = {**PYTHON, "my_pkg/generator.py": code.format(other)}
+        assert [f.severity.value for f in lint_files(files, ["DEP103"]).findings] == ["info"]
+    body = "  <exec_depend>nav2_amcl</exec_depend>\n"
+    assert said("DEP103", {"my_pkg/generator.py": code.format(0), "package.xml": manifest(body)}) == []
 
 
 def test_a_dependency_in_a_comment_was_thought_about() -> None:

@@ -43,6 +43,7 @@ AMENT_CMAKE = frozenset(
 
 IN_CMAKE: Mapping[str, frozenset[str]] = {
     "ament_cmake": AMENT_CMAKE,
+    "ament_cmake_google_benchmark": frozenset({"google_benchmark_vendor"}),
     "ament_cmake_auto": frozenset({"ament_cmake", "ament_cmake_gmock", "ament_cmake_gtest"}),
     "ament_cmake_ros": frozenset({"ament_cmake", "ament_cmake_gmock", "ament_cmake_gtest", "ament_cmake_pytest"}),
     "ament_cmake_ros_core": frozenset({"ament_cmake"}),

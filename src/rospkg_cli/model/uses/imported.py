@@ -12,6 +12,12 @@ from .python import PythonUse
 from .roles import Role
 from .serving import served_by, serving_import
 
+RUNNERS = frozenset({"python3-pytest"})
+"""What runs the tests: whoever brings it does so on purpose."""
+
+BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
+"""What runs setup.py, or colcon needs itself."""
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -28,6 +34,8 @@ class Missing:
     places: tuple[Place, ...]
     brings: tuple[str, ...] = ()
     """What is missing as well, and is there with this one."""
+    brought_by: str = ""
+    """What is declared and brings it."""
 
 
 @dataclass(frozen=True)
@@ -42,16 +50,29 @@ class Imported:
         return [Missing(name, tuple(places)) for name, places in self.undeclared("run").items()]
 
     def missing_in_tests(self) -> list[Missing]:
-        """Return what tests alone import without its being declared, but for what other things bring."""
+        """Return what tests alone import without its being declared, but for what others that are missing bring."""
         installed = self.undeclared("run")
-        there = brought(self.declared.names, IN_TESTS)
-        found = {name: p for name, p in self.undeclared("test").items() if name not in there and name not in installed}
+        found = {name: p for name, p in self.undeclared("test").items() if name not in installed}
         result = []
         for name, places in found.items():
-            if name not in brought(found.keys() - {name}, IN_TESTS):
+            bringing = next((d for d in sorted(self.declared.names) if name in brought([d], IN_TESTS)), "")
+            if bringing:
+                result += [Missing(name, tuple(places), (), bringing)] if name not in RUNNERS else []
+            elif name not in brought(found.keys() - {name}, IN_TESTS):
                 brings = sorted(brought([name], IN_TESTS) & found.keys())
                 result.append(Missing(name, tuple(places), tuple(brings)))
         return result
+
+    def missing_in_setup(self) -> list[Missing]:
+        """Return what setup.py itself imports without its being declared, but for the tools that run it."""
+        found: dict[str, list[Place]] = {}
+        python = self.declared.facts.build_type == "ament_python"
+        for file in self.python.files if python else ():
+            for each in file.imports if file.path == "setup.py" else ():
+                name = serving_import(self.declared, each) if each.module.partition(".")[0] not in BUILDERS else None
+                if name:
+                    found.setdefault(name, []).append(Place(file.path, each.span, each.module))
+        return [Missing(name, tuple(places)) for name, places in found.items()]
 
     def uses(self, role: Role) -> Iterator[tuple[Place, tuple[str, ...]]]:
         """Yield what files of a role import and can't do without, and what serves it."""

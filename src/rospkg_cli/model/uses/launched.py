@@ -13,10 +13,10 @@ from ..cmake.project import CMake
 from ..files import PackageFiles
 from ..install import InstallTable
 from ..launch.file import LaunchFile
-from ..launch.uses import PackageUse, package_uses
+from ..launch.uses import NAME, PackageUse, package_uses
 from .compiled import named_sources
 from .declared import Declared
-from .python import OwnModules
+from .python import OwnModules, PythonUse
 from .roles import Role, role_of
 from .serving import served_by
 
@@ -30,6 +30,7 @@ class Launched:
     launch_files: tuple[LaunchFile, ...]
     cmake: CMake | None
     table: InstallTable | None
+    python: PythonUse
 
     def role(self, path: str) -> Role:
         """Return what a launch file is there for; one that lies about and is not installed is for nobody."""
@@ -68,6 +69,23 @@ class Launched:
         for use in self.uses(tests=tests):
             if not self.declared.has([use.name]) and use.name not in there:
                 found.setdefault(use.name, []).append(use)
+        return found
+
+    def described(self) -> dict[str, list[PackageUse]]:
+        """Return each package that installed code describes nodes of, and that is not declared and not missing anyway.
+
+        Such code writes or makes launches for others, who may declare what they start.
+        """
+        found: dict[str, list[PackageUse]] = {}
+        if self.declared.judged:
+            there = brought(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
+            launches = {file.path for file in self.launch_files if file.nodes}
+            for file in self.python.files:
+                for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
+                    if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
+                        use = PackageUse(node.package, file.path, node.span, "describes a node of")
+                        found.setdefault(node.package, []).append(use)
+            found = {name: uses for name, uses in found.items() if name not in there}
         return found
 
     def uses(self, *, tests: bool) -> Iterator[PackageUse]:

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import PurePosixPath
 
+from ...source import Source
 from ..files import PackageFiles, Reading
 from ..install import InstallTable
 from ..modules import Modules
-from ..python import Import, PythonFile
+from ..python import Import, PythonFile, parse_python
 from ..unreadable import UnreadableError
 from .installed import InstalledPython
+from .nodes import DescribedNode, described_nodes
 from .roles import Role, role_of
 
 NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
 """Folders without `__init__.py` that nobody imports, though Python would let them."""
+
+VARIABLE = re.compile(r"@(\w+)@")
 
 
 @dataclass(frozen=True)
@@ -26,6 +31,7 @@ class PythonImports:
     path: str
     role: Role
     imports: tuple[Import, ...]
+    nodes: tuple[DescribedNode, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,8 +87,19 @@ def read_python_use(reading: Reading) -> Iterator[PythonUse]:
                 continue
             used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
             role = role if used else "aside"
-            found.append(PythonImports(path, role, foreign(file, own)))
+            found.append(PythonImports(path, role, foreign(file, own), tuple(described_nodes(file))))
+        elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
+            file = read_template(reading.files, path)
+            found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
     yield PythonUse(tuple(found), complete)
+
+
+def read_template(files: PackageFiles, path: str) -> PythonFile | None:
+    """Read what configure_file makes a test of, with a name in the place of every `@VARIABLE@`."""
+    try:
+        return parse_python(Source(path, VARIABLE.sub(r"_\1_", files.source(path).text)))
+    except UnreadableError:
+        return None
 
 
 def foreign(file: PythonFile, own: OwnModules) -> tuple[Import, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.imported import Imported
+from ...model.uses.imported import Imported, Missing
 from ...rule import rule
 
 BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
@@ -42,7 +42,8 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
 def undeclared_import(imported: Imported) -> Iterator[Hit]:
     """
     ## What it does
-    Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare.
+    Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare;
+    what setup.py imports is needed to build.
     Imports that a file does without are left out: those under `try` … `except ImportError`, under `TYPE_CHECKING`, and
     under conditions on the machine. So are tests and launch files, which have rules of their own.
 
@@ -53,15 +54,21 @@ def undeclared_import(imported: Imported) -> Iterator[Hit]:
     ## References
     - REP-149, exec_depend
     """
-    manifest = imported.declared.manifest
     for missing in imported.missing():
-        first, *others = missing.places
-        tag = f"<exec_depend>{missing.name}</exec_depend>"
-        message = (
-            f"package.xml does not declare `{missing.name}`, which is imported here as `{first.module}`: on a clean "
-            f"machine rosdep does not install it and the import raises ModuleNotFoundError; add {tag}"
-        )
-        fix = Fix(f"add {tag}", (add_dependency(manifest, "exec_depend", missing.name),))
-        related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-        level = Severity.INFO if missing.name in imported.declared.put_aside else None
-        yield Hit(first.path, first.span, message, level, related, fix)
+        ends = "on a clean machine rosdep does not install it and the import raises ModuleNotFoundError"
+        yield undeclared(imported, missing, "exec_depend", ends)
+    for missing in imported.missing_in_setup():
+        ends = "on a clean machine rosdep does not install it and `colcon build` stops with ModuleNotFoundError"
+        yield undeclared(imported, missing, "build_depend", ends)
+
+
+def undeclared(imported: Imported, missing: Missing, kind: str, ends: str) -> Hit:
+    first, *others = missing.places
+    tag = f"<{kind}>{missing.name}</{kind}>"
+    message = (
+        f"package.xml does not declare `{missing.name}`, which is imported here as `{first.module}`: {ends}; add {tag}"
+    )
+    fix = Fix(f"add {tag}", (add_dependency(imported.declared.manifest, kind, missing.name),))
+    related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
+    level = Severity.INFO if missing.name in imported.declared.put_aside else None
+    return Hit(first.path, first.span, message, level, related, fix)

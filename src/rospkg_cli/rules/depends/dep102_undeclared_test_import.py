@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.imported import Imported
+from ...model.uses.imported import Imported, Missing
 from ...rule import rule
 
 
@@ -16,6 +16,7 @@ from ...rule import rule
     "undeclared-test-import",
     over=Imported,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where a test tool that is declared brings it, or package.xml has it in a comment"},
     examples=(
         Example(
             bad={"test/test_viewer.py": "import «pytest»\n\n\ndef test_nothing():\n    pytest.skip()\n"},
@@ -37,16 +38,22 @@ def undeclared_test_import(imported: Imported) -> Iterator[Hit]:
     ## References
     - REP-149, test_depend
     """
-    manifest = imported.declared.manifest
     for missing in imported.missing_in_tests():
         first, *others = missing.places
         tag = f"<test_depend>{missing.name}</test_depend>"
-        brings = ", ".join(f"`{name}`" for name in missing.brings)
         message = (
-            f"package.xml does not declare `{missing.name}`, which this test imports as `{first.module}`: on a clean "
-            f"machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError; add {tag}"
-            + (f", which brings {brings} as well" if brings else "")
+            f"package.xml does not declare `{missing.name}`, which this test imports as `{first.module}`: "
+            f"{consequence(missing)}; add {tag}"
         )
-        fix = Fix(f"add {tag}", (add_dependency(manifest, "test_depend", missing.name),))
+        brings = ", ".join(f"`{name}`" for name in missing.brings)
+        message += f", which brings {brings} as well" if brings else ""
+        fix = Fix(f"add {tag}", (add_dependency(imported.declared.manifest, "test_depend", missing.name),))
         related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-        yield Hit(first.path, first.span, message, related=related, fix=fix)
+        mild = missing.brought_by or missing.name in imported.declared.put_aside
+        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
+
+
+def consequence(missing: Missing) -> str:
+    if missing.brought_by:
+        return f"it is there only as long as `{missing.brought_by}` brings it"
+    return "on a clean machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError"

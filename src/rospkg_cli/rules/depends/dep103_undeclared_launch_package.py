@@ -36,7 +36,8 @@ BAD_XML = """\
     over=Launched,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which whoever starts a launch file has, and for what stands in a comment"
+        Severity.INFO: "for launch itself, which whoever starts a launch file has, for nodes that other code describes, and "
+        "for what stands in a comment"
     },
     examples=(
         Example(
@@ -59,7 +60,8 @@ def undeclared_launch_package(launched: Launched) -> Iterator[Hit]:
     Finds packages that launch files need and package.xml does not declare: those whose nodes and components they
     start, whose files they look for or include, whose programs (`xacro`) they run, and whose modules they import.
     Names that are computed when the file runs are left alone. A dependency on `ros2launch` stands for launch,
-    launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files of tests ask for a test_depend.
+    launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files of tests ask for a test_depend. Other
+    installed code that describes nodes (`Node(package='…', executable='…')`) counts too, mildly.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml
@@ -74,19 +76,29 @@ def undeclared_launch_package(launched: Launched) -> Iterator[Hit]:
             yield no_launch(launched, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
         for name, uses in missing.items():
             yield undeclared(launched, tag, name, uses)
+    for name, uses in launched.described().items():
+        yield undeclared(launched, "exec_depend", name, uses, "this code", mild=True)
 
 
-def undeclared(launched: Launched, tag: str, name: str, uses: list[PackageUse]) -> Hit:
+def undeclared(
+    launched: Launched,
+    tag: str,
+    name: str,
+    uses: list[PackageUse],
+    who: str = "this launch file",
+    *,
+    mild: bool = False,
+) -> Hit:
     first, *others = uses
     hint = did_you_mean(name, launched.names_around) if launched.is_strange(name) else ""
     line = f"<{tag}>{name}</{tag}>"
     message = (
-        f"package.xml does not declare `{name}`, but this launch file {first.does} it{hint}: on a clean machine rosdep "
+        f"package.xml does not declare `{name}`, but {who} {first.does} it{hint}: on a clean machine rosdep "
         f"does not install it and the launch fails with \"package '{name}' not found\"; add {line}"
     )
     fix = None if hint else Fix(f"add {line}", (add_dependency(launched.declared.manifest, tag, name),))
     related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-    level = Severity.INFO if name in launched.declared.put_aside else None
+    level = Severity.INFO if mild or name in launched.declared.put_aside else None
     return Hit(first.path, first.span, message, level, related, fix)
 
 
