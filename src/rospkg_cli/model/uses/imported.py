@@ -12,8 +12,8 @@ from .python import PythonUse
 from .roles import Role
 from .serving import served_by, serving_import
 
-RUNNERS = frozenset({"python3-pytest"})
-"""What runs the tests: whoever brings it does so on purpose."""
+RUNNERS = frozenset({"python3-pytest", "launch_testing"})
+"""What runs the tests: who brings it is made for that."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""

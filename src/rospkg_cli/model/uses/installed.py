@@ -33,6 +33,8 @@ class InstalledPython:
     def is_test(self, path: str) -> bool:
         """Return whether a file among the tests is run with them: CMake names it or its folder, or pytest finds it."""
         folder, _, name = path.rpartition("/")
+        if self.cmake and path.endswith(".in"):
+            return name in self.cmake or "}.py.in" in self.cmake
         if self.cmake:
             return name in self.cmake or re.search(rf"\b{re.escape(folder)}/?[\s)\"]", self.cmake) is not None
         return "test" in name

@@ -36,8 +36,8 @@ BAD_XML = """\
     over=Launched,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which whoever starts a launch file has, for nodes that other code describes, and "
-        "for what stands in a comment"
+        Severity.INFO: "for launch itself, which whoever starts a launch file has, for nodes that other code "
+        "describes, and for what stands in a comment"
     },
     examples=(
         Example(
