@@ -91,7 +91,7 @@ def test_repositories(workspace: Path) -> None:
     [
         (["a/COLCON_IGNORE"], "2 stand below, hidden by `a/COLCON_IGNORE`"),
         (["a/AMENT_IGNORE", "a/one/COLCON_IGNORE"], "2 stand below, hidden by `a/AMENT_IGNORE`"),
-        (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE"], "hidden by `a/one/CATKIN_IGNORE` and 1 others"),
+        (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE"], "hidden by `a/one/CATKIN_IGNORE` and another marker"),
     ],
 )
 def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says: str) -> None:

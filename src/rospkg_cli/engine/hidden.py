@@ -17,7 +17,7 @@ def hidden_below(paths: Iterable[Path]) -> str:
     if not found:
         return ""
     marks = {hidden_by(top, package).relative_to(top).as_posix(): None for top, package in found}
-    others = f" and {len(marks) - 1} others" if len(marks) > 1 else ""
+    others = {1: "", 2: " and another marker"}.get(len(marks), f" and {len(marks) - 1} other markers")
     count = "one stands" if len(found) == 1 else f"{len(found)} stand"
     return f"{count} below, hidden by `{next(iter(marks))}`{others}"
 

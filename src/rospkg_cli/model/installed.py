@@ -44,7 +44,7 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
     if table is None:
         return InstalledFacts()
     unknown: set[Unknown] = set()
-    unknown |= set() if table.knows("executable") else {"executables"}
+    unknown |= {"executables"} if has_malformed(reading) or not table.knows("executable") else set()
     unknown |= set() if table.knows("share") else {"share_files"}
     unknown |= set() if table.knows("module") else {"modules"}
     return InstalledFacts(
@@ -55,6 +55,12 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),
     )
+
+
+def has_malformed(reading: Reading) -> bool:
+    """Return whether an entry point is written in a way that leaves open what its executable is called."""
+    setup = reading.parts(SetupPy).only
+    return setup is not None and any(each.script and each.fault for each in setup.entry_points)
 
 
 def module_name(path: str) -> str:

@@ -7,13 +7,21 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...ros.manifest import BUILD_TYPES, EXPORTED
+from ...ros.aliases import key_for_pip
+from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
+from ...ros.names import Known
 from ...ros.table import rows
+from ...suggest import near
 from ..facts import PackageFacts
 from ..manifest import Manifest
 from ..workspace import Workspace
 
 MAX_DEPTH = 20
+
+
+def plain(name: str) -> str:
+    return name.replace("-", "_").lower()
+
 
 COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
@@ -52,7 +60,35 @@ class Declared:
 
     def has(self, names: Iterable[str]) -> bool:
         """Return whether one of some names is declared, or is the package itself, or can't be declared."""
-        return any(name in self.names or name == self.facts.name or self.needs_us(name) for name in names)
+        return any(
+            name in self.names or name == self.facts.name or self.needs_us(name) or self.means(name) for name in names
+        )
+
+    def means(self, name: str) -> bool:
+        """Return whether package.xml names it in a way that is a fault of its own, of which another rule speaks.
+
+        The package itself in other letters, a dependency in a tag that there isn't, or one whose name nobody knows and
+        that is near, or is the one of PyPI.
+        """
+        if plain(name) == plain(self.facts.name) or name in self.in_unknown_tags:
+            return True
+        return name in self.meant or bool(self.unknown and near(name, self.unknown))
+
+    @cached_property
+    def in_unknown_tags(self) -> frozenset[str]:
+        children = self.manifest.root.children
+        return frozenset(e.text for e in children if "depend" in e.tag.lower() and e.tag not in DEPENDENCY_TAGS)
+
+    @cached_property
+    def unknown(self) -> frozenset[str]:
+        """The declared names that are no package and no key."""
+        known = (Known.PACKAGE, Known.KEY)
+        return frozenset(d.name for d in self.manifest.dependencies if self.workspace.what(d.name) not in known)
+
+    @cached_property
+    def meant(self) -> frozenset[str]:
+        """The keys for which the declared names stand elsewhere."""
+        return frozenset(key for name in self.unknown if (key := key_for_pip(name)) is not None)
 
     @cached_property
     def brought(self) -> frozenset[str]:

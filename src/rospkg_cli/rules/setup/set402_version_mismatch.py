@@ -8,6 +8,7 @@ from ...edits.setup import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...model.setup.slices import PythonPackage
+from ...ros.manifest import VERSION
 from ...rule import rule
 from ...source import Span
 
@@ -32,8 +33,8 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     """
     said, manifest = package.setup.said("version"), package.manifest
     element = manifest.first("version")
-    if said is None or element is None or not manifest.version or said.text == manifest.version:
-        return
+    if said is None or element is None or said.text == manifest.version or not VERSION.fullmatch(manifest.version):
+        return  # a version that colcon refuses is XML103's
     edits = replace_text(said, manifest.version)
     fix = Fix(f"write `{manifest.version}`", edits) if edits else None
     span: Span = manifest.span(element)
