@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.cmake_find import find
 from ...edits.interfaces import list_need
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -33,6 +34,12 @@ FILES = {
             good={"CMakeLists.txt": GOOD},
             fix=Safety.SAFE,
         ),
+        Example(
+            on="interfaces",
+            bad={**FILES, "msg/Status.msg": "«std_msgs/Header» header\n"},
+            good={"CMakeLists.txt": GOOD.replace("dependencies(std_msgs ", "dependencies(")},
+            fix=Safety.SAFE,
+        ),
     ),
 )
 def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit]:
@@ -42,14 +49,16 @@ def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit
     `rosidl_generate_interfaces` neither list nor pass on.
 
     ## Why is this bad?
-    The generated code includes headers of that package, and nothing tells the compiler where they are.
+    The generated code includes headers of that package, and nothing tells the compiler where they are. A package that
+    is listed must have been found before: the fix looks for it where nothing does.
     """
     offered: set[int] = set()
     for need in generated.unlisted_needs():
         start = need.target.call.command.span.start
         edit = None if start in offered and not need.target.dependencies else list_need(generated, need)
         offered.add(start)
-        fix = Fix(f"add `{need.package}` to DEPENDENCIES", (edit,)) if edit else None
+        looked_for = find(generated.cmake, need.package, need.target.call)
+        fix = Fix(f"add `{need.package}` to DEPENDENCIES", (edit, *looked_for)) if edit else None
         message = f"`{need.package}` is not among the DEPENDENCIES of `rosidl_generate_interfaces`"
         call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
         level = None if need.certain else Severity.WARNING
