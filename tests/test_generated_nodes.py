@@ -109,6 +109,7 @@ def test_every_kind_runs_until_it_is_stopped(tmp_path: Path, kind: str, number: 
     assert all(note["described"] for note in node.noted("declare"))
     assert not node.noted("publish while inactive")
     assert "Error" not in said
+    assert not said or said.startswith(f"[INFO] {all_kinds()[kind].says}\n")
 
 
 def test_publisher(tmp_path: Path) -> None:
@@ -120,7 +121,7 @@ def test_publisher(tmp_path: Path) -> None:
 
 def test_subscriber(tmp_path: Path) -> None:
     node = Running(plan(nodes=("listener:subscriber",)), tmp_path)
-    assert '[INFO] I heard "Hello" (number 1)\n[INFO] I heard "Hello" (number 2)\n' in node.heard(2)
+    assert '[INFO] I heard "Hello" (number 1)\n[INFO] I heard "Hello" (number 2)\n' in node.heard(3)
     assert [note["topic"] for note in node.noted("subscription")] == ["greeting"]
 
 
@@ -138,8 +139,8 @@ def test_service(tmp_path: Path) -> None:
 
 def test_client(tmp_path: Path) -> None:
     node = Running(plan(nodes=("asker:client",)), tmp_path, {"rate": 50.0})
-    heard = node.heard(3)
-    assert heard.startswith("[INFO] waiting for the service\n[INFO] 1 + 2 = 3\n[INFO] 2 + 3 = 5\n")
+    heard = node.heard(4)
+    assert heard.startswith("[INFO] ready\n[INFO] waiting for the service\n[INFO] 1 + 2 = 3\n[INFO] 2 + 3 = 5\n")
     assert node.noted("call")[0]["request"] == {"a": 1, "b": 2}
 
 
@@ -165,8 +166,8 @@ def test_action_server_leaves_while_it_works(tmp_path: Path) -> None:
 
 def test_action_client(tmp_path: Path) -> None:
     node = Running(plan(nodes=("asker:action-client",)), tmp_path, {"order": 4})
-    heard = node.heard(6)
-    assert heard.startswith("[INFO] waiting for the action server\n[INFO] 1 of 4: 1\n")
+    heard = node.heard(7)
+    assert heard.startswith("[INFO] ready\n[INFO] waiting for the action server\n[INFO] 1 of 4: 1\n")
     assert heard.endswith("[INFO] result: 4 of 4: ... 1 1 1\n")
     assert [note["order"] for note in node.noted("goal")] == [4]
 

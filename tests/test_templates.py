@@ -21,6 +21,7 @@ from rospkg_cli.scaffold.kinds import all_kinds
 from rospkg_cli.scaffold.launching import FORMATS
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
+from rospkg_cli.scaffold.testing import TESTS
 
 
 def node_sets(template: str) -> dict[str, tuple[str, ...]]:
@@ -56,6 +57,7 @@ FACTORS = {
     "distro": [distro.name for distro in DISTROS],
     "launch": FORMATS,
     "params": (True, False),
+    "tests": tuple(TESTS),
     "depends": tuple(DEPENDS),
 }
 COMBINATIONS = [
@@ -268,6 +270,48 @@ def test_a_frontend_that_knows_no_lifecycle_leaves_the_node_unconfigured_and_say
         assert any(said in note for note in planned.notes) == (action == "node")
         assert (said in texts(planned)["README.md"]) == (action == "node")
     assert plan(nodes=nodes, distro="humble").notes == ()
+
+
+@pytest.mark.parametrize("template", template_names())
+def test_linters_come_with_ament_alone(template: str) -> None:
+    for tests in TESTS:
+        planned = plan(template=template, tests=tests)
+        tested = re.findall("<test_depend>(.*)</test_depend>", texts(planned)["package.xml"])
+        assert any(key.startswith(("ament_copyright", "ament_cmake_copyright")) for key in tested) == (tests == "ament")
+        assert tests != "none" or not tested
+        assert tests != "none" or not [path for path in texts(planned) if "test" in path]
+        assert tests != "none" or "BUILD_TESTING" not in texts(planned).get("CMakeLists.txt", "")
+        assert tests != "none" or "colcon test" not in texts(planned)["README.md"]
+
+
+def test_minimal_tests_need_neither_ros_nor_ament() -> None:
+    files = texts(plan(tests="minimal"))
+    assert {path for path in files if path.startswith("test/")} == {"test/test_greeting.py", "test/test_params.py"}
+    assert "<test_depend>python3-pytest</test_depend>" in files["package.xml"]
+    assert "extras_require" in files["setup.py"]
+    assert "extras_require" not in texts(plan(tests="none"))["setup.py"]
+    lists = cmake(tests="minimal")["CMakeLists.txt"]
+    assert "ament_add_gtest(" in lists
+    assert "ament_lint_auto" not in lists
+
+
+@pytest.mark.parametrize("template", WITH_NODES)
+@pytest.mark.parametrize("format", ["py", "xml", "yaml"])
+def test_a_launch_test_waits_for_every_node_of_the_launch_file(template: str, format: str) -> None:
+    also = ("other:empty:python",) if template == "mixed" else ()
+    files = texts(plan(template=template, launch=format, nodes=("talker", "lc:lifecycle", *also), distro="jazzy"))
+    test = files["test/test_launch.py"]
+    assert f"'my_robot_nav.launch.{format}'" in test
+    assert "'[talker]: Hello 1'" in test
+    assert ("'[lc]: Hello 1'" if format == "py" else "'[lc]: ready to be configured'") in test
+    assert "<test_depend>launch_testing</test_depend>" in files["package.xml"]
+    assert ("mark.launch_test" in test) == (template == "ament_python")
+    assert ("add_launch_test(test/test_launch.py)\n" in files.get("CMakeLists.txt", "")) == (template != "ament_python")
+
+
+def test_unknown_tests_are_refused() -> None:
+    with pytest.raises(ScaffoldError, match=r"no tests `amment` \(did you mean `ament`\?\)"):
+        plan(tests="amment")
 
 
 def test_a_kind_brings_its_dependencies() -> None:

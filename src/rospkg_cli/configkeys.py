@@ -63,7 +63,9 @@ def text(value: Any) -> str:
 
 Form = Callable[[Any], Any] | Mapping[str, Any]
 
-NEW: Mapping[str, Form] = dict.fromkeys(("distro", "email", "launch", "license", "maintainer", "version"), text)
+NEW: Mapping[str, Form] = dict.fromkeys(
+    ("distro", "email", "launch", "license", "maintainer", "tests", "version"), text
+)
 SECTION: Mapping[str, Form] = {"ignore": reasons, "severity": severities}
 FORMS: Mapping[str, Form] = {
     "select": strings,

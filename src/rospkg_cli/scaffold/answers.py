@@ -34,6 +34,8 @@ class Request:
     launch: str = ""
     """`py`, `xml`, `yaml` or `none`."""
     params: bool = True
+    tests: str = ""
+    """`ament`, `minimal` or `none`."""
     description: str = ""
     license: str = ""
     maintainer: str = ""
@@ -70,6 +72,8 @@ class Answers:
     """`py`, `xml` or `yaml`; "" for no launch file."""
     params: bool
     """Whether there is a file of parameters for nodes that have some."""
+    tests: str
+    """`ament`, `minimal` or `none`."""
 
     @property
     def robot(self) -> str:

@@ -47,6 +47,8 @@ class Kind:
     name: str
     does: str
     """The end of the sentence "a node that …"."""
+    says: str
+    """What its log says first, once the node is there."""
     logic: str
     """The module of the part that needs no ROS; "" where there is none."""
     interfaces: tuple[str, ...]
@@ -65,6 +67,7 @@ def all_kinds() -> dict[str, Kind]:
         name: Kind(
             name=name,
             does=row["does"],
+            says=row["says"],
             logic=row["logic"],
             interfaces=tuple(row["interfaces"]),
             uses=tuple(Use(**use) for use in row["uses"]),

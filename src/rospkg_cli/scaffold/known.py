@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from .answers import Answers
 from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
 from .launching import autostarted, launch_packages, unconfigured
+from .testing import first_words, launch_test_packages, launch_tested, linted, logics_tested
 
 
 def known_values(answers: Answers) -> dict[str, Any]:
@@ -17,6 +19,10 @@ def known_values(answers: Answers) -> dict[str, Any]:
         **{name: getattr(answers, name) for name in computed},
         **in_cpp(answers),
         **in_python(answers),
+        "linted": linted(answers),
+        "launch_tested": launch_tested(answers),
+        "first_words": partial(first_words, answers),
+        "launch_test_packages": launch_test_packages(answers),
         "launch_packages": list(launch_packages(answers)),
         "autostarted": autostarted(answers),
         "unconfigured": unconfigured(answers),
@@ -29,6 +35,7 @@ def in_cpp(answers: Answers) -> dict[str, Any]:
     return {
         "cpp_nodes": answers.nodes_in("cpp"),
         "cpp_logics": answers.logics_in("cpp"),
+        "cpp_tests": logics_tested(answers, "cpp"),
         "cpp_messages": list(answers.messages_in("cpp")),
         "client_libraries": list(packages_of(answers.nodes_in("cpp"))),
         "build_depends": [key for key in answers.depends if is_library(key)],
@@ -43,12 +50,13 @@ def in_python(answers: Answers) -> dict[str, Any]:
     """Return what the Python part of a package knows."""
     nodes = answers.nodes_in("python")
     declaring = any(node.kind.parameters for node in nodes)
+    tested = bool(answers.sections) and answers.tests != "none"
     needs = ["rclpy", *answers.messages_in("python"), *(["rcl_interfaces"] if declaring else [])]
     return {
         "python_nodes": nodes,
         "python_logics": answers.logics_in("python"),
         "python_needs": needs if nodes else [],
-        "python_tests": [*answers.logics_in("python"), *(["params"] if declaring and answers.sections else [])],
+        "python_tests": [*logics_tested(answers, "python"), *(["params"] if declaring and tested else [])],
     }
 
 

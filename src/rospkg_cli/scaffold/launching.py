@@ -15,7 +15,9 @@ FORMATS = ("py", "xml", "yaml", "none")
 def check_typed(asked: str, template: Template) -> None:
     """Raise ScaffoldError where a format was typed and the template has no launch file in different ones."""
     if asked and not template.kinds:
-        raise ScaffoldError(f"--launch chooses what starts nodes, and --type {template.name} has none; leave it out")
+        raise ScaffoldError(
+            f"--launch chooses what starts a package's own nodes, and --type {template.name} has none; leave it out"
+        )
 
 
 def launch_of(asked: str) -> str:
@@ -46,9 +48,14 @@ def autostarted(answers: Answers) -> tuple[Node, ...]:
     return lifecycle(answers) if known else ()
 
 
+def activated(answers: Answers) -> tuple[Node, ...]:
+    """Return the nodes with a lifecycle that the launch file configures and activates."""
+    return lifecycle(answers) if answers.launch == "py" else autostarted(answers)
+
+
 def unconfigured(answers: Answers) -> tuple[Node, ...]:
     """Return the nodes that wait, once started, for somebody to configure and activate them."""
-    return () if answers.launch == "py" or autostarted(answers) else lifecycle(answers)
+    return tuple(node for node in lifecycle(answers) if node not in activated(answers))
 
 
 def notes_on_launch(answers: Answers) -> list[str]:

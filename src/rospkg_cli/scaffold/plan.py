@@ -23,10 +23,12 @@ from .proof import lint_written
 from .render import Written, render, render_line
 from .start import Started, started_by
 from .template import Template, load_template, template_names
+from .testing import tests_of
 from .told import Told, told
 
 LAUNCH = "py"
 LICENSE = "Apache-2.0"
+TESTS = "ament"
 VERSION = "0.1.0"
 
 
@@ -102,10 +104,11 @@ def answers_of(request: Request, maintainer: Who, template: Template, there: Aro
         year=request.year or datetime.date.today().year,
         launch=launch_of(request.launch or LAUNCH),
         params=request.params,
+        tests=tests_of(request.tests or TESTS),
     )
     if BUILT_IN.is_package(answers.name):
         notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")
-    if not answers.license.header_known:
+    if not answers.license.header_known and answers.tests == "ament":
         notes.append(f"ament_copyright knows no header for {answers.license.spdx}; its test was left out")
     notes += notes_on_launch(answers)
     if answers.description.text:

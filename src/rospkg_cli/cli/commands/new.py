@@ -39,6 +39,9 @@ def new(
     params: Annotated[
         bool, Option("--params/--no-params", help="A file of parameters for the nodes.", rich_help_panel=WHAT)
     ] = True,
+    tests: Annotated[
+        str, Option(metavar="TESTS", help="ament, minimal or none. Else ament.", rich_help_panel=WHAT)
+    ] = "",
     depends: Annotated[
         Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
     ] = None,
@@ -72,6 +75,7 @@ def new(
         actions=tuple(action or ()),
         launch=launch,
         params=params,
+        tests=tests,
         description=description,
         license=license,
         maintainer=maintainer,
