@@ -8,9 +8,10 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import groupby
 from pathlib import Path
+from types import MappingProxyType
 
 import pytest
 import yaml
@@ -27,13 +28,24 @@ START = "import sys; from my_robot_nav.{} import main; sys.exit(main())"
 
 
 class Running:
-    """A node as a process of its own; `params` is a file of the package, or values to write into one."""
+    """A node as a process of its own; `params` is a file of the package, or values to write into one;
+    `modules` are more stand-ins."""
 
-    def __init__(self, planned: Plan, folder: Path, params: str | dict[str, object] = "", block: str = "/**") -> None:
+    def __init__(
+        self,
+        planned: Plan,
+        folder: Path,
+        params: str | dict[str, object] = "",
+        block: str = "/**",
+        modules: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
         self.log, self.said = folder / "log.jsonl", folder / "stderr.txt"
         self.log.touch()
         package = folder / "my_robot_nav"
         write_folder(package, planned.files)
+        for path, text in modules.items():
+            (package / path).parent.mkdir()
+            (package / path).write_text(text)
         if isinstance(params, dict):
             (package / "own.yaml").write_text(yaml.safe_dump({block: {"ros__parameters": params}}))
             params = "own.yaml"

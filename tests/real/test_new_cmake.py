@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from messages import message_prefix
 from shell import Shell
-from testing_new import PREFIX, linted, plan, results, write
+from testing_new import PREFIX, around, linted, plan, results, write
 from venvs import venv
 
 from rospkg_cli.ros.licenses import LICENSES
@@ -116,3 +116,17 @@ def test_the_newest_cmake_has_nothing_to_say(built: Shell, tmp_path: Path, templ
     python = "-DPython3_EXECUTABLE=/usr/bin/python3"
     said = built.run(newest, "-S", folder, "-B", tmp_path / "build", python, cwd=tmp_path)
     assert (said.returncode, said.stderr) == (0, "")
+
+
+MESSAGE = "RobotStatus:std_msgs/Header header, float32 battery_level, string current_task, uint8 error_status"
+STATUS_NODES = ("status:publisher:RobotStatus", "monitor:subscriber:RobotStatus", "other:RobotStatus:python")
+
+
+def test_nodes_use_a_message_of_the_workspace(built: Shell, tmp_path: Path) -> None:
+    interfaces = plan("my_robot_interfaces", template="interfaces", distro="humble", msgs=(MESSAGE,))
+    planned = plan("my_robot", around(interfaces), template="mixed", nodes=STATUS_NODES)
+    write(interfaces, tmp_path)
+    folder = write(planned, tmp_path)
+    linted(built, folder, (*LINTERS, "mypy"))
+    made = built.run("colcon", "build", "--packages-up-to", "my_robot", cwd=tmp_path)
+    assert (made.returncode, made.stderr) == (0, "")

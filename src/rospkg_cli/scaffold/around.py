@@ -61,8 +61,11 @@ class Around:
         return Around({**self.trees, name: tree})
 
     def named(self, name: str) -> Neighbour | None:
-        tree = self.trees.get(name)
-        return None if tree is None else Neighbour(Package(PackageFiles(tree, name)))
+        return Neighbour(self.package(name)) if name in self.trees else None
+
+    def package(self, name: str) -> Package:
+        """Return a package; raises KeyError."""
+        return Package(PackageFiles(self.trees[name], name))
 
 
 def around(into: Path) -> Around:

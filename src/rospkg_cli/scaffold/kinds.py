@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from ..resources import resources
+from . import ScaffoldError
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
+
+OF = "-of"
+"""The end of the names of kinds that are about a message which is named with the node."""
 
 LANGUAGES = {"cpp": "C++", "python": "Python"}
 """What nodes are written in: as it is typed, and as it is called."""
@@ -57,6 +61,16 @@ class Kind:
     parameters: tuple[Parameter, ...]
     languages: tuple[str, ...]
     """Those that it can be written in."""
+
+
+def kind_of_message(kind: Kind, name: str, full_name: str, topic: str) -> Kind:
+    """Return the kind of a node that is all about one message; raises ScaffoldError for kinds that never are."""
+    of = all_kinds().get(kind.name + OF)
+    if of is None:
+        raise ScaffoldError(f"a {kind.name} has no message of its own choice; a publisher and a subscriber have")
+    uses = tuple(Use(use.how, topic, full_name) for use in of.uses)
+    package = full_name.partition("/")[0]
+    return replace(of, does=of.does.format(message=name), interfaces=(package,), uses=uses)
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Nodes as they are asked for: `NAME`, `NAME:KIND`, `NAME:KIND:LANGUAGE`."""
+"""Nodes as they are asked for: `NAME`, `NAME:KIND`, `NAME:KIND:LANGUAGE`, `NAME:publisher:PACKAGE/Message`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from dataclasses import dataclass
 
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .kinds import LANGUAGES, Kind, all_kinds
+from .around import Around
+from .kinds import LANGUAGES, Kind, all_kinds, kind_of_message
+from .message import Message, is_message, message_of
 from .names import LONGEST, check_node_name
 from .template import Template
 
@@ -19,6 +21,8 @@ class Node:
     kind: Kind
     language: str
     """One of LANGUAGES."""
+    message: Message | None = None
+    """The one that it is all about."""
 
     @property
     def class_name(self) -> str:
@@ -27,7 +31,7 @@ class Node:
         return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
 
 
-def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[Node, ...]:
+def nodes_of(asked: tuple[str, ...], package: str, template: Template, there: Around) -> tuple[Node, ...]:
     """Return the nodes; where none was asked for, one of each language, with names made from the package's.
 
     Raises ScaffoldError for what the template can't write.
@@ -40,7 +44,7 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[
         raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
     nodes: dict[str, Node] = {}
     for text in asked or default_nodes(package, template):
-        node = node_of(text, package, template)
+        node = node_of(text, package, template, there)
         if node.name in nodes:
             raise ScaffoldError(f"the node `{node.name}` is named twice; name each once")
         nodes[node.name] = node
@@ -48,13 +52,14 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template) -> tuple[
     return tuple(nodes.values())
 
 
-def node_of(text: str, package: str, template: Template) -> Node:
-    """Return one node; after its name, kind and language may stand in any order."""
+def node_of(text: str, package: str, template: Template, there: Around) -> Node:
+    """Return one node; after its name, kind, language and message may stand in any order."""
     name, *words = text.split(":")
     check_node_name(name, package)
     languages = [word for word in words if word in LANGUAGES]
-    kinds = [word for word in words if word not in LANGUAGES]
-    if len(languages) > 1 or len(kinds) > 1:
+    messages = [word for word in words if is_message(word)]
+    kinds = [word for word in words if word not in LANGUAGES and word not in messages]
+    if len(languages) > 1 or len(kinds) > 1 or len(messages) > 1:
         raise ScaffoldError(f"`{text}` says too much: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
     kind = all_kinds()[known_kind(kinds[0], template)] if kinds else all_kinds()[template.kinds[0]]
     fitting = [each for each in template.languages if each in kind.languages]
@@ -66,7 +71,10 @@ def node_of(text: str, package: str, template: Template) -> Node:
         )
     if language not in kind.languages:
         raise ScaffoldError(f"`{text}`: there is a {kind.name} in {' and '.join(map(shown, kind.languages))} alone")
-    return Node(name, kind, language)
+    if not messages:
+        return Node(name, kind, language)
+    message = message_of(messages[0], package, there)
+    return Node(name, kind_of_message(kind, message.name, message.full_name, message.topic), language, message)
 
 
 def known_kind(word: str, template: Template) -> str:

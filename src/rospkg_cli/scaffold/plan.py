@@ -90,7 +90,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, there: Aro
     notes.extend(started.unknown)
     answers = Answers(
         name=request.name,
-        nodes=nodes_of(request.nodes, request.name, template),
+        nodes=nodes_of(request.nodes, request.name, template, there),
         started=started,
         interfaces=asked_interfaces(request, template),
         depends=depends,

@@ -37,6 +37,14 @@ public:
   using SharedPtr = std::shared_ptr<Clock>;
 };
 
+/// A point in time, that becomes a message where one is wanted.
+class Time
+{
+public:
+  template<typename MessageT>
+  operator MessageT() const {return MessageT();}
+};
+
 class Duration
 {
 public:
@@ -110,6 +118,8 @@ public:
   virtual ~Node() = default;
   Logger get_logger() const {return {};}
   Clock::SharedPtr get_clock() {return {};}
+
+  Time now() {return {};}
   node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() {return {};}
 
   template<typename T>

@@ -1,0 +1,118 @@
+"""Nodes that publish a message of one's own or listen to it."""
+
+from __future__ import annotations
+
+import itertools
+import signal
+from pathlib import Path
+
+import pytest
+from planned import around, plan, texts
+from test_generated_nodes import STOPS, Running
+
+from rospkg_cli.ros.distros import DISTROS
+from rospkg_cli.scaffold import ScaffoldError
+from rospkg_cli.scaffold.message import Message
+
+STATUS = (
+    "RobotStatus:std_msgs/Header header, builtin_interfaces/Time since, float32 battery_level, string<=9 current_task, "
+    "uint8 OK=0, uint8 error_status, bool[] doors, int32 count 7, Other other",
+    "Other:",
+)
+THERE = around(plan("my_robot_nav_interfaces", template="interfaces", msgs=STATUS, srvs=("Go",)))
+NODES = ("status:publisher", "monitor:subscriber")
+
+
+@pytest.mark.parametrize("distro", [each.name for each in DISTROS])
+@pytest.mark.parametrize("template", ["ament_python", "ament_cmake", "mixed"])
+def test_they_are_written_without_a_finding(template: str, distro: str) -> None:
+    languages = {"ament_python": ("python",), "ament_cmake": ("cpp",), "mixed": ("cpp", "python")}[template]
+    nodes = tuple(
+        f"{language}_{node}:{language}:{message}"
+        for node, language, message in itertools.product(NODES, languages, ("RobotStatus", "geometry_msgs/msg/Twist"))
+        if message == "RobotStatus" or node == NODES[0]
+    )
+    nodes = tuple(node.replace(":", f"_{number}:", 1) for number, node in enumerate(nodes))
+    assert plan(there=THERE, template=template, nodes=nodes, distro=distro).findings == ()
+
+
+def test_fields_with_a_plain_value_are_set() -> None:
+    """An array, a default, and a message of one's own keep what they have."""
+    source = texts(plan(there=THERE, nodes=("status:publisher:RobotStatus",)))["my_robot_nav/status.py"]
+    assert [line.strip() for line in source.splitlines() if line.strip().startswith("message.")] == [
+        "message.header.stamp = self.get_clock().now().to_msg()",
+        "message.since = self.get_clock().now().to_msg()",
+        "message.battery_level = 0.0",
+        "message.current_task = ''",
+        "message.error_status = 0",
+    ]
+
+
+def test_the_package_of_the_message_is_declared_found_and_linked() -> None:
+    files = texts(plan(there=THERE, template="ament_cmake", nodes=("status:RobotStatus",)))
+    assert "<depend>my_robot_nav_interfaces</depend>" in files["package.xml"]
+    assert "find_package(my_robot_nav_interfaces REQUIRED)\n" in files["CMakeLists.txt"]
+    assert "  ${my_robot_nav_interfaces_TARGETS}\n" in files["CMakeLists.txt"]
+    assert '#include "my_robot_nav_interfaces/msg/robot_status.hpp"\n' in files["src/status.cpp"]
+
+
+@pytest.mark.parametrize(
+    "name, header", [("RobotStatus", "robot_status"), ("UUID", "uuid"), ("ABCPart", "abc_part"), ("Pose2D", "pose2_d")]
+)
+def test_the_header_has_the_name_that_rosidl_gives_it(name: str, header: str) -> None:
+    assert Message("a_pkg", name).topic == header
+
+
+REFUSED = {
+    "a_node:timer:RobotStatus": "a publisher and a subscriber",
+    "a_node:Twist": "Write `geometry_msgs/Twist`",
+    "a_node:Waypoint": "rospkg new my_robot_nav_interfaces --type interfaces --msg Waypoint",
+    "a_node:my_robot_nav_interfaces/RobotState": "did you mean `RobotStatus`",
+    "a_node:my_robot_nav_interfaces/Go": "no message `Go`",
+    "a_node:a_pkg/b/C": "PACKAGE/Name",
+    "a_node:Robot_Status": "PACKAGE/Name",
+    "a_node:some_msgs/Node": "another name",
+    "a_node:some_msgs/" + "A" * 70: "too long",
+    "a_node:std_msgs/String:std_msgs/Bool": "says too much",
+}
+
+
+@pytest.mark.parametrize("node", REFUSED)
+def test_what_cannot_be_is_refused(node: str) -> None:
+    with pytest.raises(ScaffoldError, match=REFUSED[node]):
+        plan(there=THERE, nodes=(node,))
+
+
+def test_whose_message_it_is_must_be_clear() -> None:
+    there = around(*(plan(name, template="interfaces", msgs=("Foo:",)) for name in ("one_msgs", "two_msgs")))
+    with pytest.raises(ScaffoldError, match="Write `one_msgs/Foo` or `two_msgs/Foo`"):
+        plan(there=there, nodes=("a_node:Foo",))
+
+
+MODULE = """\
+class RobotStatus:
+    def __init__(self, data=''):
+        self.battery_level, self.current_task, self.said = 1.0, 'none', data
+
+    def __str__(self):
+        return f'RobotStatus({self.said})'
+"""
+SMALL = around(
+    plan("small_msgs", template="interfaces", msgs=("RobotStatus:float32 battery_level, string current_task",))
+)
+
+
+@pytest.mark.parametrize("number", STOPS)
+def test_the_publisher_publishes_it(tmp_path: Path, number: signal.Signals) -> None:
+    planned = plan(there=SMALL, nodes=("status:publisher:RobotStatus",))
+    node = Running(planned, tmp_path, {"rate": 50.0}, modules={"small_msgs/msg.py": MODULE})
+    published = node.until("publish", 2)[0]
+    assert published["topic"] == "robot_status"
+    assert (published["data"]["battery_level"], published["data"]["current_task"]) == (0.0, "")
+    node.stop(number)
+
+
+def test_the_subscriber_logs_it(tmp_path: Path) -> None:
+    planned = plan(there=SMALL, nodes=("monitor:subscriber:RobotStatus",))
+    node = Running(planned, tmp_path, modules={"small_msgs/msg.py": MODULE})
+    assert node.heard(2) == "[INFO] RobotStatus(Hello)\n" * 2
