@@ -125,3 +125,41 @@ def test_a_generated_file_is_known_by_its_name() -> None:
 
 def test_the_faultless_package() -> None:
     assert facts({k: v for k, v in BACKDROPS["ament_cmake"].items() if v is not None}).share_files == {"package.xml"}
+
+
+SCRIPTS = """[options]
+scripts = scripts/run.py
+[options.entry_points]
+console_scripts =
+    spawn = my_pkg.sub.tool:main
+    broken
+other = plugin = my_pkg:other
+"""
+
+
+def test_the_scripts_of_a_setup_cfg_are_executables() -> None:
+    text = "project(my_pkg)\nament_python_install_package(${PROJECT_NAME} SCRIPTS_DESTINATION lib/${PROJECT_NAME})\n"
+    found = facts({**FILES, "package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": text,
+                   "setup.cfg": SCRIPTS})  # fmt: skip
+    assert found.executables == {"spawn", "run.py"}
+    assert found.knows("executables")
+
+
+def test_without_a_destination_setup_cfg_makes_no_scripts() -> None:
+    assert "lib/my_pkg/spawn" not in table(
+        {**FILES, "setup.cfg": SCRIPTS, "CMakeLists.txt": "project(my_pkg)\nament_python_install_package(my_pkg)\n"}
+    )
+
+
+def test_another_setup_cfg_may_be_named() -> None:
+    text = "ament_python_install_package(my_pkg SETUP_CFG python/my.cfg SCRIPTS_DESTINATION libexec)"
+    found = table({**FILES, "python/my.cfg": SCRIPTS, "CMakeLists.txt": f"project(my_pkg)\n{text}\n"})
+    assert {path: source for path, source in found.items() if path.startswith("libexec")} == {
+        "libexec/spawn": "", "libexec/run.py": "python/scripts/run.py",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("text", ["SETUP_CFG ${unheard}", "SETUP_CFG broken.cfg"])
+def test_scripts_of_a_setup_cfg_that_can_not_be_read_are_unknown(text: str) -> None:
+    text = f"project(my_pkg)\nament_python_install_package(my_pkg {text} SCRIPTS_DESTINATION lib/my_pkg)\n"
+    assert unknown({**FILES, "broken.cfg": "a = b", "CMakeLists.txt": text}) == {"executable"}

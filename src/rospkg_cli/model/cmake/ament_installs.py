@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from ..install import PYTHON
 from .call import Call, flags_and_values
-from .installs import InstallRule, Pattern, below_prefix, files_rule, installed
+from .installs import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, installed
 from .words import Word
 
 
@@ -24,8 +24,7 @@ def auto_package(project: str) -> Callable[[Call], Iterator[InstallRule]]:
 
 def python_package(call: Call) -> Iterator[InstallRule]:
     """`ament_python_install_package(name)`: a folder goes to where Python looks."""
-    singles = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
-    _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), singles, ())
+    _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
     for name in rest[:1]:
         folder = next(iter(values.get("PACKAGE_DIR", [])), name)
         place = below_prefix(values["DESTINATION"][0].text) if values.get("DESTINATION") else PYTHON

@@ -22,6 +22,9 @@ OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "
 TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 """Where `TYPE` puts files, by GNUInstallDirs."""
 
+PACKAGE_KEYWORDS = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
+"""Of ament_python_install_package: each takes one value."""
+
 
 @dataclass(frozen=True, slots=True)
 class Pattern:

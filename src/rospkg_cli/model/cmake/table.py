@@ -11,6 +11,7 @@ from .call import Call, located
 from .copying import copies
 from .installs import InstallRule
 from .project import CMake
+from .python_scripts import python_scripts
 from .targets import Target
 from .words import BINARY, HOLE, Word
 
@@ -43,6 +44,7 @@ class Table:
         yield from self.components()
         yield from self.interfaces()
         yield from self.parameters()
+        yield from (each for each in self.python_scripts() if isinstance(each, Installed))
 
     def row(self, destination: str, source: str, word: Word) -> Installed:
         return Installed(self.what(destination), destination, source, "", word.path, word.span)
@@ -125,12 +127,17 @@ class Table:
             for word in call.words[:1]:
                 yield self.row(f"include/{self.name}/{word.text}.hpp", "", word)
 
+    def python_scripts(self) -> Iterator[Installed | NotKnown]:
+        for call in self.cmake.named("ament_python_install_package"):
+            yield from python_scripts(call, self.cmake.package)
+
     # ---- what can't be told
 
     def unknown(self) -> Iterator[NotKnown]:
         if not self.cmake.complete:
             for what in ALL:
                 yield NotKnown(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
+        yield from (each for each in self.python_scripts() if isinstance(each, NotKnown))
         for rule in self.cmake.installs:
             yield from self.unknown_rule(rule)
         for call in self.cmake.calls:

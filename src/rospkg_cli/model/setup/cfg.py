@@ -84,9 +84,13 @@ class SetupCfg:
 def read_setup_cfg(reading: Reading) -> Iterator[SetupCfg]:
     """Read setup.cfg; raises UnreadableError where configparser refuses it."""
     if reading.files.exists("setup.cfg"):
-        source = reading.files.source("setup.cfg")
-        refuse(source)
-        yield SetupCfg(source, {section.name: section for section in sections(source)})
+        yield parse_setup_cfg(reading.files.source("setup.cfg"))
+
+
+def parse_setup_cfg(source: Source) -> SetupCfg:
+    """Return what a text says; raises UnreadableError where configparser refuses it."""
+    refuse(source)
+    return SetupCfg(source, {section.name: section for section in sections(source)})
 
 
 def refuse(source: Source) -> None:
