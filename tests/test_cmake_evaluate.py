@@ -9,6 +9,8 @@ from cmaking import read, read_files, shown
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rospkg_cli.example import manifest
+
 HEAD = "project(my_pkg)\n"
 
 
@@ -35,6 +37,7 @@ def echo(text: str, **files: str) -> list[str]:
         ("option(O \"\" ON)\necho(${O})", ["∅"]),
         ("set(a 1 CACHE STRING \"\")\nset(b ON CACHE BOOL \"\")\necho(${a} ${b})", ["1 ∅"]),
         ("set(a b)\nunset(a)\necho(${a} c)", ["c"]),
+        ("set(a \"[=[b;c]=]\")\nset(d \"${a} e\")\necho(\"${d}\")", ["[=[b;c]=] e"]),
     ],
 )  # fmt: skip
 def test_variables(text: str, said: list[str]) -> None:
@@ -111,6 +114,11 @@ def test_loops_and_functions(text: str, said: list[str]) -> None:
         ("EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/nothing", ["no"]),
         ("IS_DIRECTORY /usr", ["? yes", "? no"]),
         ("TARGET lib", ["yes"]),
+        ("TARGET only_perhaps", ["? yes", "? no"]),
+        ("TARGET tests", ["? yes", "? no"]),
+        ("BUILD_TESTING AND TARGET tests", ["T yes", "? no"]),
+        ("POLICY CMP0057", ["yes"]),
+        ("POLICY CMP0167", ["? yes", "? no"]),
         ("found_FOUND", ["yes"]),
         ("perhaps_FOUND", ["? yes", "? no"]),
         ("b IN_LIST letters", ["yes"]),
@@ -123,6 +131,7 @@ def test_loops_and_functions(text: str, said: list[str]) -> None:
 )  # fmt: skip
 def test_conditions(condition: str, branches: list[str]) -> None:
     before = "add_library(lib x.cpp)\nfind_package(found REQUIRED)\nfind_package(perhaps)\nset(letters a b)\n"
+    before += "if(unheard_of)\nadd_library(only_perhaps x.cpp)\nendif()\nif(BUILD_TESTING)\nament_add_gtest(tests a.cpp)\nendif()\n"
     assert echo(f"{before}if({condition})\necho(yes)\nelse()\necho(no)\nendif()") == branches
 
 
@@ -148,6 +157,18 @@ def test_included_and_added_files() -> None:
     )  # fmt: skip
     assert shown(found.named("echo")) == ["/~source/cmake /~source", "3 2 /~source/sub", "1 2 /~source"]
     assert [file.path for file in found.files] == ["CMakeLists.txt", "cmake/x.cmake", "sub/CMakeLists.txt"]
+
+
+def test_a_package_below_is_read_where_it_is_added() -> None:
+    found = read_files({
+        "CMakeLists.txt": HEAD + "add_subdirectory(lib)\nfile(GLOB g lib/*.cpp)\necho(${g})",
+        "lib/package.xml": manifest(name="lib"),
+        "lib/CMakeLists.txt": "project(lib)\nadd_library(l a.cpp)\n",
+        "lib/a.cpp": "",
+    })  # fmt: skip
+    assert [target.name for target in found.targets] == ["l"]
+    assert shown(found.named("echo")) == ["/~source/lib/a.cpp"]
+    assert not found.clouded
 
 
 def test_globs() -> None:

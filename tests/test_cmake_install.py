@@ -5,9 +5,10 @@
 from __future__ import annotations
 
 import pytest
-from cmaking import table, unknown
+from cmaking import read_files, table, unknown
 
 from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.model.cmake.table import cmake_table
 from rospkg_cli.model.facts import PackageFacts
 from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.gather import gather
@@ -60,6 +61,12 @@ def installs(text: str) -> dict[str, str]:
         ("pluginlib_export_plugin_description_file(base plugins/p.xml)", "share/my_pkg/plugins/p.xml"),
         ("rosidl_generate_interfaces(${PROJECT_NAME} msg/A.msg DEPENDENCIES std_msgs)", "share/my_pkg/msg/A.msg"),
         ("generate_parameter_library(params config/a.yaml)", "include/my_pkg/params.hpp"),
+        ("generate_parameter_library(params config/a.yaml include/my_pkg/a.hpp)", "include/my_pkg/a.hpp include/my_pkg/params.hpp"),
+        ("ament_generate_version_header(l)", "include/my_pkg/my_pkg/version.h"),
+        ("ament_generate_version_header(l HEADER_PATH v.hpp INSTALL_PATH include)\nament_generate_version_header(m SKIP_INSTALL)", "include/v.hpp"),
+        ("ament_package(CONFIG_EXTRAS cmake/a.cmake cmake/b-extras.cmake.in)", "share/my_pkg/cmake/a.cmake share/my_pkg/cmake/b-extras.cmake"),
+        ("list(APPEND ${PROJECT_NAME}_CONFIG_EXTRAS a.cmake)", "share/my_pkg/cmake/a.cmake"),
+        ("ament_auto_package(USE_SCOPED_HEADER_INSTALL_DIR)", "include/my_pkg/my_pkg/a.hpp"),
         ("ament_get_python_install_dir(d)\ninstall(FILES my_pkg/sub/tool.py DESTINATION ${d}/x)", "lib/python/x/tool.py"),
         ("if(BUILD_TESTING)\ninstall(FILES config/a.yaml DESTINATION share/my_pkg/test)\nendif()", "share/my_pkg/test/a.yaml"),
         ("function(put)\ninstall(DIRECTORY ${ARGN} DESTINATION share/${PROJECT_NAME})\nendfunction()\nput(config)", "share/my_pkg/config/README.md share/my_pkg/config/a.yaml"),
@@ -68,7 +75,9 @@ def installs(text: str) -> dict[str, str]:
 def test_the_install_table(text: str, destinations: str) -> None:
     found = installs(text)
     assert " ".join(sorted(found)) == destinations
-    assert all(not source or source in FILES or source.startswith("msg/") for source in found.values())
+    assert all(
+        not source or source in FILES or source.startswith(("msg/", "a.", "cmake/")) for source in found.values()
+    )
 
 
 @pytest.mark.parametrize(
@@ -163,3 +172,22 @@ def test_another_setup_cfg_may_be_named() -> None:
 def test_scripts_of_a_setup_cfg_that_can_not_be_read_are_unknown(text: str) -> None:
     text = f"project(my_pkg)\nament_python_install_package(my_pkg {text} SCRIPTS_DESTINATION lib/my_pkg)\n"
     assert unknown({**FILES, "broken.cfg": "a = b", "CMakeLists.txt": text}) == {"executable"}
+
+
+def certain(text: str) -> dict[str, bool]:
+    files = {**FILES, "CMakeLists.txt": f"project(my_pkg)\n{text}\n"}
+    return {row.destination: not row.maybe for row in cmake_table(read_files(files), "my_pkg").rows}
+
+
+@pytest.mark.parametrize(
+    "text, sure",
+    [
+        ("if(x_FOUND)\ninstall(FILES config/a.yaml DESTINATION .)\nendif()", {"a.yaml": False}),
+        ("if(x_FOUND)\nlist(APPEND f config/a.yaml)\nendif()\ninstall(FILES ${f} DESTINATION .)", {"a.yaml": False}),
+        ("if(x_FOUND)\nadd_library(l a.cpp)\nendif()\ninstall(TARGETS l)", {"lib/libl.so": False}),
+        ("if(x_FOUND)\nament_package(CONFIG_EXTRAS a.cmake)\nendif()", {"share/my_pkg/package.xml": False, "share/my_pkg/cmake/a.cmake": False}),
+        ("install(FILES config/a.yaml DESTINATION .)", {"a.yaml": True}),
+    ],
+)  # fmt: skip
+def test_rows_under_an_unknown_condition_are_not_certain(text: str, sure: dict[str, bool]) -> None:
+    assert certain(text) == sure

@@ -10,7 +10,7 @@ import pytest
 
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.inspect import inspect
-from rospkg_cli.example import BACKDROPS, SETUP_PY, scripts, setup_py
+from rospkg_cli.example import BACKDROPS, SETUP_PY, manifest, scripts, setup_py
 
 FILES = {
     **{path: text for path, text in BACKDROPS["ament_python"].items() if text is not None},
@@ -68,6 +68,7 @@ def test_json(workspace: Path) -> None:
         "destination": "lib/my_pkg/talker",
         "source": "",
         "entry": "my_pkg.talker:main",
+        "certain": True,
     }
     line = FILES["setup.py"].splitlines()[said["line"] - 1]
     assert said["path"] == "ws/my_pkg/setup.py"
@@ -90,3 +91,13 @@ def test_a_broken_setup_py_is_said(workspace: Path) -> None:
 def test_nothing_to_inspect(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="no package"):
         inspect([tmp_path])
+
+
+def test_what_hangs_on_an_unknown_condition_is_there_perhaps(workspace: Path) -> None:
+    install = "if(other_FOUND)\n  install(FILES a.yaml DESTINATION share/a_pkg)\nendif()\n"
+    text = f"project(a_pkg)\n{install}ament_package()\n"
+    files = {"package.xml": manifest(name="a_pkg", build_type="ament_cmake"), "a.yaml": "", "CMakeLists.txt": text}
+    write(workspace / "a_pkg", files)
+    assert "    share/a_pkg/a.yaml       <- a.yaml (perhaps)\n" in printed(workspace / "a_pkg")
+    (package,) = json.loads(printed(workspace / "a_pkg", format="json"))["packages"]
+    assert {row["source"]: row["certain"] for row in package["installed"]} == {"package.xml": True, "a.yaml": False}

@@ -45,14 +45,23 @@ class PackageFiles:
         return folders_of(self.paths)
 
     @cached_property
-    def _places(self) -> frozenset[str]:
+    def places(self) -> frozenset[str]:
+        """Every file and every folder that holds one, in packages below too."""
         return folders_of(self.every).union(self.every)
+
+    def holds(self, path: str) -> bool:
+        """Return whether a file stands there, be it in a package below."""
+        return path in self._every
 
     def is_there(self, path: str) -> bool:
         """Return whether a file or folder stands there, be it in a package below or behind a link."""
         parts = path.split("/")
         links = ("/".join(parts[:end]) for end in range(1, len(parts)))
-        return path in self._places or any(self.tree.files().get(link) == "link" for link in links)
+        return path in self.places or any(self.tree.files().get(link) == "link" for link in links)
+
+    @cached_property
+    def _every(self) -> frozenset[str]:
+        return frozenset(self.every)
 
     @cached_property
     def _set(self) -> frozenset[str]:

@@ -29,6 +29,8 @@ class Installed:
     path: str = ""
     """The file that says so."""
     span: Span = NOWHERE
+    maybe: bool = False
+    """It is there only under a condition that can't be evaluated."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,7 @@ def lines(inspection: Inspection, color: bool) -> Iterator[str]:
             yield f"  {paint(title, 'cyan', color)}"
         width = min(max((len(destination(row)) for row in rows), default=0), MAX_WIDTH)
         for row in rows:
-            made = row.entry or row.source or "made by the build"
+            made = (row.entry or row.source or "made by the build") + " (perhaps)" * row.maybe
             yield f"    {destination(row):<{width}}  {paint('<- ' + made, 'dim', color)}"
     if inspection.interfaces:
         yield f"  {paint('interfaces', 'cyan', color)}"
@@ -91,6 +91,7 @@ def document(inspection: Inspection, root: str) -> dict[str, Any]:
                 "destination": destination(row),
                 "source": row.source,
                 "entry": row.entry,
+                "certain": not row.maybe,
                 "said": at(row.path, row.span.start) if row.path else None,
             }
             for row in sorted(inspection.table.rows, key=lambda row: (row.destination, row.source))

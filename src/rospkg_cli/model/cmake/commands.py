@@ -14,6 +14,7 @@ from .machine import Machine
 from .read import ROOT
 from .scope import Scope
 from .strings import run_get_filename_component, run_string
+from .targets import MAKERS
 from .variables import (
     run_list,
     run_math,
@@ -59,7 +60,7 @@ def run_include(machine: Machine, call: Call) -> None:
     if not call.words or NAME.fullmatch(call.texts[0]):
         return
     path = machine.path(call.texts[0])
-    if path is not None and machine.files.exists(path):
+    if path is not None and machine.files.holds(path):
         machine.file(path)
     else:
         machine.clouded = True
@@ -68,7 +69,7 @@ def run_include(machine: Machine, call: Call) -> None:
 def run_add_subdirectory(machine: Machine, call: Call) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
     folder = machine.path(call.texts[0]) if call.texts else None
-    if folder is None or not machine.files.exists(posixpath.join(folder, ROOT)):
+    if folder is None or not machine.files.holds(posixpath.join(folder, ROOT)):
         machine.clouded = True
         return
     outer = machine.scope
@@ -80,7 +81,9 @@ def run_add_subdirectory(machine: Machine, call: Call) -> None:
 
 
 def run_target(machine: Machine, call: Call) -> None:
-    machine.targets.update(text for text in call.texts[:1] if HOLE not in text)
+    for text in call.texts[:1]:
+        if HOLE not in text and not call.maybe:
+            machine.targets[text] = machine.targets.get(text, True) and call.testing
 
 
 def run_message(machine: Machine, call: Call) -> None:
@@ -171,11 +174,7 @@ COMMANDS: Mapping[str, Callable[[Machine, Call], None]] = {
     "find_package": run_find_package,
     "include": run_include,
     "add_subdirectory": run_add_subdirectory,
-    "add_executable": run_target,
-    "add_library": run_target,
-    "add_custom_target": run_target,
-    "ament_auto_add_executable": run_target,
-    "ament_auto_add_library": run_target,
+    **dict.fromkeys(MAKERS.keys() - {"rclcpp_components_register_node"}, run_target),
     "message": run_message,
     "return": leave("return"),
     "break": leave("break"),

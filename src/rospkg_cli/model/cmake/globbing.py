@@ -55,9 +55,7 @@ def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> li
     path = machine.path(pattern.text)
     if path is None:
         return None
-    candidates: Sequence[str] = machine.files.paths
-    if folders:
-        candidates = sorted({*candidates, *machine.files.folders})
+    candidates: Sequence[str] = sorted(machine.files.places) if folders else machine.files.every
     if not recurse:
         return glob(path, candidates)
     folder, last = posixpath.split(path)
@@ -66,7 +64,7 @@ def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> li
 
 def deep(files: PackageFiles, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
     """Return what fits the last part of a pattern anywhere below what fits its folder."""
-    roots = [""] if not folder else glob(folder, sorted(files.folders))
+    roots = [""] if not folder else glob(folder, sorted(files.places))
     names = glob(last, {posixpath.basename(path) for path in candidates})
     if roots is None or names is None:
         return None

@@ -38,7 +38,8 @@ class Machine:
     read: dict[str, CMakeFile] = field(default_factory=dict)
     scope: Scope = field(default_factory=Scope)
     functions: dict[str, Function] = field(default_factory=dict)
-    targets: set[str] = field(default_factory=set)
+    targets: dict[str, bool] = field(default_factory=dict)
+    """The targets that are certainly made, each with whether it is only for tests."""
     assigned: set[str] = field(default_factory=set)
     """Names of variables that a file of the package sets somewhere: before that they are empty."""
     touched: set[str] = field(default_factory=set)
@@ -79,7 +80,7 @@ class Machine:
     def load(self, path: str) -> CMakeFile | None:
         if path in self.read:
             return self.read[path]
-        if not self.files.exists(path) or any(each.path == path for each in self.broken):
+        if not self.files.holds(path) or any(each.path == path for each in self.broken):
             return None
         try:
             self.read[path] = read_file(self.files, path)
@@ -138,7 +139,7 @@ class Machine:
 
     def try_out(self, body: Sequence[Command | Block]) -> None:
         """Run what is never run, only to see its commands: nothing of what it does stays."""
-        saved, functions, targets = self.scope.save(), dict(self.functions), set(self.targets)
+        saved, functions, targets = self.scope.save(), dict(self.functions), dict(self.targets)
         try:
             with self.framed(replace(self.frame, idle=True, depth=self.frame.depth + 1)):
                 self.body(body)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ...source import Span
 from ..files import PackageFiles
@@ -32,7 +33,7 @@ def python_scripts(call: Call, files: PackageFiles) -> Iterator[Installed | NotK
             yield unknown(given if path is None and given else place, "which scripts setup.cfg makes can't be told")
         elif files.exists(path):
             try:
-                yield from scripts_of(path, folder, files)
+                yield from (replace(script, maybe=call.maybe) for script in scripts_of(path, folder, files))
             except UnreadableError:
                 yield unknown(place, f"`{path}` can't be read")
 

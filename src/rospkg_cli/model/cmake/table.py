@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ...source import Span
 from ..install import PYTHON, Installed, InstallTable, NotKnown, What
 from .call import Call, located
 from .copying import copies
 from .installs import InstallRule
+from .made import PACKAGE, made_by_macros
 from .project import CMake
 from .python_scripts import python_scripts
 from .targets import Target
@@ -33,21 +35,22 @@ class Table:
         self.name = name
 
     def rows(self) -> Iterator[Installed]:
-        if self.cmake.named("ament_package", "ament_auto_package", "autoware_ament_auto_package"):
-            yield Installed("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
+        if ends := self.cmake.named(*PACKAGE):
+            manifest = Installed("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
+            yield replace(manifest, maybe=all(call.maybe for call in ends))
         for rule in self.cmake.installs:
             if rule.kind == "TARGETS":
                 yield from self.targets(rule)
             else:
                 yield from self.files(rule)
         yield from self.automatic()
-        yield from self.components()
-        yield from self.interfaces()
-        yield from self.parameters()
+        yield from (self.row(*made) for made in made_by_macros(self.cmake, self.name))
         yield from (each for each in self.python_scripts() if isinstance(each, Installed))
 
-    def row(self, destination: str, source: str, word: Word) -> Installed:
-        return Installed(self.what(destination), destination, source, "", word.path, word.span)
+    def row(self, destination: str, source: str, word: Word, *calls: Call) -> Installed:
+        """Return a row that a word says in some calls, all of which must be run."""
+        maybe = word.maybe or any(call.maybe for call in calls)
+        return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe)
 
     def what(self, destination: str) -> What:
         if destination.startswith((f"lib/{self.name}/", "bin/")):
@@ -59,18 +62,18 @@ class Table:
 
     def files(self, rule: InstallRule) -> Iterator[Installed]:
         for copy in copies(rule, self.cmake.package):
-            yield self.row(copy.destination, copy.source, copy.item)
+            yield self.row(copy.destination, copy.source, copy.item, rule.call)
         if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
             for word in filter(made_by_the_build, rule.items):
                 name = rule.rename.text if rule.rename else posixpath.basename(word.text)
-                yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word)
+                yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word, rule.call)
 
     def targets(self, rule: InstallRule) -> Iterator[Installed]:
         for word in rule.items:
             target = self.cmake.target(word.text)
             place = self.place(rule, target) if target is not None and target.built else None
             if target is not None and place is not None:
-                yield self.row(posixpath.join(place, self.file_name(target)), "", word)
+                yield self.row(posixpath.join(place, self.file_name(target)), "", word, rule.call, target.call)
 
     def place(self, rule: InstallRule, target: Target) -> str | None:
         """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
@@ -98,34 +101,13 @@ class Table:
             place = "bin" if "INSTALL_TO_PATH" in call.texts else f"lib/{self.name}"
             for target in self.cmake.targets:
                 if target.call.name == "ament_auto_add_executable" and HOLE not in target.name:
-                    yield self.row(f"{place}/{self.file_name(target)}", "", target.word)
+                    yield self.row(f"{place}/{self.file_name(target)}", "", target.word, target.call)
                 elif target.call.name == "ament_auto_add_library" and target.built and HOLE not in target.name:
-                    yield self.row(f"lib/{self.file_name(target)}", "", target.word)
+                    yield self.row(f"lib/{self.file_name(target)}", "", target.word, target.call)
+            scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
             for path in self.cmake.package.below("include"):
-                yield Installed("header", path, path, "", call.path, call.command.name_span)
-
-    def components(self) -> Iterator[Installed]:
-        for component in self.cmake.components:
-            if component.executable is not None and component.executable.known:
-                yield self.row(f"lib/{self.name}/{component.executable.text}", "", component.executable)
-
-    def interfaces(self) -> Iterator[Installed]:
-        """The interface files themselves; their .idl forms and the code made of them are left to rosidl."""
-        for each in self.cmake.interface_targets:
-            for word in each.files:
-                path = word.text.rpartition(":")[2] if not each.skip_install and word.known else ""
-                if path:
-                    folder, file = posixpath.split(path)
-                    place = f"share/{self.name}/{posixpath.basename(folder)}/{file}"
-                    yield self.row(posixpath.normpath(place), posixpath.join(each.call.folder, path), word)
-
-    def parameters(self) -> Iterator[Installed]:
-        for call in self.cmake.named("generate_parameter_module"):
-            for word in call.words[:1]:
-                yield self.row(f"{PYTHON}/{self.name}/{word.text}.py", "", word)
-        for call in self.cmake.named("generate_parameter_library"):
-            for word in call.words[:1]:
-                yield self.row(f"include/{self.name}/{word.text}.hpp", "", word)
+                place = posixpath.join(scope, path.removeprefix("include/"))
+                yield Installed("header", place, path, "", call.path, call.command.name_span)
 
     def python_scripts(self) -> Iterator[Installed | NotKnown]:
         for call in self.cmake.named("ament_python_install_package"):

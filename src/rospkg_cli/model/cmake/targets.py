@@ -99,6 +99,8 @@ MAKERS: Mapping[str, Callable[[Call], Iterator[Target]]] = {
     "ament_auto_add_gtest": named("executable"),
     "ament_add_ros_isolated_gtest": named("executable"),
     "ament_add_ros_isolated_gmock": named("executable"),
+    "add_rostest_with_parameters_gtest": named("executable"),
+    "add_rostest_with_parameters_gmock": named("executable"),
     "add_custom_target": named("other"),
     "rosidl_generate_interfaces": named("other"),
     "generate_parameter_library": generated_interface,

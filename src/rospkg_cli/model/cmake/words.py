@@ -52,7 +52,12 @@ def joined(value: Sequence[Word]) -> str:
     """Return a list as the string that it is in CMake, a hole where that can't be told."""
     if any(word.maybe for word in value):
         return HOLE
-    return ";".join(word.text.replace(";", "\\;") for word in value)[:MAX_TEXT]
+    return ";".join(map(escaped, (word.text for word in value)))[:MAX_TEXT]
+
+
+def escaped(text: str) -> str:
+    """Return an element as it stands in a list: `;` needs no escape inside square brackets."""
+    return text.replace(";", "\\;") if ";" in text and len(list(split(text))) > 1 else text
 
 
 def split(text: str) -> Iterator[str]:

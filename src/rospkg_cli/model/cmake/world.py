@@ -10,6 +10,9 @@ from .frame import ENVIRONMENT
 from .machine import Machine
 from .words import BINARY, HOLE, PREFIX, Value
 
+OLDEST_POLICY = "CMP0128"
+"""The last that Ubuntu 22.04's CMake knows: what is newer may be unknown to the one that builds."""
+
 IDENTIFIER = re.compile(r"[A-Za-z_][\w.:+-]*")
 
 FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z][A-Z_]*")
@@ -39,22 +42,29 @@ class World:
             case "COMMAND":
                 return True if name.lower() in self.machine.functions else None
             case "TARGET":
-                return True if name in self.machine.targets else None
+                return self.is_made(name)
             case "DEFINED":
                 return self.defined(name)
             case "IS_ABSOLUTE":
                 return name.startswith("/")
             case "POLICY":
-                return True
+                return True if name <= OLDEST_POLICY else None
             case _:
                 return None
+
+    def is_made(self, target: str) -> Truth:
+        """Return whether a target is there; of one that is made for tests, that is known where tests are built."""
+        for_tests = self.machine.targets.get(target)
+        if for_tests is None or (for_tests and not self.machine.frame.testing and self.machine.assume != "ON"):
+            return None
+        return True
 
     def exists(self, text: str, folder: bool) -> Truth:
         path = self.machine.path(text)
         if path is None or text.startswith((BINARY, PREFIX)):
             return None
         files = self.machine.files
-        return not path or (files.is_there(path) and not (folder and files.exists(path)))
+        return not path or (files.is_there(path) and not (folder and files.holds(path)))
 
     def defined(self, name: str) -> Truth:
         if name.startswith(("ENV{", "CACHE{")):
