@@ -9,6 +9,7 @@ among those that we say it runs, at its line, with its arguments:
   equal      the same command with the same arguments
   unsure     ours has holes or may not run at all, and fits
   missed     CMake ran a command that is not in ours
+  unseen     CMake ran a command of a file of which we say that we can't see it
   invented   we are sure of a command that CMake did not run (up to where its run ended)
 
 and so for the facts that rules go by: targets, links, installs, packages that are looked for, components, interfaces.
@@ -40,7 +41,7 @@ FACTS = re.compile(
     r"install|project|find_package|add_(executable|library|subdirectory|custom_target|test)|target_\w+|"
     r"set_target_properties|ament_\w+|rclcpp_\w+|pluginlib_\w+|rosidl_\w+|generate_parameter_\w+|pybind11_\w+"
 )
-PYTHON = re.compile(r"(?:local/)?lib/python3\.\d+/(?:site|dist)-packages")
+PYTHON = re.compile(r"(?:local/)?lib/python3(?:\.\d+)?/(?:site|dist)-packages")
 Place = tuple[str, int, str]
 """File, line and name of a command."""
 
@@ -122,7 +123,8 @@ def compare(cmake: CMake, real: Sequence[tuple[Place, tuple[str, ...]]], verdict
             missed.append((place, args, [shown(cmake.calls[i]) for i in ours[place]]))
     last = max(used, default=-1)
     for place, args, instead in missed:
-        verdict.note("missed", place[2], f"{place[0]}:{place[1]} {place[2]}({' '.join(args)})"
+        seen = any(file.path == place[0] for file in cmake.files) or not cmake.clouded
+        verdict.note("missed" if seen else "unseen", place[2], f"{place[0]}:{place[1]} {place[2]}({' '.join(args)})"
                      + "".join(f"\n{'':13}ours: {each}" for each in instead[:3]))  # fmt: skip
     for place, indices in ours.items():
         for index in indices:
@@ -196,7 +198,7 @@ def tell(verdict: Verdict, verbose: bool) -> None:
     if verbose or wrong:
         figures = ", ".join(f"{number} {word}" for word, number in verdict.count.items())
         print(f"{verdict.package} (BUILD_TESTING {'on' if verdict.testing else 'off'}): {figures}")
-        for line in (line for line in verdict.told if verbose or not line.startswith("unsure")):
+        for line in (line for line in verdict.told if verbose or not line.startswith(("unsure", "unseen"))):
             print("    " + line.replace("\1", "~"))
         sys.stdout.flush()
 
@@ -209,10 +211,10 @@ def summary(verdicts: Sequence[Verdict]) -> int:
     wrong = 0
     for title, counts in (("commands", [v.count for v in verdicts]), ("of them facts", [v.facts for v in verdicts])):
         count = sum(counts, Counter[str]())
-        ran = count["equal"] + count["unsure"] + count["missed"]
+        ran = sum(count.values()) - count["invented"]
         print(f"{title}: {ran} run by CMake, " + ", ".join(
             f"{count[word]} {word} ({count[word] / max(ran, 1):.2%})"
-            for word in ("equal", "unsure", "missed", "invented")
+            for word in ("equal", "unsure", "unseen", "missed", "invented")
         ))  # fmt: skip
         wrong = count["missed"] + count["invented"]
     faultless = sum(not v.facts["missed"] and not v.facts["invented"] for v in verdicts)

@@ -21,6 +21,7 @@ from rospkg_cli.model.cmake.project import CMake
 from rospkg_cli.model.cmake.words import Word
 from rospkg_cli.model.discover import packages_below
 from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.install import InstallTable
 from rospkg_cli.model.manifest import Manifest
 from rospkg_cli.model.package import Package
 from rospkg_cli.tree import DiskTree
@@ -60,25 +61,34 @@ def extras(cmake: CMake, name: str) -> Iterator[Word]:
 
 
 def write_extras(folder: Path, into: Path) -> None:
-    """Write what find_package defines of a package that stands in a checkout: its CONFIG_EXTRAS."""
+    """Write what find_package defines of a package that stands in a checkout: its CONFIG_EXTRAS.
+
+    They are laid out as they are installed, by our own table, for they read what is installed beside them.
+    """
     package = open_package(folder)
-    cmake, name = package.parts(CMake).only, name_of(package)
-    if cmake is None or not name:
+    cmake, table, name = package.parts(CMake).only, package.parts(InstallTable).only, name_of(package)
+    if cmake is None or table is None or not name:
         return
     exported = {word.text for call in cmake.named("ament_export_dependencies") for word in call.words if word.known}
     lines = [f"if(NOT {each}_FOUND)\n  find_package({each} QUIET)\nendif()" for each in sorted(exported)]
+    share = into / "share" / name
     for word in extras(cmake, name):
         file = folder / word.text
         if word.known and file.is_file():
             text = file.read_text(encoding="utf-8", errors="replace")
             if file.suffix == ".in":
                 text = re.sub(r"@\w+@", "", text.replace("@PROJECT_NAME@", name))
-            copy = into / name / file.name.removesuffix(".in")
+            copy = share / "cmake" / file.name.removesuffix(".in")
             copy.parent.mkdir(parents=True, exist_ok=True)
             copy.write_text(text, encoding="utf-8")
             lines.append(f'include("{copy}")')
+    for row in table.rows if share.exists() else ():
+        copy = into / row.destination
+        if copy.is_relative_to(share) and row.source and not copy.exists():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.symlink_to(folder / row.source)
     if lines:
-        head = f'set({name}_DIR "{folder / "cmake"}")\n'
+        head = f'set({name}_DIR "{share / "cmake"}")\n'
         (into / f"{name}.cmake").write_text(head + "\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -104,11 +114,11 @@ class World:
             "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": "humble",
         }  # fmt: skip
 
-    def run(self, command: Sequence[str], cwd: Path) -> subprocess.CompletedProcess[str]:
+    def run(self, command: Sequence[str], cwd: Path, seconds: int = SECONDS) -> subprocess.CompletedProcess[str]:
         sandbox = ["unshare", "--net"] if shutil.which("unshare") and os.geteuid() == 0 else []
         return subprocess.run(
             [*sandbox, *command], cwd=cwd, env=self.variables, capture_output=True, text=True, check=False,
-            timeout=SECONDS, errors="replace",
+            timeout=seconds, errors="replace",
         )  # fmt: skip
 
     def arguments(self, commands: Iterable[str]) -> list[str]:
