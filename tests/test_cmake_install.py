@@ -12,6 +12,7 @@ from rospkg_cli.model.cmake.table import cmake_table
 from rospkg_cli.model.facts import PackageFacts
 from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.gather import gather
+from rospkg_cli.model.install import InstallTable
 from rospkg_cli.model.package import Package
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
@@ -97,6 +98,26 @@ def test_the_install_table(text: str, destinations: str) -> None:
 )  # fmt: skip
 def test_what_can_not_be_told(text: str, whats: str) -> None:
     assert " ".join(sorted(unknown({**FILES, "CMakeLists.txt": f"project(my_pkg)\n{text}\n"}))) == whats
+
+
+ENTRIES = "[options.entry_points]\nconsole_scripts =\n    talker = my_pkg.talker:main\n"
+
+
+@pytest.mark.parametrize(
+    "arguments, executables",
+    [
+        ("SCRIPTS_DESTINATION lib/my_pkg", "lib/my_pkg/talker"),
+        ("", "bin/talker"),
+        ("SCRIPTS_DESTINATION ${unheard}", "?"),
+        ("SETUP_CFG other.cfg SCRIPTS_DESTINATION lib/my_pkg", "?"),
+    ],
+)
+def test_entry_points_of_a_python_package_that_cmake_installs(arguments: str, executables: str) -> None:
+    text = f"project(my_pkg)\nament_python_install_package(my_pkg {arguments})\n"
+    files = {**FILES, "CMakeLists.txt": text, "setup.cfg": ENTRIES, "package.xml": manifest(build_type="ament_cmake")}
+    (found,) = Package(PackageFiles(MemoryTree.of(files))).parts(InstallTable).good
+    told = " ".join(row.destination for row in found.of("executable"))
+    assert (told if found.knows("executable") else "?") == executables
 
 
 def facts(files: dict[str, str]) -> PackageFacts:

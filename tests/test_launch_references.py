@@ -152,6 +152,15 @@ def test_what_the_build_writes_may_be_missing() -> None:
     assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", foreach)}) == []
 
 
+def test_of_what_is_installed_and_not_there_cmake_speaks() -> None:
+    launch = '<launch><node pkg="my_pkg" exec="run"/><include file="$(find-pkg-share my_pkg)/no.yaml"/></launch>'
+    lines = "install(PROGRAMS scripts/run DESTINATION lib/my_pkg)\ninstall(FILES no.yaml DESTINATION share/my_pkg)\n"
+    files = {**BASE, "launch/a.launch.xml": launch}
+    assert said(files) == ["LCH002 error", "LCH003 error"]
+    files["CMakeLists.txt"] = INSTALL.replace("ament_package", f"{lines}ament_package")
+    assert said(files, *CODES, "CMK102") == ["CMK102 error", "CMK102 error"]
+
+
 def test_a_default_may_be_given_anew() -> None:
     launch = '<launch>\n  <arg name="a" default="$(find-pkg-share my_pkg)/config/no.yaml"/>\n</launch>\n'
     assert said({**BASE, "launch/a.launch.xml": launch}) == ["LCH003 warning"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from typing import Literal
 
 from ..source import Span
@@ -84,7 +85,7 @@ class PackageFacts:
     uninstalled: frozenset[str] = frozenset()
     """The files that it has in its folders for run time, and that nothing installs."""
     made: frozenset[str] = frozenset()
-    """The names of the files that its build writes, with `*` for what of them can't be told."""
+    """The names of the files that its build writes, or installs though they are not here; `*` is what can't be told."""
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
     """The targets that its CMake exports, with their namespace; as far as these can be told."""
@@ -114,6 +115,10 @@ class PackageFacts:
 
     def knows(self, field: Unknown) -> bool:
         return field not in self.unknown
+
+    def makes(self, path: str) -> bool:
+        """Return whether its build writes a file of that name."""
+        return any(fnmatchcase(path.rpartition("/")[2], pattern) for pattern in self.made)
 
     def at(self, path: str) -> str:
         """Return the path of a file of this package as another package's rule must write it."""

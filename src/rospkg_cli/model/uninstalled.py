@@ -25,8 +25,15 @@ def uninstalled_files(reading: Reading) -> frozenset[str]:
 
 
 def made_files(reading: Reading) -> frozenset[str]:
-    """Return the names of the files that CMake writes, wherever; `*` stands for what of a name can't be told."""
+    """Return the names of the files that CMake writes, and of those that it installs and that are not here.
+
+    `*` stands for what of a name can't be told.
+    """
     cmake = reading.parts(CMake).only
-    words = (word for call in NamedPaths(cmake).calls for word in written_by(call)) if cmake is not None else ()
-    names = {posixpath.basename(word.text).replace(HOLE, "*") for word in words}
+    if cmake is None:
+        return frozenset()
+    named = NamedPaths(cmake)
+    paths = [word.text for call in named.calls for word in written_by(call)]
+    paths += [each.path for each in named.missing() if each.use == "install"]
+    names = {posixpath.basename(path).replace(HOLE, "*") for path in paths}
     return frozenset(name for name in names if name.strip("*") and not name.endswith(CODE))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Literal
 
@@ -88,7 +87,7 @@ class LaunchScope:
             return self.beside(named)
         own = named.package == self.package.name
         facts = self.package if own else self.workspace.named(named.package)
-        if facts is None or not facts.knows("share_files") or is_made(facts, named.path):
+        if facts is None or not facts.knows("share_files") or facts.makes(named.path):
             return None
         there = named.path in facts.share_files
         if not named.parted:
@@ -113,7 +112,7 @@ class LaunchScope:
 
     def beside(self, named: NamedPath) -> Missing | None:
         """Judge a file that is reckoned from the launch file: from where it stands, and from where it is installed."""
-        if self.files.is_there(named.path) or is_made(self.package, named.path):
+        if self.files.is_there(named.path) or self.package.makes(named.path):
             return None
         if not self.package.knows("share_files"):
             return None
@@ -123,9 +122,3 @@ class LaunchScope:
                 return None
         meant = meant_file(named.path, self.files.paths)
         return Missing(named.span, self.package.name, named.path, "absent", named.use, meant)
-
-
-def is_made(facts: PackageFacts, path: str) -> bool:
-    """Return whether a package writes a file of that name when it is built."""
-    name = posixpath.basename(path)
-    return any(fnmatchcase(name, pattern) for pattern in facts.made)

@@ -44,5 +44,7 @@ class Started:
         if self.scope.idle:
             return
         for node in self.nodes():
-            if node.facts.knows("executables") and node.executable not in node.facts.executables | node.facts.astray:
+            facts = node.facts
+            known = node.executable in facts.executables | facts.astray or facts.makes(node.executable)
+            if facts.knows("executables") and not known:
                 yield node
