@@ -21,3 +21,18 @@ def find(cmake: CMake, name: str, before: Call) -> tuple[Edit, ...]:
     if found:
         return (add_after(file, found[-1], line),)
     return (add_before(file, before.command, line),)
+
+
+def find_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
+    """Look for a package below the last one that is looked for, for tests or always; nothing where there is none."""
+    calls = [each.call for each in cmake.packages if each.call.testing is testing and not each.call.maybe]
+    alone = [call for call in calls if not call.inside and is_alone(cmake, call)]
+    if not alone:
+        return ()
+    last = next((call for call in reversed(alone) if call.path == cmake.root.path), alone[-1])
+    return (add_after(cmake.file(last.path), last.command, f"find_package({name} REQUIRED)"),)
+
+
+def is_alone(cmake: CMake, call: Call) -> bool:
+    """Return whether a command looks for one package: in a loop it looks for several."""
+    return sum(each.call.command is call.command for each in cmake.packages) == 1

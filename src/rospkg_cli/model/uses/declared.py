@@ -90,7 +90,7 @@ class Declared:
         """The keys for which the declared names stand elsewhere."""
         return frozenset(key for name in self.unknown if (key := key_for_pip(name)) is not None)
 
-    @cached_property
+    @property
     def brought(self) -> frozenset[str]:
         """What the declared packages bring with them at build time, as far as that is known."""
         return self._closure[0]
@@ -102,9 +102,13 @@ class Declared:
 
     @cached_property
     def _closure(self) -> tuple[frozenset[str], bool]:
+        return self.brought_with(self.names)
+
+    def brought_with(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
+        """Return what some packages bring for whoever builds with them, and whether that is known of all of them."""
         found: set[str] = set()
         known, table = True, rows("brings.txt")
-        waiting = list(self.names)
+        waiting = list(names)
         while waiting:
             name = waiting.pop()
             facts = self.workspace.named(name)

@@ -1,0 +1,62 @@
+"""DEP107 missing-find-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.cmake_find import find_among
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.uses.unfound import UnfoundPackages
+from ...rule import rule
+
+DECLARED = manifest("  <depend>geometry_msgs</depend>\n", "ament_cmake")
+FOUND = "find_package(ament_cmake REQUIRED)\n"
+NODE = CMAKE.replace(
+    "ament_package()",
+    "add_executable(node src/node.cpp)\n"
+    "target_link_libraries(node «geometry_msgs::geometry_msgs»)\n"
+    "install(TARGETS node DESTINATION lib/${PROJECT_NAME})\nament_package()",
+)
+GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_package(geometry_msgs REQUIRED)\n")
+
+
+@rule(
+    "DEP107",
+    "missing-find-package",
+    over=UnfoundPackages,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "where another package that is found may bring it"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": DECLARED, "CMakeLists.txt": NODE, "src/node.cpp": "int main() {return 0;}\n"},
+            good={"CMakeLists.txt": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def missing_find_package(unfound: UnfoundPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds ROS packages that package.xml declares for the build, that targets are linked with or whose headers are
+    included, and that no `find_package()` looks for. Packages that come with one that is found are left alone, and so
+    is everything where a command such as `ament_auto_find_build_dependencies()` finds what is declared.
+
+    ## Why is this bad?
+    CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds
+    only as long as another package happens to look for this one.
+
+    ## Fix safety
+    The call is put behind the others of its kind. A target may have to be linked with the package as well.
+    """
+    cmake = unfound.included.cmake
+    for each in unfound.all():
+        line = f"find_package({each.name} REQUIRED)"
+        ends = (
+            "it builds only as long as another package that is found brings it" if each.brought else "the build stops"
+        )
+        message = f"CMake never looks for `{each.name}`, but {each.does}: {ends}; add `{line}`"
+        edits = find_among(cmake, each.name, testing=each.testing)
+        fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
+        yield Hit(each.path, each.span, message, Severity.INFO if each.brought else None, fix=fix)
