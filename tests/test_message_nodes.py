@@ -115,4 +115,4 @@ def test_the_publisher_publishes_it(tmp_path: Path, number: signal.Signals) -> N
 def test_the_subscriber_logs_it(tmp_path: Path) -> None:
     planned = plan(there=SMALL, nodes=("monitor:subscriber:RobotStatus",))
     node = Running(planned, tmp_path, modules={"small_msgs/msg.py": MODULE})
-    assert node.heard(2) == "[INFO] RobotStatus(Hello)\n" * 2
+    assert node.heard(3) == "[INFO] ready\n" + "[INFO] RobotStatus(Hello)\n" * 2

@@ -63,11 +63,16 @@ class Kind:
     """Those that it can be written in."""
 
 
-def kind_of_message(kind: Kind, name: str, full_name: str, topic: str) -> Kind:
+def kind_of_message(kind: Kind) -> Kind:
     """Return the kind of a node that is all about one message; raises ScaffoldError for kinds that never are."""
     of = all_kinds().get(kind.name + OF)
     if of is None:
         raise ScaffoldError(f"a {kind.name} has no message of its own choice; a publisher and a subscriber have")
+    return of
+
+
+def about(of: Kind, name: str, full_name: str, topic: str) -> Kind:
+    """Return a kind of `kind_of_message` with the message filled in."""
     uses = tuple(Use(use.how, topic, full_name) for use in of.uses)
     package = full_name.partition("/")[0]
     return replace(of, does=of.does.format(message=name), interfaces=(package,), uses=uses)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .around import Around
-from .kinds import LANGUAGES, Kind, all_kinds, kind_of_message
+from .kinds import LANGUAGES, Kind, about, all_kinds, kind_of_message
 from .message import Message, is_message, message_of
 from .names import LONGEST, check_node_name
 from .template import Template
@@ -73,8 +73,9 @@ def node_of(text: str, package: str, template: Template, there: Around) -> Node:
         raise ScaffoldError(f"`{text}`: there is a {kind.name} in {' and '.join(map(shown, kind.languages))} alone")
     if not messages:
         return Node(name, kind, language)
+    of = kind_of_message(kind)
     message = message_of(messages[0], package, there)
-    return Node(name, kind_of_message(kind, message.name, message.full_name, message.topic), language, message)
+    return Node(name, about(of, message.name, message.full_name, message.topic), language, message)
 
 
 def known_kind(word: str, template: Template) -> str:
