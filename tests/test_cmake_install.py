@@ -107,7 +107,7 @@ ENTRIES = "[options.entry_points]\nconsole_scripts =\n    talker = my_pkg.talker
     "arguments, executables",
     [
         ("SCRIPTS_DESTINATION lib/my_pkg", "lib/my_pkg/talker"),
-        ("", "bin/talker"),
+        ("", ""),
         ("SCRIPTS_DESTINATION ${unheard}", "?"),
         ("SETUP_CFG other.cfg SCRIPTS_DESTINATION lib/my_pkg", "?"),
     ],

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ..ros.distros import Targets
 from ..source import Source
+from .cmake.project import CMake
 from .facts import NOWHERE
 from .gather import gather
 from .install import InstallTable, NotKnown, What
@@ -17,6 +19,19 @@ SAY_WHAT_IS_INSTALLED = ("package.xml", "setup.py", "setup.cfg", "CMakeLists.txt
 
 
 @dataclass(frozen=True)
+class RegisteredComponent:
+    """A class that can be loaded into a container."""
+
+    name: str
+    target: str
+    """The library of CMake that holds it."""
+    executable: str
+    """What runs it alone, "" for nothing."""
+    path: str
+    offset: int
+
+
+@dataclass(frozen=True)
 class Inspection:
     name: str
     folder: str
@@ -24,6 +39,7 @@ class Inspection:
     build_type: str
     table: InstallTable
     interfaces: tuple[str, ...]
+    components: tuple[RegisteredComponent, ...]
     sources: dict[str, Source]
     """The files that the table refers to, for lines and columns."""
 
@@ -38,15 +54,27 @@ def inspect_package(package: Package, fallback: str, targets: Targets) -> Inspec
     facts = gather(package, targets, package.folder, fallback)
     broken = [each for each in package.unreadable() if each.path in SAY_WHAT_IS_INSTALLED]
     table = package.parts(InstallTable).only or unread(facts.build_type, broken)
-    paths = {row.path for row in table.rows} | {each.path for each in table.unknown}
+    components = tuple(registered(package))
+    paths = {each.path for part in (table.rows, table.unknown, components) for each in part}
     return Inspection(
         name=facts.name,
         folder=package.folder,
         build_type=facts.build_type,
         table=table,
         interfaces=tuple(sorted(facts.interfaces)),
+        components=components,
         sources=readable(package, paths),
     )
+
+
+def registered(package: Package) -> Iterator[RegisteredComponent]:
+    """Yield the components whose names are known, in the order of their names."""
+    cmake = package.parts(CMake).only
+    found = [component for component in cmake.components if component.plugin.known] if cmake is not None else []
+    for each in sorted(found, key=lambda component: component.plugin.text):
+        executable = each.executable.text if each.executable and each.executable.known else ""
+        target = each.target.text if each.target.known else ""
+        yield RegisteredComponent(each.plugin.text, target, executable, each.plugin.path, each.plugin.span.start)
 
 
 def unread(build_type: str, broken: list[Unreadable]) -> InstallTable:

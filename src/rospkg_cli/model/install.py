@@ -31,6 +31,8 @@ class Installed:
     span: Span = NOWHERE
     maybe: bool = False
     """It is there only under a condition that can't be evaluated."""
+    testing: bool = False
+    """It is there only where tests are built, as colcon does unless it is told otherwise."""
 
 
 @dataclass(frozen=True, slots=True)

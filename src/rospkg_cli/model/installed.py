@@ -9,12 +9,10 @@ from typing import NamedTuple
 from .cmake.project import CMake
 from .cmake.read import is_built_with_cmake
 from .cmake.table import cmake_table
-from .cmake_scripts import python_scripts
 from .facts import Unknown
 from .files import Reading
 from .install import PYTHON, InstallTable
 from .manifest import Manifest
-from .setup.cfg import SetupCfg
 from .setup.setup_py import SetupPy
 from .setup.table import python_table
 
@@ -26,7 +24,7 @@ def read_install_table(reading: Reading) -> Iterator[InstallTable]:
         return
     if is_built_with_cmake(reading):
         for cmake in reading.parts(CMake).good:
-            yield cmake_table(cmake, manifest.name).joined(python_scripts(cmake, reading.parts(SetupCfg).only))
+            yield cmake_table(cmake, manifest.name)
     elif setup is not None:
         yield python_table(setup, manifest.name)
 

@@ -50,14 +50,25 @@ def lines(inspection: Inspection, color: bool) -> Iterator[str]:
             yield f"  {paint(title, 'cyan', color)}"
         width = min(max((len(destination(row)) for row in rows), default=0), MAX_WIDTH)
         for row in rows:
-            made = (row.entry or row.source or "made by the build") + " (perhaps)" * row.maybe
+            made = (row.entry or row.source or "made by the build") + under(row)
             yield f"    {destination(row):<{width}}  {paint('<- ' + made, 'dim', color)}"
+    if inspection.components:
+        yield f"  {paint('components', 'cyan', color)}"
+        width = min(max(len(each.name) for each in inspection.components), MAX_WIDTH)
+        for each in inspection.components:
+            made = each.target + (f", run by {each.executable}" if each.executable else "")
+            yield f"    {each.name:<{width}}  {paint('<- ' + made, 'dim', color)}"
     if inspection.interfaces:
         yield f"  {paint('interfaces', 'cyan', color)}"
         yield from (f"    {name}" for name in inspection.interfaces)
     if inspection.table.unknown:
         yield f"  {paint('not known', 'yellow', color)}"
         yield from (f"    {text}" for text in dict.fromkeys(not_known(inspection)))
+
+
+def under(row: Installed) -> str:
+    """Return the condition that a row is there under."""
+    return " (perhaps)" if row.maybe else " (with tests)" if row.testing else ""
 
 
 def not_known(inspection: Inspection) -> Iterator[str]:
@@ -92,9 +103,19 @@ def document(inspection: Inspection, root: str) -> dict[str, Any]:
                 "source": row.source,
                 "entry": row.entry,
                 "certain": not row.maybe,
+                "testing": row.testing,
                 "said": at(row.path, row.span.start) if row.path else None,
             }
             for row in sorted(inspection.table.rows, key=lambda row: (row.destination, row.source))
+        ],
+        "components": [
+            {
+                "name": part.name,
+                "target": part.target,
+                "executable": part.executable,
+                "said": at(part.path, part.offset),
+            }
+            for part in inspection.components
         ],
         "interfaces": list(inspection.interfaces),
         "unknown": [

@@ -29,11 +29,12 @@ def python_scripts(call: Call, files: PackageFiles) -> Iterator[Installed | NotK
         given = next(iter(values.get("SETUP_CFG", [])), None)
         path = located(given.text if given else "setup.cfg", call.folder)
         folder = below_prefix(place.text)
-        if path is None or folder is None:
-            yield unknown(given if path is None and given else place, "which scripts setup.cfg makes can't be told")
+        if path is None or folder is None or (given and not files.exists(path)):
+            yield unknown(place if folder is None else given or place, "which scripts setup.cfg makes can't be told")
         elif files.exists(path):
             try:
-                yield from (replace(script, maybe=call.maybe) for script in scripts_of(path, folder, files))
+                for script in scripts_of(path, folder, files):
+                    yield replace(script, maybe=call.maybe, testing=call.testing)
             except UnreadableError:
                 yield unknown(place, f"`{path}` can't be read")
 

@@ -49,8 +49,8 @@ class Table:
 
     def row(self, destination: str, source: str, word: Word, *calls: Call) -> Installed:
         """Return a row that a word says in some calls, all of which must be run."""
-        maybe = word.maybe or any(call.maybe for call in calls)
-        return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe)
+        maybe, testing = word.maybe or any(call.maybe for call in calls), any(call.testing for call in calls)
+        return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
 
     def what(self, destination: str) -> What:
         if destination.startswith((f"lib/{self.name}/", "bin/")):
