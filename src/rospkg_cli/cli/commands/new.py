@@ -16,8 +16,9 @@ TYPE = "ament_python, ament_cmake, mixed, interfaces, description or bringup."
 NODE = (
     "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
     "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python. "
-    "In a bringup package: PACKAGE/EXECUTABLE."
+    "Of a message: status:publisher:my_msgs/Status. In a bringup package: PACKAGE/EXECUTABLE."
 )
+FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
 Names = list[str] | None
@@ -42,6 +43,7 @@ def new(
     tests: Annotated[
         str, Option(metavar="TESTS", help="ament, minimal or none. Else ament.", rich_help_panel=WHAT)
     ] = "",
+    family: Annotated[bool, Option("--family", help=FAMILY, rich_help_panel=WHAT)] = False,
     depends: Annotated[
         Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
     ] = None,
@@ -84,4 +86,8 @@ def new(
         distro=distro,
         year=year,
     )
+    if family:
+        from ..family import new_family
+
+        return new_family(request, into, dry_run, color)
     return write_new(request, into, dry_run, color)
