@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import NamedTuple
 
+from .cmake.forgotten import ForgottenTargets
 from .cmake.project import CMake
 from .cmake.read import is_built_with_cmake
 from .cmake.table import cmake_table
@@ -50,11 +51,18 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
     return InstalledFacts(
         frozenset(path for path, _ in table.below(f"lib/{name}")),
         frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
-        - {path for path, _ in table.below(f"lib/{name}")},
+        - {path for path, _ in table.below(f"lib/{name}")}
+        | forgotten(reading),
         frozenset(path for path, _ in table.below(f"share/{name}")),
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),
     )
+
+
+def forgotten(reading: Reading) -> frozenset[str]:
+    """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
+    found = (each for cmake in reading.parts(CMake).good for each in ForgottenTargets(cmake).all())
+    return frozenset(each.target.name for each in found if each.target.executable)
 
 
 def has_malformed(reading: Reading) -> bool:

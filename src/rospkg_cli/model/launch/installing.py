@@ -38,7 +38,9 @@ class LaunchedFiles:
                 yield each
 
     def is_said(self, missing: Missing) -> bool:
-        """Return whether a finding at the install rules says so."""
+        """Return whether a finding at the install rules says so; for an absolute destination CMK111 does."""
+        if missing.state == "elsewhere" and (missing.meant or "").startswith("/"):
+            return True
         top = missing.path.partition("/")[0]
         if missing.package == self.name:
             return top in self.said_folders or missing.path in self.said_files

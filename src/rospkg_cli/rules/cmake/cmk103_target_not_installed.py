@@ -9,7 +9,9 @@ from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.cmake.forgotten import Forgotten, ForgottenTargets
 from ...model.cmake.package import CMakePackage
+from ...model.cmake.references import References
 from ...rule import rule
+from ...suggest import near
 
 MAIN = "int main() {return 0;}\n"
 TWO = """\
@@ -78,8 +80,11 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     """
     if not package.ament:
         return
+    misspelt = {each.word.text for each in References(package.cmake).broken() if each.call.name == "install"}
     for forgotten in ForgottenTargets(package.cmake).all():
         word = forgotten.target.word
+        if near(word.text, misspelt):
+            continue  # the install rule that means it is CMK110's
         level = Severity.ERROR if forgotten.stops else None
         fix = Fix(f"install `{word.text}`", (edit(package, forgotten),))
         yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)

@@ -76,7 +76,10 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
     name = astray.package.facts.name
     if not astray.package.ament:
         return
+    project = astray.package.cmake.project_name
     for each in astray.all():
+        if project != name and each.place == f"lib/{project}":
+            continue  # the name of the project is at fault: CMK001
         start = f"`{each.name}` is installed into `{each.place}`, where neither `ros2 run {name} {each.name}` nor a"
         message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
         edits = to_libexec(astray.package.cmake, each)

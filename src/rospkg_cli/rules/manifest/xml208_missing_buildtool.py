@@ -16,6 +16,8 @@ BAD = GOOD.replace("  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")
 FAMILY = re.compile(r"(.*_)?cmake(_.*)?")
 """ament_cmake and its parts, and what wraps it, such as autoware_cmake."""
 
+NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
+
 
 @rule(
     "XML208",
@@ -46,7 +48,7 @@ def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
     manifest = package.manifest
-    if any(FAMILY.fullmatch(each.name) for each in manifest.dependencies):
+    if any(FAMILY.fullmatch(each.name) and each.tag not in NOT_FOR_BUILDING for each in manifest.dependencies):
         return
     asked = sorted(name for name in package.found if name.startswith("ament_cmake"))
     if not asked and not package.ends_a_package:
