@@ -52,6 +52,7 @@ NODE_FAULTS = {
         "DEP104",
     ),
     "a dependency that CMake looks for and nobody declares": (line(MANIFEST, "<depend>rclcpp</depend>"), "DEP104"),
+    "a link without find_package": (line(CMAKE, "find_package(std_msgs"), "DEP107"),
     "an include of an undeclared package": (
         before(NODE, '#include "rclcpp/', "#include <geometry_msgs/msg/twist.hpp>\n"),
         "DEP105",
