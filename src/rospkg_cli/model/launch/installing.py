@@ -38,8 +38,13 @@ class LaunchedFiles:
                 yield each
 
     def is_said(self, missing: Missing) -> bool:
-        """Return whether a finding at the install rules says so; for an absolute destination CMK111 does."""
-        if missing.state == "elsewhere" and (missing.meant or "").startswith("/"):
+        """Return whether a finding at the install rules says so.
+
+        CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.
+        """
+        project = self.cmake.project_name if self.cmake is not None else self.name
+        astray = ("/", f"share/{project}/") if project != self.name else ("/",)
+        if missing.state == "elsewhere" and (missing.meant or "").startswith(astray):
             return True
         top = missing.path.partition("/")[0]
         if missing.package == self.name:
