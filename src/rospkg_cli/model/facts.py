@@ -8,6 +8,7 @@ from typing import Literal
 
 from ..source import Span
 from .launch.declared import LaunchSignature
+from .launch.events import Summary
 from .params.declared import DeclaredParameter, NodeCode
 
 Unknown = Literal[
@@ -105,6 +106,8 @@ class PackageFacts:
     """The names in each block of its parameter files."""
     launch_files: tuple[LaunchSignature, ...] = ()
     """What its launch files take from those that include them."""
+    launch_summaries: tuple[Summary, ...] = ()
+    """What its launch files, installed or not, set for each other."""
     unknown: frozenset[Unknown] = frozenset()
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
 

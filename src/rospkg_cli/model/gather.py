@@ -12,7 +12,7 @@ from .files import Reading
 from .header_folders import header_folders
 from .installed import installed_facts
 from .interface.inventory import interface_names
-from .launch.file import started_nodes
+from .launch.file import launch_summaries, started_nodes
 from .launch.signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -53,6 +53,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         astray=installed.astray,
         starts=started_nodes(reading),
         launch_files=launch_signatures(reading),
+        launch_summaries=launch_summaries(reading),
         interfaces=interfaces,
         parameters=declared,
         given_parameters=given_parameters(reading),

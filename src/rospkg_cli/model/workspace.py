@@ -10,6 +10,7 @@ from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
 from .facts import PackageFacts, Plugin
+from .launch.around import LaunchFiles
 from .params.index import ParameterIndex
 
 
@@ -42,6 +43,11 @@ class Workspace:
     def parameters(self) -> ParameterIndex:
         """What the code of all packages declares."""
         return ParameterIndex(self.packages)
+
+    @cached_property
+    def launch(self) -> LaunchFiles:
+        """The launch files of all packages."""
+        return LaunchFiles(each for facts in self.packages for each in facts.launch_summaries)
 
     @property
     def names(self) -> frozenset[str]:

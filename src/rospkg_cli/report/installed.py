@@ -1,4 +1,4 @@
-"""The install table of packages, for people and for programs."""
+"""The install table and the launch files of packages, for people and for programs."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import IO, Any
 from .. import __version__
 from ..model.inspection import Inspection
 from ..model.install import PYTHON, Installed, What
+from .launched import launch_document, launch_lines
 from .style import paint
 
 SCHEMA = 1
@@ -61,6 +62,10 @@ def lines(inspection: Inspection, color: bool) -> Iterator[str]:
     if inspection.interfaces:
         yield f"  {paint('interfaces', 'cyan', color)}"
         yield from (f"    {name}" for name in inspection.interfaces)
+    if inspection.launch:
+        yield f"  {paint('launch files', 'cyan', color)}"
+        for file in inspection.launch:
+            yield from launch_lines(file, color)
     if inspection.table.unknown:
         yield f"  {paint('not known', 'yellow', color)}"
         yield from (f"    {text}" for text in dict.fromkeys(not_known(inspection)))
@@ -88,8 +93,11 @@ def render_json(inspections: Sequence[Inspection], root: str, stream: IO[str]) -
 
 
 def document(inspection: Inspection, root: str) -> dict[str, Any]:
+    launched = {file.path: file.source for file in inspection.launch}
+
     def at(path: str, offset: int) -> dict[str, Any]:
-        line, column = inspection.position(path, offset)
+        source = launched.get(path)
+        line, column = source.position(offset) if source else inspection.position(path, offset)
         return {"path": str(PurePosixPath(root, inspection.folder, path)), "line": line, "column": column}
 
     return {
@@ -118,6 +126,7 @@ def document(inspection: Inspection, root: str) -> dict[str, Any]:
             for part in inspection.components
         ],
         "interfaces": list(inspection.interfaces),
+        "launch_files": [launch_document(file, at) for file in inspection.launch],
         "unknown": [
             {"what": each.what, "why": each.why, "said": at(each.path, each.span.start)}
             for each in inspection.table.unknown

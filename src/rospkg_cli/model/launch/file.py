@@ -9,6 +9,7 @@ from typing import Literal
 from ...source import Source, Span
 from ..files import Reading
 from ..python import Import, PythonFile
+from .events import Event, Summary, summary
 from .faults import Fault as Fault
 from .faults import OldSyntax, RemovedArgument
 from .misuse import Misuse
@@ -108,6 +109,8 @@ class LaunchFile:
     """The file itself, where it is Python."""
     imports: tuple[Import, ...] = ()
     """What a Python file imports."""
+    events: tuple[Event, ...] | None = None
+    """What happens to launch configurations, in order; None where that can't be told."""
     misuses: tuple[Misuse, ...] = ()
     """What a Python file hands to launch, and launch can't take."""
     unquoted: tuple[Unquoted, ...] = ()
@@ -125,6 +128,11 @@ class LaunchFile:
         """Return whether the file goes on where what stands there is missing."""
         return any(guard.start <= span.start < guard.end for guard in self.guarded)
 
+    @property
+    def set_somewhere(self) -> frozenset[str]:
+        """The launch configurations that anything in the file declares or sets."""
+        return frozenset(text.literal for text in (*self.assigned, *(a.name for a in self.arguments)) if text.literal)
+
     def configurations(self) -> Iterator[Substitution]:
         """Yield the uses of launch configurations: `$(var x)`."""
         return (found for found in self.substitutions if found.name == "var")
@@ -140,3 +148,12 @@ def started_nodes(reading: Reading) -> frozenset[tuple[str, str]]:
     """Return package and executable of every node that a package's launch files start under literal names."""
     files = reading.parts(LaunchFile).good
     return frozenset((package, executable) for file in files for package, executable, _ in file.programs())
+
+
+def launch_summaries(reading: Reading) -> tuple[Summary, ...]:
+    """Return what other launch files may know of those of a package."""
+    files = [file for file in reading.parts(LaunchFile).good if not file.ros1]
+    return tuple(
+        summary(file.path.rpartition("/")[2], file.events or (), file.complete and file.events is not None)
+        for file in files
+    )

@@ -10,6 +10,7 @@ from ...ros.launch import ACTIONS
 from ...source import Source, Span
 from ..written import Written
 from .entity import Entity
+from .events_xml import xml_events
 from .file import (
     Command,
     DeclaredArgument,
@@ -24,7 +25,7 @@ from .file import (
 from .named_paths import NamedPath, Use, paths_in
 from .old import is_ros1, old_syntax
 from .removed import typed_nodes
-from .structure import faults_of, substitution_faults
+from .structure import faults_of, forgotten_substitutions, substitution_faults
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, Literal, plain_text, unknown_text
 
@@ -163,6 +164,8 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, faults: list[F
     walk = Walk(faults=faults)
     walk.visit(root, True)
     walk.faults += faults_of(root)
+    asked = {s.arguments[0].literal or "" for text in walk.texts for s in text.substitutions("var") if s.arguments}
+    walk.faults += forgotten_substitutions(root, frozenset(asked))
     ros1 = is_ros1(root)
     return LaunchFile(
         source,
@@ -177,5 +180,6 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, faults: list[F
         removed=() if ros1 else tuple(typed_nodes(root)),
         old=() if ros1 else tuple(old_syntax(source, root, walk.texts)),
         faults=() if ros1 else tuple(walk.faults),
+        events=xml_events(root),
         ros1=ros1,
     )

@@ -10,6 +10,7 @@ from ..evaluate.folder import Folder
 from ..evaluate.values import Call, Text, Value
 from ..python import PythonFile
 from .evaluation import ENTRIES, LaunchEvaluator
+from .events_python import python_events
 from .file import LaunchFile
 from .guarded import ABSENT, guarded_in
 from .made import NODES, argument_of, argument_text, command_of, include_of, node_of
@@ -41,6 +42,7 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
         entry=any(has_name(file, evaluator, name) for name in ENTRIES),
         python=file,
         imports=file.imports,
+        events=python_events(evaluator),
         misuses=misuses(evaluator, calls),
         unquoted=tuple(unquoted_in(file, calls)),
         guarded=tuple(guarded_in(file)),

@@ -82,3 +82,15 @@ def substitution_faults(text: LaunchText) -> Iterator[Fault]:
             wanted = str(least) if least == most else f"{least} to {most}"
             message = f"`$({found.name} …)` takes {wanted} argument{'s' * (most != 1)}, not {count}"
             yield Fault(found.span, f"{message}; quote an argument that holds blanks")
+
+
+def forgotten_substitutions(root: Entity, used: frozenset[str]) -> Iterator[Fault]:
+    """Yield `<param name="x" value="x"/>` where `x` is an argument of the file that is used nowhere."""
+    declared = {
+        each.attributes["name"].text for each in root.walk() if each.name == "arg" and "name" in each.attributes
+    }
+    for each in root.walk():
+        name, value = each.attributes.get("name"), each.attributes.get("value")
+        if each.name == "param" and name and value and name.text == value.text and name.text in declared - used:
+            message = f"the parameter is the text `{value.text}`, not the argument of that name, which nothing asks for"
+            yield Fault(value.span, f"{message}; write `$(var {value.text})`")

@@ -25,6 +25,11 @@ class Substitution:
     arguments: tuple[LaunchText, ...]
     span: Span
 
+    @property
+    def shown(self) -> str:
+        words = [self.name, *(argument.shown for argument in self.arguments)]
+        return "…" if self.name == UNKNOWN else f"$({' '.join(words)})"
+
 
 @dataclass(frozen=True, slots=True)
 class LaunchText:
@@ -45,6 +50,11 @@ class LaunchText:
     def unknown(self) -> bool:
         """Whether nothing at all is known of it."""
         return len(self.parts) == 1 and isinstance(self.parts[0], Substitution) and self.parts[0].name == UNKNOWN
+
+    @property
+    def shown(self) -> str:
+        """The text as XML writes it; `…` stands for what can't be told."""
+        return "".join(part.text if isinstance(part, Literal) else part.shown for part in self.parts)
 
     def substitutions(self, *names: str) -> Iterator[Substitution]:
         """Yield the substitutions of these names (all, if none is given), also those inside of others' arguments."""

@@ -20,7 +20,7 @@ NAMED: Mapping[str, tuple[str, tuple[tuple[str, int], ...]]] = {
     "get_package_prefix": ("find-pkg-prefix", (("package_name", 0),)),
     "EnvironmentVariable": ("env", (("name", 0), ("default_value", 1))),
     "Command": ("command", (("command", 0),)),
-    "PythonExpression": ("eval", (("expression", 0),)),
+    "PythonExpression": ("eval", (("expression", 0), ("python_modules", 1))),
     "FindExecutable": ("find-exec", (("name", 0),)),
     "ExecutableInPackage": ("exec-in-pkg", (("executable", 0), ("package", 1))),
     "ThisLaunchFileDir": ("dirname", ()),

@@ -4,14 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...example import Example
+from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...model.launch.expressions import expression_faults
 from ...model.launch.file import LaunchFile
 from ...rule import rule
 
 BAD = '<launch>\n  <let name="speed" «valeu»="1.0"/>\n</launch>\n'
 BAD_YAML = "launch:\n- arg:\n    name: speed\n    «defalt»: '1.0'\n"
 BAD_SUBSTITUTION = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="«$»(var speed"/>\n</launch>\n'
+NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
+BAD_EXPRESSION = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration, PythonExpression
+
+
+def generate_launch_description():
+    headless = LaunchConfiguration('headless')
+    return LaunchDescription([
+        DeclareLaunchArgument('headless', default_value='true'),
+        LogInfo(msg='up', condition=IfCondition(«PythonExpression(['not ', headless])»)),
+    ])
+"""
 
 
 @rule(
@@ -19,6 +35,7 @@ BAD_SUBSTITUTION = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="
     "invalid-launch-structure",
     over=LaunchFile,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is the default of an argument that makes a Python expression fail"},
     examples=(
         Example(
             bad={"launch/a.launch.xml": BAD},
@@ -32,6 +49,13 @@ BAD_SUBSTITUTION = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="
             bad={"launch/a.launch.xml": BAD_SUBSTITUTION},
             good={"launch/a.launch.xml": BAD_SUBSTITUTION.replace("«$»(var speed", "$(var speed)")},
         ),
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/a.launch.py": BAD_EXPRESSION,
+            },
+            good={"launch/a.launch.py": BAD_EXPRESSION.replace("«", "").replace("»", "").replace("'true'", "'True'")},
+        ),
     ),
 )
 def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
@@ -40,10 +64,17 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     Finds what launch refuses in an XML or YAML launch file: attributes that an action does not have, attributes that
     are missing, entities that can't stand where they stand, and substitutions that are malformed or take another
     number of arguments. Actions and substitutions that nobody knows are left alone, since packages may add their own,
-    unless one letter makes a known one of them.
+    unless one letter makes a known one of them. In every format it finds Python expressions (`PythonExpression`,
+    `$(eval …)`) that are none, whatever the arguments are, and those that ask for a name which Python does not know:
+    `true` and `false`, mostly, which the default of an argument brings in.
 
     ## Why is this bad?
-    launch reads the whole file before it starts anything: one such place, and nothing is started.
+    launch reads an XML or YAML file as a whole before it starts anything: one such place, and nothing is started. An
+    expression that Python can't evaluate stops the launch when it comes there.
     """
     for fault in file.faults:
         yield Hit(file.path, fault.span, fault.message)
+    for bad in expression_faults(file) if file.entry and not file.ros1 else ():
+        level = Severity.WARNING if bad.by_default else None
+        hint = f"; write {bad.name.title()}" if bad.name in ("true", "false") else ""
+        yield Hit(file.path, bad.span, f"`{bad.text.strip()}` {bad.why}{hint}", level)

@@ -1,0 +1,74 @@
+"""LCH008 undeclared-launch-argument."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.configurations import Configurations
+from ...rule import rule
+from ...suggest import did_you_mean
+
+BAD = """\
+<launch>
+  <arg name="rate" default="10"/>
+  <log message="at $(var «rat») Hz"/>
+</launch>
+"""
+BAD_PYTHON = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    return LaunchDescription([LogInfo(msg=LaunchConfiguration('«rate»'))])
+"""
+FEW = 3
+"""A file that asks for more is probably made to be included, by whatever sets them."""
+
+NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
+
+
+@rule(
+    "LCH008",
+    "undeclared-launch-argument",
+    over=Configurations,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "the file is included by others, or asks for so many that it probably is"},
+    examples=(
+        Example(
+            bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
+            good={"launch/a.launch.xml": BAD.replace("«rat»", "rate")},
+        ),
+        Example(
+            bad={"package.xml": NEEDED, "launch/a.launch.py": BAD_PYTHON},
+            good={"launch/a.launch.py": BAD_PYTHON.replace("'«rate»'", "'rate', default='10'")},
+        ),
+    ),
+)
+def undeclared_launch_argument(configurations: Configurations) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds launch configurations that a file asks for (`LaunchConfiguration('x')`, `$(var x)`), without a default, and
+    that nothing sets by then: no argument of that name is declared in it, by the files that it includes, or by those
+    of the workspace that include it. Arguments that are declared and never added to the launch description count as
+    not declared. Where that can't be told, the rule keeps quiet.
+
+    ## Why is this bad?
+    The launch stops with "launch configuration 'x' does not exist".
+    """
+    file = configurations.file
+    found = [each for each in configurations.unset() if each.state != "late"]
+    many = len(found) > FEW
+    level = Severity.INFO if many or configurations.included else None
+    for each in found if not (many and configurations.included) else ():
+        if each.state == "not added":
+            message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
+            better = "add it"
+        else:
+            message = f"nothing declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
+            better = "declare it, or give it a default"
+        ends = f"the launch stops with \"launch configuration '{each.name}' does not exist\""
+        yield Hit(file.path, each.span, f"{message}: {ends} where nobody sets it; {better}", level)

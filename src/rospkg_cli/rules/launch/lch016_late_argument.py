@@ -1,0 +1,57 @@
+"""LCH016 late-argument."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.configurations import Configurations
+from ...rule import rule
+
+BAD = """\
+<launch>
+  <log message="at $(var «rate») Hz"/>
+  <arg name="rate" default="10"/>
+</launch>
+"""
+GOOD = """\
+<launch>
+  <arg name="rate" default="10"/>
+  <log message="at $(var rate) Hz"/>
+</launch>
+"""
+
+
+@rule(
+    "LCH016",
+    "late-argument",
+    over=Configurations,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/a.launch.xml": BAD,
+            },
+            good={"launch/a.launch.xml": GOOD},
+        ),
+    ),
+)
+def late_argument(configurations: Configurations) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds launch arguments that are asked for by an action which comes before their declaration in the launch
+    description.
+
+    ## Why is this bad?
+    launch visits the actions in order: the launch stops with "launch configuration 'x' does not exist", unless the
+    argument is given on the command line. So it works for some, and never with the default.
+    """
+    for each in configurations.unset():
+        if each.state == "late":
+            message = (
+                f"`{each.name}` is asked for before it is declared: unless somebody gives it, the launch stops with "
+                f"\"launch configuration '{each.name}' does not exist\"; move the declaration up"
+            )
+            yield Hit(configurations.file.path, each.span, message)

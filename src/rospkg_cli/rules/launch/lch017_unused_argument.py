@@ -1,0 +1,49 @@
+"""LCH017 unused-argument."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...model.launch.configurations import Configurations
+from ...rule import Profile, rule
+
+BAD = """\
+<launch>
+  <arg name="rate" default="10"/>
+  <«arg» name="mode" default="fast"/>
+  <log message="at $(var rate) Hz"/>
+</launch>
+"""
+
+
+@rule(
+    "LCH017",
+    "unused-argument",
+    over=Configurations,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/a.launch.xml": BAD,
+            },
+            good={"launch/a.launch.xml": BAD.replace('  <«arg» name="mode" default="fast"/>\n', "")},
+        ),
+    ),
+)
+def unused_argument(configurations: Configurations) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds launch arguments that a file declares and never asks for. Files that include others are left alone, since
+    these see the arguments as well.
+
+    ## Why is this bad?
+    Whoever sets the argument on the command line believes that it does something.
+    """
+    for argument in configurations.unused():
+        name = argument.name.literal
+        message = f"the launch argument `{name}` is declared and nothing asks for it: setting it has no effect"
+        yield Hit(configurations.file.path, argument.span, message)
