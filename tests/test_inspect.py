@@ -106,6 +106,30 @@ def test_what_hangs_on_an_unknown_condition_is_there_perhaps(workspace: Path) ->
     assert {row["source"]: row["certain"] for row in package["installed"]} == {"package.xml": True, "a.yaml": False}
 
 
+def test_components_and_what_is_there_with_tests(workspace: Path) -> None:
+    lines = [
+        "project(a_pkg)",
+        "add_library(parts SHARED a.cpp)",
+        "rclcpp_components_register_node(parts PLUGIN a::Talker EXECUTABLE talker)",
+        "rclcpp_components_register_nodes(parts a::Ear)",
+        "if(BUILD_TESTING)",
+        "  install(FILES a.yaml DESTINATION share/a_pkg)",
+        "endif()",
+    ]
+    files = {"package.xml": manifest(name="a_pkg", build_type="ament_cmake"), "a.yaml": "", "a.cpp": ""}
+    write(workspace / "a_pkg", {**files, "CMakeLists.txt": "\n".join(lines)})
+    shown = printed(workspace / "a_pkg")
+    assert "    share/a_pkg/a.yaml  <- a.yaml (with tests)\n" in shown
+    assert "  components\n    a::Ear     <- parts\n    a::Talker  <- parts, run by talker\n" in shown
+    (package,) = json.loads(printed(workspace / "a_pkg", format="json"))["packages"]
+    assert package["components"][1] == {
+        "name": "a::Talker",
+        "target": "parts",
+        "executable": "talker",
+        "said": {"path": "ws/a_pkg/CMakeLists.txt", "line": 3, "column": lines[2].index("a::Talker") + 1},
+    }
+
+
 LAUNCH = """\
 <launch>
   <arg name="rate" default="10"/>
