@@ -23,7 +23,7 @@ FETCHED = FetchedNames(
             "/a/copy",
             "2026-11-01T12:00:00Z",
             ALL,
-            {"rclpy": ("jazzy",), "old": ("humble",)},
+            {"rclpy": ("jazzy",), "old": ("humble",), "wheel_driver": ("humble",)},
             {
                 "python3-yaml": ("apt", "apt", "apt"),
                 "python-old": ("apt", "-", "-"),
@@ -170,6 +170,9 @@ def test_a_name_in_ubuntu_with_several_keys_means_none() -> None:
         ("python3-pyserial", "python3-serial"),
         ("eigen3", "eigen"),
         ("turtlebot4", None),
+        ("nav_msg", "nav_msgs"),
+        ("carla_msgs", None),
+        ("umx_driver", None),
         ("my_companys_driver", None),
         ("std_srvs", None),
     ],
@@ -179,8 +182,8 @@ def test_what_is_likely_meant(name: str, meant: str | None) -> None:
 
 
 def test_only_what_a_target_has_is_meant() -> None:
-    assert likely("olt", FETCHED, Targets(("humble",))) == "old"
-    assert likely("olt", FETCHED, Targets(("jazzy",))) is None
+    assert likely("wheel_drivers", FETCHED, Targets(("humble",))) == "wheel_driver"
+    assert likely("wheel_drivers", FETCHED, Targets(("jazzy",))) is None
 
 
 def test_cmake_names() -> None:

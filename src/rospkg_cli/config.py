@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .configkeys import FORMS, read_section
+from .configkeys import FORMS, place, read_section
 from .configkeys import ConfigError as ConfigError
 
 if sys.version_info >= (3, 11):
@@ -52,6 +53,8 @@ class Config:
     per_package: tuple[Section, ...] = ()
     per_path: tuple[Section, ...] = ()
     new: Mapping[str, Any] = field(default_factory=dict)
+    index: Mapping[str, Any] = field(default_factory=dict)
+    """Where names are fetched from; in the user's own config alone."""
 
     @property
     def folder(self) -> Path:
@@ -76,8 +79,18 @@ def candidates(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
         yield pyproject, ("tool", "rospkg")
 
 
-def load(path: Path, table: tuple[str, ...] = ()) -> Config:
-    """Read a config file; `table` is where in it our keys stand."""
+def own_config() -> Config:
+    """Return the user's own config, for what no repository can say; raises ConfigError."""
+    path = own_path()
+    return load(path, own=True) if path.is_file() else Config()
+
+
+def own_path() -> Path:
+    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "rospkg" / "config.toml"
+
+
+def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
+    """Read a config file; `table` is where in it our keys stand, `own` whether it is the user's own."""
     text = path.read_text("utf-8", "replace")
     try:
         data: dict[str, Any] = tomllib.loads(text)
@@ -86,6 +99,9 @@ def load(path: Path, table: tuple[str, ...] = ()) -> Config:
     for key in table:
         data = data.get(key, {})
     values = read_section(data, FORMS, path, text, table)
+    if "index" in values and not own:
+        where = place(path, text, table, "index")
+        raise ConfigError(f"{where}: `index` belongs in {own_path()}: no repository says where your names come from")
     for key in PER:
         values[key] = tuple(Section(key, name, **each) for name, each in values.get(key, {}).items())
     return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})

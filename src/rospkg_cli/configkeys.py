@@ -63,6 +63,7 @@ def text(value: Any) -> str:
 
 Form = Callable[[Any], Any] | Mapping[str, Any]
 
+INDEX: Mapping[str, Form] = {"source": text, "distros": distros}
 NEW: Mapping[str, Form] = dict.fromkeys(
     ("distro", "email", "launch", "license", "maintainer", "tests", "version"), text
 )
@@ -83,6 +84,7 @@ FORMS: Mapping[str, Form] = {
     "per-package": {"*": SECTION},
     "per-path": {"*": SECTION},
     "new": NEW,
+    "index": INDEX,
 }
 
 

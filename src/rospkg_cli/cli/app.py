@@ -9,7 +9,7 @@ import typer
 
 from .. import __version__
 from . import UsageError
-from .commands import explain, format, inspect, lint, new
+from .commands import explain, format, index, inspect, lint, new
 
 app = typer.Typer(
     name="rospkg",
@@ -24,6 +24,10 @@ app.command(epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
 app.command(epilog=inspect.EPILOG)(inspect.inspect)
+indexing = typer.Typer(no_args_is_help=True, help=index.HELP, epilog=index.EPILOG)
+indexing.command(epilog=index.UPDATE_EPILOG)(index.update)
+indexing.command(epilog=index.STATUS_EPILOG)(index.status)
+app.add_typer(indexing, name="index")
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)
 
@@ -50,13 +54,14 @@ def run() -> int:
     from ..engine.locate import LocateError
     from ..engine.plugged import PluginError
     from ..engine.write import WriteError
+    from ..index import NamesError
 
     try:
         status: Any = app(prog_name="rospkg", standalone_mode=False)
         return status if isinstance(status, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
-    except (UsageError, ConfigError, LocateError, PluginError, BaselineError, WriteError) as error:
+    except (UsageError, ConfigError, LocateError, PluginError, BaselineError, WriteError, NamesError) as error:
         print(f"rospkg: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -74,7 +79,9 @@ def failed(error: Exception) -> int:
     shown = getattr(error, "format_message", None)
     if shown is not None:  # a click.ClickException: wrong use
         context = getattr(error, "ctx", None)
-        print(f"rospkg: {shown()} `{context.command_path if context else 'rospkg'} --help` shows how.", file=sys.stderr)
+        if message := shown():  # none where the help was shown instead
+            command = context.command_path if context else "rospkg"
+            print(f"rospkg: {message} `{command} --help` shows how.", file=sys.stderr)
         return 2
     if "-v" in sys.argv or "--verbose" in sys.argv:
         raise error

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from ..config import find_config, load
+from ..config import find_config, own_config
 from ..finding import Finding
 from ..report.style import paint, wants_color
 from ..scaffold import ScaffoldError
@@ -44,8 +43,7 @@ def new(request: Request, into: Path = Path(), dry_run: bool = False, color: str
 
 def defaults(into: Path) -> Mapping[str, str]:
     """Return what the config of the place says under `new`, and the user's own config where that says nothing."""
-    own = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "rospkg" / "config.toml"
-    return {**(load(own).new if own.is_file() else {}), **find_config(into).new}
+    return {**own_config().new, **find_config(into).new}
 
 
 def said(finding: Finding) -> str:

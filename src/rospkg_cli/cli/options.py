@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+import sys
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -14,9 +15,12 @@ from ..engine.plugged import plug_in
 from ..engine.pool import SERIAL_BELOW, ProcessPool
 from ..engine.selection import Selection, codes_named, rule_names
 from ..engine.session import Pool, Session
+from ..index import NamesError
+from ..index.cache import names
 from ..model.settings import Settings
 from ..report import FORMATS
 from ..ros.distros import DISTROS, Targets
+from ..ros.names import BUILT_IN, Names
 from ..rule import Profile
 from ..suggest import did_you_mean
 from ..tree import DiskTree
@@ -75,12 +79,21 @@ def make_session(options: LintOptions, config: Config, located: Located) -> Sess
     )
     return Session(
         DiskTree(located.root),
-        located.scope,
+        replace(located.scope, index=known_names()),
         selection.codes(),
         targets(options, config),
         Settings(frozenset(config.build_types), config.plugins),
         pool_for(options.jobs, len(located.scope.folders)),
     )
+
+
+def known_names() -> Names:
+    """Return the names that were fetched, else those that are built in; an index that is of no use is said to be."""
+    try:
+        return names(os.environ)
+    except NamesError as error:
+        print(f"rospkg: {error}; until then, what is built in answers", file=sys.stderr)
+        return BUILT_IN
 
 
 def require_version(config: Config) -> None:

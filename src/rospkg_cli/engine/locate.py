@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ..config import Config
 from ..model.discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
+from .elsewhere import lists_others
 from .hidden import ONLY_WHEN_GIVEN, hidden_below
 from .prefixes import prefix_names
 from .session import Scope
@@ -49,7 +50,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
         folders=tuple(relative(p, root) for p in every),
         given=frozenset(relative(p, root) for p in kept),
         name=root.name,
-        complete=not (around and any(around.glob("*.repos"))),
+        complete=not lists_others(around, kept),
         prefix_names=prefix_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )

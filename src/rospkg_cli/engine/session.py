@@ -13,6 +13,7 @@ from ..model.happenings import HAPPENINGS, NothingChecked, RuleCrash
 from ..model.settings import Settings
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
+from ..ros.names import BUILT_IN, Names
 from ..rule import Rule
 from ..tree import Tree
 from .check import check
@@ -34,6 +35,8 @@ class Scope:
     """The name of the root folder."""
     complete: bool = True
     prefix_names: frozenset[str] = frozenset()
+    index: Names = BUILT_IN
+    """The names of the world outside."""
     repositories: tuple[frozenset[str], ...] = ()
     """The packages of each repository."""
 
@@ -102,7 +105,8 @@ class Session:
 
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope
-        return Workspace(tuple(facts), scope.given, scope.complete, scope.prefix_names, scope.repositories)
+        around = (scope.given, scope.complete, scope.prefix_names, scope.repositories)
+        return Workspace(tuple(facts), *around, scope.index)
 
     def collect(self, workspace: Workspace, checked: Sequence[Checked]) -> Results:
         over_all = list(self.over_all(workspace))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from datetime import datetime, timezone
 from pathlib import Path
 
 from ..engine.write import WriteError, write_text
@@ -65,9 +64,3 @@ def keep(index: Index, environment: Mapping[str, str]) -> Path:
     except WriteError as error:
         raise NamesError(f"{error}; what was there is left as it was") from None
     return path
-
-
-def age(index: Index, now: datetime | None = None) -> int:
-    """Return how many days ago an index was fetched."""
-    then = datetime.strptime(index.fetched, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=timezone.utc)
-    return max(0, ((now or datetime.now(timezone.utc)) - then).days)

@@ -21,7 +21,7 @@ class Workspace:
     given: frozenset[str] = frozenset()
     """The folders of those that the user asked about."""
     complete: bool = True
-    """False where a `.repos` file says that more belongs here: then an unknown name can't be told."""
+    """False where a `.repos` file, say, lists more that belongs here: then an unknown name can't be told."""
     prefix_names: frozenset[str] = frozenset()
     """Names found in AMENT_PREFIX_PATH and /opt/ros: they may silence a finding, never cause one."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterable
 
 from ..suggest import distance
@@ -11,6 +10,10 @@ from .aliases import NOTHING_NEEDED, key_for_apt, key_for_pip
 from .distros import Targets
 from .names import Names
 from .table import rows
+
+SEPARATOR = re.compile(r"[-_.]")
+MOST = 2
+"""More slips than these make another name."""
 
 
 def likely(name: str, names: Names, targets: Targets) -> str | None:
@@ -32,7 +35,7 @@ def groups(name: str, names: Names) -> Iterable[list[str]]:
     yield [key for cmake, keys in rows("cmake.txt").items() if cmake.lower() == name for key in plain(keys)[:1]]
     everything = [each for each in names.all() if each != name]
     yield [each for each in everything if letters(each) == letters(name)]
-    yield from by_distance(name, everything)
+    yield from by_slips(name, everything)
 
 
 def plain(keys: Iterable[str]) -> list[str]:
@@ -42,23 +45,37 @@ def plain(keys: Iterable[str]) -> list[str]:
 
 def letters(name: str) -> str:
     """Return what is left without capitals, dashes and underscores."""
-    return re.sub(r"[-_.]", "", name.lower())
+    return SEPARATOR.sub("", name.lower())
 
 
-def by_distance(name: str, others: Iterable[str]) -> list[list[str]]:
-    """Return the names that are one edit away, and those that are two; short names allow fewer.
+def by_slips(name: str, others: Iterable[str]) -> list[list[str]]:
+    """Return the names that differ by slips in single words: those with the fewest first.
 
     A number is never taken for another: those are generations, and each is a thing of its own.
     """
-    limit = min(2, max(1, len(name) // 5))
-    have, numbers = Counter(name), digits(name)
+    words, numbers = SEPARATOR.split(name), digits(name)
     found: dict[int, list[str]] = {}
     for each in others:
-        if abs(len(each) - len(name)) <= limit and sum((have - Counter(each)).values()) <= limit:
-            if numbers and digits(each) and digits(each) != numbers:
-                continue
-            found.setdefault(distance(name, each, limit), []).append(each)
-    return [found.get(far, []) for far in range(1, limit + 1)]
+        have = SEPARATOR.split(each)
+        if (
+            len(have) != len(words)
+            or abs(len(each) - len(name)) > MOST
+            or (numbers and digits(each) not in ([], numbers))
+        ):
+            continue
+        far = sum(slips(word, other) for word, other in zip(words, have, strict=True))
+        if 0 < far <= MOST:
+            found.setdefault(far, []).append(each)
+    return [found[far] for far in sorted(found)]
+
+
+def slips(word: str, other: str) -> int:
+    """Return how many letters make a word another one; too many where that can't be a slip, as in a short word."""
+    if word == other:
+        return 0
+    short, far = min(len(word), len(other)), distance(word, other, MOST)
+    kept = far == 1 and (short > 4 or (short > 2 and len(word) != len(other)))
+    return far if kept or (far == 2 and short > 8) else MOST + 1
 
 
 def digits(name: str) -> list[str]:

@@ -57,6 +57,8 @@ class Lacking:
         if self.elsewhere:
             having = " or ".join(f"$ROS_DISTRO == {name}" for name in self.elsewhere)
             return f'add condition="{having}", or build it from source in the workspace'
+        if self.meant:
+            return f"did you mean `{self.meant}`?"
         return "" if self.workspace.index.is_key(self.name) else "is it a package that the workspace lacks?"
 
 

@@ -39,7 +39,7 @@ class Strange:
     fails: str = "Cannot locate rosdep definition for [{}]"
     """What rosdep says of the name."""
     instead: str = ""
-    """What to do where no other name is meant."""
+    """What to do; "" where the name that is meant says it all."""
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,8 @@ class NamesDeclared:
         if (member := self.renamed(name)) is not None:
             return Strange(dependency, member, "is no package of this workspace or any other that is known")
         if (core := self.misspelt(name)) is not None:
-            return Strange(dependency, core, "is no package and no key that is known")
+            guess = f"did you mean `{core}`?"
+            return Strange(dependency, core, "is no package and no key that is known", instead=guess)
         return None
 
     def is_for_python(self, dependency: Dependency) -> bool:

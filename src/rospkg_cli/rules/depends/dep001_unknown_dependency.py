@@ -41,10 +41,10 @@ def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies whose name is no ROS package of the target, none of the workspace or of an installed prefix, and
-    no rosdep key: names of PyPI or CMake for what rosdep calls otherwise, modules of Python itself, packages that were
-    renamed, and names that are one letter away from a package of every distribution. Any other unknown name is reported
-    only where `rospkg index update` has fetched the names; where a `.repos` file says that more packages belong to the
-    workspace, it can't be told.
+    no rosdep key: names of PyPI, Ubuntu or CMake for what rosdep calls otherwise, modules of Python itself, packages
+    that were renamed, and names that are one letter away from a package of every distribution. Any other unknown name
+    is reported only where `rospkg index update` has fetched the names, and so is one that a named target lacks. Where a
+    `.repos` file or an empty submodule says that more packages belong to the workspace, it can't be told.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
@@ -55,7 +55,7 @@ def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
     manifest = names.declared.manifest
     for each in names.strange():
         name = each.dependency.name
-        instead = f"write `{each.meant}`" if each.meant else each.instead
+        instead = each.instead or (f"write `{each.meant}`" if each.meant else "")
         others = names.again(each.dependency)
         fix = None
         if each.meant:

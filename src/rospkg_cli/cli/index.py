@@ -1,0 +1,98 @@
+"""`rospkg index`: fetch the names of packages and keys, and tell what was fetched."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from datetime import datetime, timezone
+from pathlib import Path
+
+from ..config import own_config
+from ..index.cache import cache_file, keep, kept
+from ..index.place import place_of
+from ..index.update import make_index
+from ..ros.distros import DISTROS, distro
+from ..ros.index import Index
+from ..ros.names import BUILT_IN
+from ..ros.rosdep import CODENAMES, NOT_THERE
+from ..suggest import did_you_mean
+from . import UsageError
+from .progress import progress
+
+
+def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -> int:
+    """Fetch an index and keep it in the place of the old one; return the exit status.
+
+    Raises UsageError, ConfigError, and NamesError where the old one stays.
+    """
+    names = [each.name for each in DISTROS]
+    for name in distros:
+        if name not in names:
+            raise UsageError(f"there is no distribution `{name}`{did_you_mean(name, names)}; known: {', '.join(names)}")
+    own = own_config().index
+    place = place_of(source, os.environ, own.get("source", ""))
+    path = cache_file(os.environ)
+    with progress(not quiet) as say:
+        wanted = distros or own.get("distros") or names
+        index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"{n} of {of}: {what}"))
+    keep(index, os.environ)
+    if not quiet:
+        print("\n".join(shown(index, path)))
+    return 0
+
+
+def status(format: str = "text") -> int:
+    """Print what was fetched, as text or as JSON; return the exit status. Raises NamesError for a broken index."""
+    index = kept(os.environ)
+    if format == "json":
+        json.dump(None if index is None else document(index, cache_file(os.environ)), sys.stdout, indent=2)
+        print()
+    elif index is None:
+        print(
+            f"No index was fetched: {len(BUILT_IN.packages):,} packages and {len(BUILT_IN.keys):,} rosdep keys that "
+            "are built in answer, and of other names nobody can tell. `rospkg index update` fetches one."
+        )
+    else:
+        print("\n".join(shown(index, cache_file(os.environ))))
+    return 0
+
+
+def shown(index: Index, path: Path) -> Iterator[str]:
+    """Yield the lines that tell of an index."""
+    yield f"source    {index.source}"
+    yield from (f"list      {each}" for each in index.lists)
+    yield f"fetched   {index.fetched.replace('T', ' ').replace('Z', ' UTC')} ({in_words(age(index))})"
+    yield f"kept in   {path}"
+    for name in index.distros:
+        keys = f"{keys_of(index, name):>5,} keys on Ubuntu {distro(name).ubuntu}"
+        yield f"{name:<9} {index.count(name):>5,} packages, {keys}"
+
+
+def keys_of(index: Index, name: str) -> int:
+    """Return how many keys can be had on a distribution's Ubuntu."""
+    at = list(CODENAMES).index(distro(name).ubuntu)
+    return sum(ways[at] != NOT_THERE for ways in index.keys.values())
+
+
+def document(index: Index, path: Path) -> dict[str, object]:
+    counts = {name: {"packages": index.count(name), "keys": keys_of(index, name)} for name in index.distros}
+    return {
+        "source": index.source,
+        "lists": list(index.lists),
+        "fetched": index.fetched,
+        "age_days": age(index),
+        "path": str(path),
+        "distros": counts,
+    }
+
+
+def age(index: Index) -> int:
+    """Return how many days ago an index was fetched."""
+    then = datetime.strptime(index.fetched, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=timezone.utc)
+    return max(0, (datetime.now(timezone.utc) - then).days)
+
+
+def in_words(days: int) -> str:
+    return "today" if days == 0 else "yesterday" if days == 1 else f"{days} days ago"

@@ -1,0 +1,47 @@
+"""Whether more packages belong to a workspace than lie in it: lists for vcs and wstool, submodules that are empty."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+LISTS = (".repos", ".rosinstall")
+SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
+
+
+def lists_others(around: Path | None, packages: Iterable[Path]) -> bool:
+    """Return whether something in a workspace, in a folder right below it or above one of the packages says so.
+
+    Where there is no workspace around, the folder that holds the packages stands for it.
+    """
+    folders = {folder for package in packages for folder in (package, package.parent)}
+    if around is not None:
+        folders = {
+            folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(around)
+        }
+        folders |= {around, *children(around)}
+    return any(lists_some(folder) for folder in folders)
+
+
+def children(folder: Path) -> Iterator[Path]:
+    try:
+        yield from (each for each in folder.iterdir() if each.is_dir() and each.name[0] != ".")
+    except OSError:
+        return
+
+
+def lists_some(folder: Path) -> bool:
+    try:
+        if any(each.name.endswith(LISTS) for each in folder.iterdir()):
+            return True
+        modules = folder / ".gitmodules"
+        paths = SUBMODULE.findall(modules.read_text("utf-8", "replace")) if modules.is_file() else ()
+    except OSError:
+        return False
+    return any(is_empty(folder / path) for path in paths)
+
+
+def is_empty(folder: Path) -> bool:
+    """Return whether a submodule is not checked out: its folder is missing, or holds nothing."""
+    return not folder.is_dir() or not any(folder.iterdir())

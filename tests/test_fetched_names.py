@@ -1,0 +1,158 @@
+"""What an index that was fetched changes in `rospkg lint`: unknown names are told, and nothing is asked in vain."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from small_rosdistro import DISTROS
+from test_lint_command import rospkg
+
+from rospkg_cli.engine.elsewhere import lists_others
+from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.example import BACKDROPS, manifest, present
+from rospkg_cli.finding import Finding
+from rospkg_cli.index.cache import keep
+from rospkg_cli.ros.distros import Targets
+from rospkg_cli.ros.index import Index, dump, parse
+from rospkg_cli.ros.names import FetchedNames
+from rospkg_cli.tree import MemoryTree
+
+INDEX = Index(
+    "/a/copy",
+    "2026-11-01T12:00:00Z",
+    DISTROS,
+    {"rclpy": DISTROS, "wheel_odometry": DISTROS[1:], "only_in_humble": ("humble",), "gone": ("humble", "jazzy")},
+    {
+        "gripper-lib": ("apt", "apt", "apt"),
+        "old-lib": ("apt", "-", "-"),
+        "nowhere-lib": ("-", "-", "-"),
+        "python3-gripper": ("apt", "apt", "apt"),
+        "now-pip": ("apt", "pip", "pip"),
+    },
+    {"gripperlib": ("python3-gripper",)},
+    {"libgripper-dev": ("gripper-lib",)},
+)
+
+
+def lint(body: str, *targets: str, codes: str = "DEP001", complete: bool = True) -> list[Finding]:
+    """Lint a package that declares something, where the index is known."""
+    scope = Scope(("",), frozenset({""}), "my_pkg", complete, index=FetchedNames(dump(INDEX)))
+    files = present({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
+    return list(Session(MemoryTree.of(files), scope, frozenset({codes}), Targets(targets)).run().findings)
+
+
+def said(body: str, *targets: str, complete: bool = True) -> list[str]:
+    return [finding.message.partition(": `rosdep")[0] for finding in lint(body, *targets, complete=complete)]
+
+
+def need(name: str, condition: str = "") -> str:
+    attribute = f' condition="{condition}"' if condition else ""
+    return f"  <exec_depend{attribute}>{name}</exec_depend>\n"
+
+
+@pytest.mark.parametrize(
+    "name, targets, says",
+    [
+        ("wheel_odometry", (), None),
+        ("gripper-lib", ("jazzy", "humble"), None),
+        ("wheel_odometri", (), "`wheel_odometri` is no ROS package and no rosdep key"),
+        ("my_companys_driver", ("rolling",), "`my_companys_driver` is no ROS package and no rosdep key"),
+        ("gripperlib", (), "`gripperlib` is its name on PyPI"),
+        ("libgripper-dev", (), "`libgripper-dev` is its name in Ubuntu"),
+        ("only_in_humble", (), None),
+        ("only_in_humble", ("humble",), None),
+        ("only_in_humble", ("humble", "jazzy"), "`only_in_humble` is released for humble and not for jazzy"),
+        ("gone", ("lyrical", "rolling"), "`gone` is released for humble and jazzy and not for lyrical and rolling"),
+        ("old-lib", (), None),
+        ("old-lib", ("humble",), None),
+        ("old-lib", ("jazzy", "kilted"), "`old-lib` is a rosdep key without a rule for Ubuntu 24.04"),
+        ("nowhere-lib", (), "`nowhere-lib` is a rosdep key without a rule for Ubuntu 22.04, 24.04 and 26.04"),
+        ("sensor_msgs", (), None),
+    ],
+)
+def test_what_is_said_of_a_name(name: str, targets: tuple[str, ...], says: str | None) -> None:
+    """A package that the index lacks and that is built in (`sensor_msgs`) can't be told."""
+    assert said(need(name), *targets) == ([says] if says else [])
+
+
+def test_what_to_do_is_told() -> None:
+    (finding,) = lint(need("wheel_odometri"))
+    assert finding.message.endswith('[wheel_odometri]"; did you mean `wheel_odometry`?')
+    assert finding.fix
+    (finding,) = lint(need("old-lib"), "jazzy")
+    assert 'ends with "No definition of [old-lib] for OS version [noble]"' in finding.message
+    (finding,) = lint(need("only_in_humble"), "jazzy")
+    assert finding.message.endswith('add condition="$ROS_DISTRO == humble", or build it from source in the workspace')
+
+
+@pytest.mark.parametrize(
+    "body, targets, count",
+    [
+        (need("only_in_humble", "$ROS_DISTRO == humble"), ("humble", "jazzy"), 0),
+        (need("only_in_humble", "$ROS_DISTRO != humble"), ("humble", "jazzy"), 1),
+        (need("only_in_humble", "$ROS_DISTRO != humble"), (), 1),
+        (need("my_companys_driver", "$ROS_VERSION == 1"), (), 0),
+        (need("my_companys_driver", "$WITH_OURS == 1"), ("jazzy",), 0),
+        ("  <doc_depend>my_companys_docs</doc_depend>\n", ("jazzy",), 0),
+        (need("rospy"), ("jazzy",), 0),
+    ],
+)
+def test_conditions_and_tags_count(body: str, targets: tuple[str, ...], count: int) -> None:
+    assert len(said(body, *targets)) == count
+
+
+def test_where_packages_are_missing_nothing_can_be_told() -> None:
+    assert said(need("my_companys_driver"), "jazzy", complete=False) == []
+    assert said(need("only_in_humble"), "jazzy", complete=False) == []
+
+
+def test_keys_from_pypi_are_those_of_the_index() -> None:
+    assert [f.code for f in lint(need("now-pip"), "jazzy", codes="DEP002")] == ["DEP002"]
+    assert lint(need("now-pip"), "humble", codes="DEP002") == []
+
+
+@pytest.mark.parametrize(
+    "files, incomplete",
+    [
+        ({}, False),
+        ({"ours.repos": ""}, True),
+        ({"tools/underlay.repos": ""}, True),
+        ({"a/b/pkg/sim.repos": ""}, True),
+        ({"a/b/deps.rosinstall": ""}, True),
+        ({"other/deep/down.repos": ""}, False),
+        ({".gitmodules": '[submodule "x"]\n\tpath = x\n'}, True),
+        ({".gitmodules": '[submodule "x"]\n\tpath = x\n', "x/README": ""}, False),
+    ],
+)
+def test_what_says_that_packages_lie_elsewhere(tmp_path: Path, write, files: dict[str, str], incomplete: bool) -> None:
+    write(tmp_path, {"a/b/pkg/package.xml": "", **files})
+    assert lists_others(tmp_path, [tmp_path / "a/b/pkg"]) is incomplete
+
+
+def test_without_a_workspace_the_folder_of_the_packages_is_asked(tmp_path: Path, write) -> None:
+    write(tmp_path, {"pkg/package.xml": "", "ours.repos": ""})
+    assert lists_others(None, [tmp_path / "pkg"])
+    assert not lists_others(None, [])
+
+
+def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean) -> None:
+    surroundings = {"XDG_CACHE_HOME": str(tmp_path / "cache")}
+    keep(INDEX, surroundings)
+    files = {**clean, "package.xml": manifest(need("wheel_odometri"))}
+    for name in ("one", "two"):
+        named = {path: text.replace("my_pkg", name) for path, text in files.items()}
+        write(tmp_path / "src" / name, {path.replace("my_pkg", name): text for path, text in named.items()})
+    for jobs in ("1", "2"):
+        arguments = ("lint", "--select", "DEP001", "--format", "concise", "--jobs", jobs)
+        done = rospkg(*arguments, cwd=tmp_path / "src", **surroundings)
+        assert done.stdout.count("did you mean `wheel_odometry`?") == 2, done.stderr
+
+
+def test_the_index_is_read_when_a_name_is_asked_for(tmp_path: Path) -> None:
+    parse.cache_clear()
+    lint(need("wheel_odometri"), codes="XML001")
+    assert parse.cache_info().misses == 0
+    lint(need("wheel_odometri"))
+    lint(need("gone"))
+    assert parse.cache_info().misses == 1
