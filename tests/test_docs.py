@@ -28,6 +28,9 @@ def test_readme_names_every_verb() -> None:
     text = (ROOT / "README.md").read_text()
     for command in app.registered_commands:
         assert f"`rospkg {command.name or command.callback.__name__}" in text
+    for group in app.registered_groups:
+        for command in group.typer_instance.registered_commands:
+            assert f"`rospkg {group.name} {command.callback.__name__}`" in text
 
 
 def test_the_problem_matcher_reads_concise(tmp_path, write, clean) -> None:
