@@ -34,6 +34,7 @@ from rospkg_cli.ros.distros import Targets
 from .cmake_world import UNKNOWN, World, make_world, name_of, open_package, real_packages
 
 PYTHON = re.compile(r"^(?:local/)?lib/python3(?:\.\d+)?/(?:site|dist)-packages/")
+COMPILED = re.compile(r"\.cpython-\d+-[\w-]+\.so$")
 ABSENT = re.compile(r'file INSTALL cannot find\s+"([^"]+)"|cannot find\s+"([^"]+)"')
 ADDED = r"""
     share/ament_index/.* | share/colcon-core/.* | share/{name}/(?:local_setup|package)\.(?:bash|dsv|sh|zsh|ps1|bat)
@@ -69,7 +70,7 @@ class Verdict:
 def installed(prefix: Path) -> set[str]:
     """Return what stands below a prefix, with the folder of Python packages as we write it."""
     paths = (path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_symlink() or path.is_file())
-    return {PYTHON.sub("lib/python/", path) for path in paths}
+    return {COMPILED.sub(".so", PYTHON.sub("lib/python/", path)) for path in paths}
 
 
 def what(destination: str, name: str) -> What:
@@ -194,7 +195,8 @@ def make_artifacts(world: World, build: Path) -> None:
         for artifact in target.get("artifacts", ()):
             touch(build / artifact["path"])
         for generated in (each["path"] for each in target.get("sources", ()) if each.get("isGenerated")):
-            touch(build / generated)
+            if not generated.endswith(".rule"):
+                touch(build / generated)
         if re.fullmatch(r"ament_cmake_python_build_.*", target["name"]):
             scripts.append(target["name"])
     if scripts:

@@ -55,6 +55,9 @@ def installs(text: str) -> dict[str, str]:
         ("add_executable(talker src/a.cpp)\nset_target_properties(talker PROPERTIES OUTPUT_NAME node)\ninstall(TARGETS talker RUNTIME DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/node"),
         ("add_library(l SHARED src/a.cpp)\nadd_library(i INTERFACE)\ninstall(TARGETS l i EXPORT e ARCHIVE DESTINATION a LIBRARY DESTINATION b RUNTIME DESTINATION c INCLUDES DESTINATION d)", "b/libl.so"),
         ("add_library(l STATIC src/a.cpp)\ninstall(TARGETS l)", "lib/libl.a"),
+        ("add_library(l MODULE src/a.cpp)\ninstall(TARGETS l)", "lib/libl.so"),
+        ("add_library(l SHARED src/a.cpp)\nset_target_properties(l PROPERTIES PREFIX \"\" SUFFIX .x)\ninstall(TARGETS l)", "lib/l.x"),
+        ("pybind11_add_module(_m src/a.cpp)\ninstall(TARGETS _m DESTINATION ${PYTHON_INSTALL_DIR}/my_pkg)", "lib/python/my_pkg/_m.so"),
         ("ament_auto_add_library(l SHARED src/a.cpp)\nament_auto_add_executable(n src/a.cpp)\nament_auto_package(INSTALL_TO_SHARE config)", "include/my_pkg/a.hpp lib/libl.so lib/my_pkg/n share/my_pkg/config/README.md share/my_pkg/config/a.yaml"),
         ("ament_python_install_package(${PROJECT_NAME})", "lib/python/my_pkg/__init__.py lib/python/my_pkg/sub/tool.py"),
         ("ament_python_install_package(other PACKAGE_DIR my_pkg)", "lib/python/other/__init__.py lib/python/other/sub/tool.py"),
@@ -133,12 +136,14 @@ install(TARGETS c DESTINATION lib)
 install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
 install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
 ament_python_install_package(${PROJECT_NAME})
+pybind11_add_module(_m src/a.cpp)
+install(TARGETS _m DESTINATION ${PYTHON_INSTALL_DIR}/my_pkg)
 ament_package()
 """
     found = facts({**FILES, "package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": text})
     assert found.executables == {"talker"}
     assert found.components == {"n::A", "n::B"}
-    assert found.modules == {"my_pkg", "my_pkg.sub.tool"}
+    assert found.modules == {"my_pkg", "my_pkg.sub.tool", "my_pkg._m"}
     assert "launch/a.launch.py" in found.share_files
     assert not found.unknown
 

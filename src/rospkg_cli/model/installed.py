@@ -72,8 +72,8 @@ def has_malformed(reading: Reading) -> bool:
 
 
 def module_name(path: str) -> str:
-    """Return the dotted name of an installed Python file, "" for what is none."""
+    """Return the dotted name of an installed Python file or compiled module, "" for what is none."""
     pure = PurePosixPath(path)
-    if pure.suffix != ".py":
+    if pure.suffix not in (".py", ".so"):
         return ""
     return ".".join(pure.parent.parts if pure.stem == "__init__" else pure.with_suffix("").parts)

@@ -53,14 +53,14 @@ class AstrayExecutables:
 
     def anywhere(self) -> Iterator[Astray]:
         """Yield each executable that a rule installs into another place, whatever other rules do with it."""
-        cmake, table = self.package.cmake, self.table
+        cmake, artifacts = self.package.cmake, self.table.artifacts
         for rule in cmake.installs:
             if rule.call.maybe:
                 continue
             for word in rule.items:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
                 if target is not None and target.executable:
-                    place, name = table.place(rule, target), table.file_name(target)
+                    place, name = artifacts.place(rule, target), artifacts.file_name(target)
                     if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
                         yield Astray(word, name, place or "", rule, self.starts(name), self.uses_ros(target.name))
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):

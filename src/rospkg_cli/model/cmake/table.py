@@ -8,13 +8,13 @@ from dataclasses import replace
 
 from ...source import Span
 from ..install import PYTHON, Installed, InstallTable, NotKnown, What
+from .artifacts import Artifacts
 from .call import Call, located
 from .copying import copies
 from .installs import InstallRule
 from .made import PACKAGE, made_by_macros
 from .project import CMake
 from .python_scripts import python_scripts
-from .targets import Target
 from .words import BINARY, HOLE, Word
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
@@ -33,6 +33,7 @@ class Table:
     def __init__(self, cmake: CMake, name: str) -> None:
         self.cmake = cmake
         self.name = name
+        self.artifacts = Artifacts(cmake)
 
     def rows(self) -> Iterator[Installed]:
         if ends := self.cmake.named(*PACKAGE):
@@ -71,29 +72,11 @@ class Table:
     def targets(self, rule: InstallRule) -> Iterator[Installed]:
         for word in rule.items:
             target = self.cmake.target(word.text)
-            place = self.place(rule, target) if target is not None and target.built else None
+            place = self.artifacts.place(rule, target) if target is not None and target.built else None
             if target is not None and place is not None:
-                yield self.row(posixpath.join(place, self.file_name(target)), "", word, rule.call, target.call)
-
-    def place(self, rule: InstallRule, target: Target) -> str | None:
-        """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
-        given = rule.destinations or {}
-        kind = "RUNTIME" if target.executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
-        if kind in given or "" in given:
-            return given.get(kind, given.get(""))
-        return "bin" if target.executable else "lib"
-
-    def file_name(self, target: Target) -> str:
-        name = self.cmake.output_names.get(target.name, target.name)
-        if target.executable:
-            return name
-        return (
-            f"{name}.so"
-            if "MODULE" in target.options
-            else f"lib{name}.a"
-            if "STATIC" in target.options
-            else f"lib{name}.so"
-        )
+                yield self.row(
+                    posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
+                )
 
     def automatic(self) -> Iterator[Installed]:
         """What ament_auto_package installs of itself: the targets of ament_auto_add_*, and include/."""
@@ -101,9 +84,9 @@ class Table:
             place = "bin" if "INSTALL_TO_PATH" in call.texts else f"lib/{self.name}"
             for target in self.cmake.targets:
                 if target.call.name == "ament_auto_add_executable" and HOLE not in target.name:
-                    yield self.row(f"{place}/{self.file_name(target)}", "", target.word, target.call)
+                    yield self.row(f"{place}/{self.artifacts.file_name(target)}", "", target.word, target.call)
                 elif target.call.name == "ament_auto_add_library" and target.built and HOLE not in target.name:
-                    yield self.row(f"lib/{self.file_name(target)}", "", target.word, target.call)
+                    yield self.row(f"lib/{self.artifacts.file_name(target)}", "", target.word, target.call)
             scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
             for path in self.cmake.package.below("include"):
                 place = posixpath.join(scope, path.removeprefix("include/"))
