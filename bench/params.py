@@ -20,8 +20,8 @@ from pathlib import Path
 from rospkg_cli.model.params.file import is_unknown
 from rospkg_cli.model.params.judge import judge
 from rospkg_cli.model.params.reader import is_parameter_file
-from rospkg_cli.model.params.tree import documents
 from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.model.yaml import documents
 from rospkg_cli.source import Source
 
 from .mutate import mutate

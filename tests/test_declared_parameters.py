@@ -9,8 +9,8 @@ from rospkg_cli.model.cpp.file import read_cpp
 from rospkg_cli.model.params import cpp, python
 from rospkg_cli.model.params.declared import DeclaredParameter
 from rospkg_cli.model.params.library import library
-from rospkg_cli.model.params.tree import documents
 from rospkg_cli.model.python import parse_python
+from rospkg_cli.model.yaml import documents
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 

@@ -8,9 +8,9 @@ from rospkg_cli.example import BACKDROPS
 from rospkg_cli.model.params.file import ParameterFile
 from rospkg_cli.model.params.judge import judge
 from rospkg_cli.model.params.numbers import ambiguous_numbers, canonical
-from rospkg_cli.model.params.tree import Scalar, documents
 from rospkg_cli.model.params.value import type_of, yaml_type
 from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.model.yaml import Scalar, documents
 from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
 

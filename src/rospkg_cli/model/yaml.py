@@ -1,79 +1,130 @@
-"""YAML as a tree with spans, by libyaml; its marks count characters."""
+"""YAML as a tree with spans of characters: libyaml's events with their anchors, aliases, styles and tags.
+
+What an alias stands for is left open, for not every reader follows them (rcl does not); see `yaml_aliases`.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
 
 from ..source import Source, Span
 from .unreadable import UnreadableError
 from .written import Written
 
 MAX_DEPTH = 100
-MAX_NODES = 100_000
-"""Aliases may make a small text large."""
+NOWHERE = Written("", Span(0, 0), False)
 
 
 @dataclass(frozen=True, slots=True)
-class Leaf:
+class Scalar:
     text: str
     span: Span
-    """Between the quotes where there are any."""
-    exact: bool
-
-    @property
-    def written(self) -> Written:
-        return Written(self.text, self.span, self.exact)
+    """As it stands in the file: with quotes, and with an anchor or a tag before it."""
+    plain: bool
+    """Neither quoted nor a block."""
+    quoted: bool = False
+    tag: str | None = None
+    anchor: str | None = None
+    written: Written = NOWHERE
+    """The text where it stands, between the quotes where there are any."""
 
 
 @dataclass(frozen=True, slots=True)
-class Branch:
-    """A mapping, or a sequence (whose keys say nothing)."""
-
-    kind: Literal["mapping", "sequence"]
+class Alias:
+    name: str
     span: Span
-    items: tuple[tuple[Leaf, Tree], ...]
 
 
-Tree = Leaf | Branch
+@dataclass(slots=True)
+class Sequence:
+    span: Span
+    items: list[YamlNode] = field(default_factory=list)
+    anchor: str | None = None
 
 
-def compose(source: Source) -> Tree | None:
-    """Return the tree of the first document; raises UnreadableError for what is not YAML."""
+@dataclass(slots=True)
+class Mapping:
+    span: Span
+    """Of a mapping in braces; else from its first key to where the next thing begins."""
+    entries: list[tuple[YamlNode, YamlNode]] = field(default_factory=list)
+    anchor: str | None = None
+
+
+YamlNode = Scalar | Alias | Sequence | Mapping
+
+
+def documents(source: Source) -> list[YamlNode]:
+    """Return the root of every document of a file that holds something; raises UnreadableError for what is no YAML."""
+    builder = Builder(source)
+    for event in events(source):
+        builder.take(event)
+    return builder.roots
+
+
+def events(source: Source) -> Iterator[Any]:
     import yaml  # 22 ms that a package without YAML need not pay
 
     loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
-        node = yaml.compose(source.text, Loader=loader)
+        yield from yaml.parse(source.text, Loader=loader)
     except yaml.YAMLError as error:
-        raise not_yaml(source, error) from None
-    return None if node is None else Builder(source).tree(node, 0)
-
-
-def not_yaml(source: Source, error: Any) -> UnreadableError:
-    mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
-    at = min(mark.index if mark else 0, len(source.text))
-    said = getattr(error, "problem", None) or str(error).split("\n", 1)[0]
-    return UnreadableError(source.path, Span(at, min(at + 1, len(source.text))), f"`{source.path}` is not YAML: {said}")
+        mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
+        at = mark.index if mark else getattr(error, "position", 0)
+        said = getattr(error, "problem", None) or getattr(error, "reason", None) or "it can't be read"
+        at = min(at, len(source.text))
+        span = Span(at, min(at + 1, len(source.text)))
+        raise UnreadableError(source.path, span, f"`{source.path}` is not valid YAML: {said}") from None
 
 
 class Builder:
-    """Makes the tree of libyaml's nodes."""
+    """Puts events together without recursion, so that no depth can break it."""
 
     def __init__(self, source: Source) -> None:
-        self.source, self.count = source, 0
+        self.source = source
+        self.roots: list[YamlNode] = []
+        self.open: list[Sequence | Mapping] = []
+        self.keys: list[YamlNode | None] = []
 
-    def tree(self, node: Any, depth: int) -> Tree:
-        """Raises UnreadableError for what is too deep or too large."""
-        span, self.count = Span(node.start_mark.index, node.end_mark.index), self.count + 1
-        if depth > MAX_DEPTH or self.count > MAX_NODES:
-            raise UnreadableError(self.source.path, span, f"`{self.source.path}` is nested too deeply, or too large")
-        if node.id == "scalar":
-            if node.style in ("'", '"'):
-                span = Span(span.start + 1, span.end - 1)
-            return Leaf(node.value, span, self.source.slice(span) == node.value)
-        if node.id == "sequence":
-            none = Leaf("", span, False)
-            return Branch("sequence", span, tuple((none, self.tree(item, depth + 1)) for item in node.value))
-        items = [(self.tree(key, depth + 1), self.tree(value, depth + 1)) for key, value in node.value]
-        return Branch("mapping", span, tuple((key, value) for key, value in items if isinstance(key, Leaf)))
+    def take(self, event: Any) -> None:
+        name, span = type(event).__name__, Span(event.start_mark.index, event.end_mark.index)
+        if name == "ScalarEvent":
+            quoted = event.style in ("'", '"')
+            plain, written = not quoted and event.style not in ("|", ">"), self.written(event.value, span, quoted)
+            self.put(Scalar(event.value, span, plain, quoted, event.tag, event.anchor, written))
+        elif name == "AliasEvent":
+            self.put(Alias(event.anchor, span))
+        elif name in ("SequenceStartEvent", "MappingStartEvent"):
+            if len(self.open) >= MAX_DEPTH:
+                message = f"`{self.source.path}` is nested deeper than {MAX_DEPTH} levels"
+                raise UnreadableError(self.source.path, span, message)
+            node = Sequence(span) if name == "SequenceStartEvent" else Mapping(span)
+            node.anchor = event.anchor
+            self.open.append(node)
+            self.keys.append(None)
+        elif name in ("SequenceEndEvent", "MappingEndEvent"):
+            node = self.open.pop()
+            self.keys.pop()
+            node.span = Span(node.span.start, span.end)
+            self.put(node)
+
+    def written(self, text: str, span: Span, quoted: bool) -> Written:
+        """Return where a text stands, behind an anchor or a tag and between its quotes."""
+        raw = self.source.slice(span)
+        if quoted:
+            inner = Span(span.start + raw.index(raw[-1]) + 1, span.end - 1)
+        else:
+            inner = Span(span.end - len(text), span.end) if raw.endswith(text) else span
+        return Written(text, inner, self.source.slice(inner) == text)
+
+    def put(self, node: YamlNode) -> None:
+        if not self.open:
+            self.roots.append(node)
+        elif isinstance(self.open[-1], Sequence):
+            self.open[-1].items.append(node)
+        elif self.keys[-1] is None:
+            self.keys[-1] = node
+        else:
+            self.open[-1].entries.append((self.keys[-1], node))
+            self.keys[-1] = None

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from ...source import Source, Span
 from ..written import Written
 from ..xml import Document, Element, read_xml
-from ..yaml import Branch, Tree, compose
+from ..yaml import Mapping, Scalar, Sequence, YamlNode
+from ..yaml_aliases import unfolded
 from .faults import Fault
 
 
@@ -56,51 +57,63 @@ def xml_entity(document: Document, element: Element) -> Entity:
 
 def from_yaml(source: Source) -> tuple[Entity | None, list[Fault]]:
     """Read a YAML file, and what the frontend refuses of it; raises UnreadableError for what is no YAML."""
-    root = compose(source)
-    if not isinstance(root, Branch) or root.kind != "mapping" or not root.items:
+    root = unfolded(source)
+    entries = pairs(root) if isinstance(root, Mapping) else []
+    if not entries:
         return None, []
     faults: list[Fault] = []
-    if len(root.items) > 1:
-        faults.append(Fault(root.items[1][0].span, "a YAML launch file has one key at its top: `launch:`"))
-    key, value = root.items[0]
-    return yaml_entity(key.text, key.span, value, faults), faults
+    if len(entries) > 1:
+        faults.append(Fault(entries[1][0].written.span, "a YAML launch file has one key at its top: `launch:`"))
+    key, value = entries[0]
+    return yaml_entity(key, value, faults), faults
 
 
-def yaml_entity(name: str, name_span: Span, value: Tree, faults: list[Fault]) -> Entity:
+def pairs(mapping: Mapping) -> list[tuple[Scalar, YamlNode]]:
+    """Return the entries of a mapping whose keys are scalars."""
+    return [(key, value) for key, value in mapping.entries if isinstance(key, Scalar)]
+
+
+def yaml_entity(name: Scalar, value: YamlNode, faults: list[Fault]) -> Entity:
     """Make an entity of `name: value`."""
-    found = Entity(name, Span(name_span.start, value.span.end), name_span)
-    if not isinstance(value, Branch):
-        return found
-    if value.kind == "sequence":
-        return with_children(found, list(children_of(value, faults)))
+    place = name.written.span
+    found = Entity(name.text, Span(place.start, value.span.end), place)
+    if isinstance(value, Sequence):
+        return with_children(found, list(children_of(value.items, faults)))
     children: list[Entity] = []
-    for key, item in value.items:
-        found.attribute_spans[key.text] = key.span
-        if not isinstance(item, Branch):
+    for key, item in pairs(value) if isinstance(value, Mapping) else []:
+        found.attribute_spans[key.text] = key.written.span
+        if isinstance(item, Scalar):
             found.attributes[key.text] = item.written
         elif key.text == "children":
-            children += children_of(item, faults)
-        elif item.kind == "sequence" and any(isinstance(each, Branch) for _, each in item.items):
-            children += [yaml_entity(key.text, key.span, each, faults) for _, each in item.items]
+            children += children_of(values_of(item), faults)
+        elif isinstance(item, Sequence) and not all(isinstance(each, Scalar) for each in item.items):
+            children += [yaml_entity(key, each, faults) for each in item.items]
         else:
-            found.lists[key.text] = tuple(each.written for _, each in item.items if not isinstance(each, Branch))
+            found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, Scalar))
     return with_children(found, children)
 
 
-def children_of(sequence: Branch, faults: list[Fault]) -> Iterator[Entity]:
+def values_of(node: YamlNode) -> list[YamlNode]:
+    """Return the items of a sequence, or the values of a mapping."""
+    if isinstance(node, Mapping):
+        return [value for _, value in pairs(node)]
+    return node.items if isinstance(node, Sequence) else []
+
+
+def children_of(items: list[YamlNode], faults: list[Fault]) -> Iterator[Entity]:
     """Yield the entities of a list in which each item is `name: value`."""
-    for _, item in sequence.items:
-        if isinstance(item, Branch) and item.kind == "mapping" and len(item.items) == 1:
-            key, value = item.items[0]
-            yield yaml_entity(key.text, key.span, value, faults)
-        elif isinstance(item, Branch) and item.kind == "mapping" and item.items:
-            key, value = item.items[0]
-            yield yaml_entity(key.text, key.span, value, faults)
-            extra = item.items[1][0]
+    for item in items:
+        entries = pairs(item) if isinstance(item, Mapping) else []
+        if not entries:
+            said = "an entry of a launch description is `- name:` with its attributes below"
+            faults.append(Fault(item.written.span if isinstance(item, Scalar) else item.span, said))
+            continue
+        key, value = entries[0]
+        yield yaml_entity(key, value, faults)
+        if len(entries) > 1:
+            extra = entries[1][0]
             message = f"`{extra.text}` stands beside `{key.text}` in one entry of the list"
-            faults.append(Fault(extra.span, f"{message}; indent it below, or begin a new entry with `-`"))
-        else:
-            faults.append(Fault(item.span, "an entry of a launch description is `- name:` with its attributes below"))
+            faults.append(Fault(extra.written.span, f"{message}; indent it below, or begin a new entry with `-`"))
 
 
 def with_children(entity: Entity, children: list[Entity]) -> Entity:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Literal
 
 from ...source import Source, Span
-from .tree import Mapping, Scalar, Sequence, YamlNode
+from ..yaml import Mapping, Scalar, Sequence, YamlNode
 
 KEY = "ros__parameters"
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from collections.abc import Sequence as Many
 
 from ...source import Source, Span
+from ..yaml import Alias, Mapping, Scalar, Sequence, YamlNode
 from .file import KEY, Fault, Kind, NodeBlock, ParameterFile, Repetition, below, inside, is_unknown
 from .names import joined, name_fault
-from .tree import Alias, Mapping, Scalar, Sequence, YamlNode
 from .value import type_of
 
 MISSPELT = re.compile(r"_*ros_+param(?:eter)?s?_*|_*rosparameters?_*", re.IGNORECASE)

@@ -17,9 +17,9 @@ from ..cmake.project import CMake
 from ..files import Reading
 from ..modules import Modules
 from ..unreadable import Unreadable, UnreadableError
+from ..yaml import Mapping, Scalar, Sequence, YamlNode, documents
 from .declared import DeclaredParameter
 from .file import Fault
-from .tree import Mapping, Scalar, Sequence, YamlNode, documents
 from .value import FALSE, TRUE, yaml_type
 
 COMMANDS = ("generate_parameter_library", "generate_parameter_module")

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...source import Span
+from ..yaml import Scalar, Sequence, YamlNode
 from .file import ParameterFile
-from .tree import Scalar, Sequence, YamlNode
 from .value import integer, type_of, yaml_type
 
 EXPONENT = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?[eE]([+-]?)([0-9]+)")

@@ -11,12 +11,12 @@ from ...suggest import near, nearest
 from ..cpp.file import CppFile
 from ..facts import PackageFacts
 from ..workspace import Workspace
+from ..yaml import Scalar, YamlNode
+from ..yaml import Sequence as YamlSequence
 from .cpp import read_in
 from .declared import DeclaredParameter, type_named
 from .file import NodeBlock, Parameter, ParameterFile
 from .index import ParameterIndex
-from .tree import Scalar, YamlNode
-from .tree import Sequence as YamlSequence
 from .value import type_of
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ..yaml import Scalar, Sequence
 from .file import NodeBlock
-from .tree import Scalar, Sequence
 
 LISTS = re.compile(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
 TYPE = "plugin"

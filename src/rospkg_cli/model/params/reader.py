@@ -9,10 +9,10 @@ from ...source import Source
 from ..files import Reading
 from ..unreadable import Unreadable, UnreadableError
 from ..uses.roles import role_of
+from ..yaml import documents
 from .file import ParameterFile
 from .handed import handed_files
 from .judge import judge
-from .tree import documents
 
 MENTIONS = re.compile(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
 WILD = re.compile(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)

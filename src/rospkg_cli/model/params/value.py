@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-from .tree import Scalar
+from ..yaml import Scalar
 
 ValueType = Literal["bool", "int", "double", "string"]
 

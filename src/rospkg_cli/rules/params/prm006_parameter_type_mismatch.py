@@ -9,7 +9,7 @@ from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.params.file import Parameter
 from ...model.params.owners import PackageParameters, given_type
-from ...model.params.tree import Scalar, Sequence
+from ...model.yaml import Scalar, Sequence
 from ...rule import rule
 
 NODE = """\

@@ -1,0 +1,101 @@
+"""YAML with the place of everything, and with aliases replaced by what they stand for."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.model.yaml import Mapping, Scalar, Sequence, YamlNode, documents
+from rospkg_cli.model.yaml_aliases import unfolded
+from rospkg_cli.source import Source, Span
+
+PIECES = [
+    "a",
+    ": ",
+    "- ",
+    "\n",
+    "  ",
+    "&x ",
+    "*x",
+    "'",
+    '"',
+    "[",
+    "]",
+    "{",
+    "}",
+    ", ",
+    "!!str ",
+    "|\n",
+    "---\n",
+    "#",
+    "é",
+]
+TEXTS = st.one_of(st.text(max_size=40), st.lists(st.sampled_from(PIECES), max_size=30).map("".join))
+
+
+def source(text: str) -> Source:
+    return Source("a.yaml", text)
+
+
+def plain(node: YamlNode | None) -> object:
+    match node:
+        case Mapping():
+            return {plain(key): plain(value) for key, value in node.entries}
+        case Sequence():
+            return [plain(item) for item in node.items]
+        case Scalar():
+            return node.text
+        case _:
+            return node
+
+
+@pytest.mark.parametrize(
+    "text, shown, exact",
+    [
+        ("a b # c", "a b", True),
+        ("'a b'", "a b", True),
+        ('"a\\tb"', "a\\tb", False),
+        ("&x 'a'", "a", True),
+        ("!!str 1", "1", True),
+        ("|\n  a\n", "a\n", True),
+        ("a\n  b", "a\n  b", False),
+    ],
+)
+def test_a_scalar_knows_where_its_text_stands(text: str, shown: str, exact: bool) -> None:
+    (node,) = documents(source(text))
+    assert isinstance(node, Scalar)
+    assert (source(text).slice(node.written.span), node.written.exact) == (shown, exact)
+    assert node.written.text == node.text
+
+
+def test_aliases_are_replaced() -> None:
+    found = unfolded(source("a: &x [1, &y {b: c}]\nd: *x\ne: [*y, *x]\n"))
+    assert plain(found) == {"a": ["1", {"b": "c"}], "d": ["1", {"b": "c"}], "e": [{"b": "c"}, ["1", {"b": "c"}]]}
+    assert unfolded(source("# nothing\n")) is None
+
+
+@pytest.mark.parametrize(
+    "text, place, why",
+    [
+        ("a: *x\n", "*x", "undefined alias 'x'"),
+        ("a: 1\n---\nb: 2\n", "b", "another one begins here"),
+        ("a: &x [*x]\n", "", "nested too deeply"),
+        ("a: [\n", "", "not valid YAML"),
+    ],
+)
+def test_what_is_not_one_document_is_refused(text: str, place: str, why: str) -> None:
+    with pytest.raises(UnreadableError, match=why) as raised:
+        unfolded(source(text))
+    assert place in source(text).slice(raised.value.unreadable.span)
+
+
+@given(TEXTS)
+def test_any_text_can_be_read_or_is_refused(text: str) -> None:
+    place = Span(0, 0)
+    try:
+        unfolded(source(text))
+    except UnreadableError as error:
+        place = error.unreadable.span
+    assert 0 <= place.start <= place.end <= len(text)
