@@ -161,7 +161,7 @@ def test_a_dependency_that_makes_no_sense_is_refused(key: str, reason: str) -> N
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch, lambda path: path.symlink_to("nowhere")])
 def test_what_exists_is_left_alone(make) -> None:
     make(Path("my_robot_nav"))
-    with pytest.raises(UsageError, match=r"exists already.*--into"):
+    with pytest.raises(UsageError, match=r"exists already.*--diff"):
         new(Request("my_robot_nav", **ADA))
     assert everything(Path()) == {"my_robot_nav"}
 

@@ -11,6 +11,9 @@ from .. import __version__
 from . import UsageError
 from .commands import explain, format, index, inspect, lint, new
 
+CTRL_C = 130
+"""What a shell calls the exit status of a command that SIGINT ended: 128 and the number of the signal."""
+
 app = typer.Typer(
     name="rospkg",
     no_args_is_help=True,
@@ -53,11 +56,14 @@ def run() -> int:
     from ..engine.baseline import BaselineError
     from ..engine.locate import LocateError
     from ..engine.plugged import PluginError
+    from ..engine.signals import StoppedError
     from ..engine.write import WriteError
     from ..index import NamesError
 
     try:
         status: Any = app(prog_name="rospkg", standalone_mode=False)
+        if status == CTRL_C:  # what typer makes of a KeyboardInterrupt
+            return interrupted(CTRL_C)
         return status if isinstance(status, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
@@ -65,13 +71,20 @@ def run() -> int:
         print(f"rospkg: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("rospkg: interrupted; nothing was written half", file=sys.stderr)
-        return 130
+        return interrupted(CTRL_C)
+    except StoppedError as stopped:
+        return interrupted(128 + stopped.number)
     except BrokenPipeError:
         sys.stderr.close()
         return 141
     except Exception as error:
         return failed(error)
+
+
+def interrupted(status: int) -> int:
+    """Say so, and return the status."""
+    print("rospkg: interrupted; nothing was written half", file=sys.stderr)
+    return status
 
 
 def failed(error: Exception) -> int:

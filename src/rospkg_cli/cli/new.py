@@ -12,28 +12,40 @@ from ..report.style import paint, wants_color
 from ..scaffold import ScaffoldError
 from ..scaffold.answers import Request
 from ..scaffold.drawing import Row, draw
+from ..scaffold.existing import compare
 from ..scaffold.names import check_package_name
 from ..scaffold.place import check_place, hidden_by, workspace_of
 from ..scaffold.plan import Plan, make_plan
-from ..scaffold.write import write_folder
 from . import UsageError
+from .newly import show_difference, write_plan
 
 
-def new(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
+def new(
+    request: Request,
+    into: Path = Path(),
+    dry_run: bool = False,
+    color: str = "auto",
+    existing: str = "",
+    diff: bool = False,
+) -> int:
     """Write the package into a folder, or show every file; return the exit status.
+
+    `existing` is `force` or `skip` where there may be such a folder; `diff` shows what would change there.
 
     Raises UsageError and ConfigError for what can't be done as asked.
     """
     target = into / request.name
     try:
         check_package_name(request.name)
-        check_place(into, target)
+        check_place(into, target, bool(existing) or diff)
         plan = make_plan(request, into, defaults(into))
-        if not dry_run:
-            write_folder(target, plan.files)
+        there = compare(target, plan.files)
+        if diff:
+            return show_difference(plan, there, existing)
+        done = "" if dry_run else write_plan(target, plan, there, existing)
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
-    for line in (*plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
+    for line in (*filter(None, [done]), *plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
         print(f"rospkg: {line}", file=sys.stderr)
     painted = wants_color(color, sys.stdout)
     print("\n".join(shown_tree(plan, painted)))

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from ..engine.signals import stopped_by_signals, undisturbed
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request
@@ -97,14 +98,16 @@ def write_family(plans: Sequence[Plan], into: Path) -> None:
     made, written = missing_parents(into / "any"), []
     for plan in plans:
         check_place(into, into / plan.answers.name)
-    try:
-        for plan in plans:
-            write_folder(into / plan.answers.name, plan.files)
-            written.append(into / plan.answers.name)
-    except BaseException:
-        for folder in written:
-            shutil.rmtree(folder, ignore_errors=True)
-        for folder in made:
-            if folder.is_dir() and not any(folder.iterdir()):
-                folder.rmdir()
-        raise
+    with stopped_by_signals():
+        try:
+            for plan in plans:
+                write_folder(into / plan.answers.name, plan.files)
+                written.append(into / plan.answers.name)
+        except BaseException:
+            with undisturbed():
+                for folder in written:
+                    shutil.rmtree(folder, ignore_errors=True)
+                for folder in made:
+                    if folder.is_dir() and not any(folder.iterdir()):
+                        folder.rmdir()
+            raise

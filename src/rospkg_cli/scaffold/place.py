@@ -6,14 +6,17 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from . import ScaffoldError
-from .write import refuse_existing
+from .write import is_there, refuse_existing
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
 
 
-def check_place(into: Path, target: Path) -> None:
+def check_place(into: Path, target: Path, may_exist: bool = False) -> None:
     """Raise ScaffoldError where the folder has the package already, is a file, or belongs to another package."""
-    refuse_existing(target)
+    if not may_exist:
+        refuse_existing(target)
+    elif is_there(target) and not target.is_dir():
+        raise ScaffoldError(f"`{target}` is no folder; it was left alone: choose another name, or a folder with --into")
     for folder in (into.absolute(), *into.absolute().parents):
         if folder.exists() and not folder.is_dir():
             raise ScaffoldError(f"`{folder}` is a file; --into wants a folder")

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..engine.signals import stopped_by_signals, undisturbed
 from . import ScaffoldError
 from .render import Written
 
@@ -18,32 +19,42 @@ def write_folder(target: Path, files: Iterable[Written]) -> None:
     Raises ScaffoldError where something stands at the target or the disk refuses.
     """
     made = missing_parents(target)
-    beside = None
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        beside = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
-        for file in files:
-            write(beside / file.path, file)
-        beside.chmod(0o777 & ~umask())
-        refuse_existing(target)
-        beside.rename(target)
-    except BaseException as error:
-        if beside:
-            shutil.rmtree(beside, ignore_errors=True)
-        for folder in made:
-            if folder.is_dir() and not any(folder.iterdir()):
-                folder.rmdir()
-        if isinstance(error, OSError):
-            raise ScaffoldError(f"`{target}` can't be written: {error.strerror or error}; nothing was") from error
-        raise
+    beside = hidden_beside(target)
+    with stopped_by_signals():
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            for file in files:
+                write(beside / file.path, file)
+            refuse_existing(target)
+            beside.rename(target)
+        except BaseException as error:
+            with undisturbed():
+                shutil.rmtree(beside, ignore_errors=True)
+                for folder in made:
+                    if folder.is_dir() and not any(folder.iterdir()):
+                        folder.rmdir()
+            if isinstance(error, OSError):
+                raise ScaffoldError(f"`{target}` can't be written: {error.strerror or error}; nothing was") from error
+            raise
+
+
+def hidden_beside(target: Path) -> Path:
+    """Return a name that nothing has, in the same folder; colcon looks into no hidden folder."""
+    return target.parent / f".{target.name}.{secrets.token_hex(6)}"
 
 
 def refuse_existing(target: Path) -> None:
     """Raise ScaffoldError where something has the name already."""
-    if target.exists() or target.is_symlink():
+    if is_there(target):
         raise ScaffoldError(
-            f"`{target}` exists already and was left alone; choose another name, or a folder with --into"
+            f"`{target}` exists already and was left alone; --diff shows what would change, --skip writes what is "
+            "missing, --force replaces and keeps what was there"
         )
+
+
+def is_there(path: Path) -> bool:
+    """Return whether anything has the name, a link that leads nowhere included."""
+    return path.is_symlink() or path.exists()
 
 
 def missing_parents(target: Path) -> list[Path]:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
+from .. import UsageError
 from . import one_of, split
 
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
@@ -60,6 +61,17 @@ def new(
     dry_run: Annotated[
         bool, Option("--dry-run", help="Show the tree and every file; write nothing.", rich_help_panel=WHERE)
     ] = False,
+    diff: Annotated[
+        bool,
+        Option("--diff", help="Show what would change in a folder that exists; 1 if anything.", rich_help_panel=WHERE),
+    ] = False,
+    force: Annotated[
+        bool,
+        Option("--force", help="Replace what differs there; what was is kept in NAME.orig.", rich_help_panel=WHERE),
+    ] = False,
+    skip: Annotated[
+        bool, Option("--skip", help="Write what is missing there, leave the rest alone.", rich_help_panel=WHERE)
+    ] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
@@ -86,8 +98,15 @@ def new(
         distro=distro,
         year=year,
     )
+    if force and skip:
+        raise UsageError("--force replaces what --skip leaves alone; choose one of them")
     if family:
         from ..family import new_family
 
+        if diff or force or skip:
+            raise UsageError(
+                "--family writes packages that are not there yet; --diff, --force and --skip want one package"
+            )
         return new_family(request, into, dry_run, color)
-    return write_new(request, into, dry_run, color)
+    existing = "force" if force else "skip" if skip else ""
+    return write_new(request, into, dry_run, color, existing, diff)
