@@ -1,8 +1,9 @@
 """What does --fix do to real packages? `python bench/fix_real.py FOLDER…` (checkouts; they are copied, never changed)
 
 After `rospkg lint --fix`: every package.xml that was well-formed still is, every Python file that compiled still does,
-the dependencies as catkin_pkg reads them are the same unless a DEP or XML2 rule changed them, no fix was taken back,
-and a second run changes nothing.  With --unsafe, --unsafe-fixes is given too.
+every file of CMake that the real CMake could read it still can, the dependencies as catkin_pkg reads them are the same
+unless a DEP or XML2 rule changed them, no fix was taken back, and a second run changes nothing.  With --unsafe,
+--unsafe-fixes is given too.
 """
 
 from __future__ import annotations
@@ -35,7 +36,18 @@ def state(root: Path) -> dict[str, object]:
         found[str(path.relative_to(root))] = well_formed(path), dependencies(path)
     for path in sorted(root.rglob("*.py")):
         found[str(path.relative_to(root))] = compiles(path)
+    for path in sorted([*root.rglob("CMakeLists.txt"), *root.rglob("*.cmake")]):
+        if path.is_file():
+            found[str(path.relative_to(root))] = path.read_bytes()
     return found
+
+
+def is_cmake(text: bytes) -> bool:
+    """Return whether the real CMake can read a file: it reads all of it before it runs any, and here none is run."""
+    with tempfile.NamedTemporaryFile(suffix=".cmake") as file:
+        file.write(b"return()\n" + text)
+        file.flush()
+        return subprocess.run(["cmake", "-P", file.name], capture_output=True, check=False).returncode == 0
 
 
 def well_formed(path: Path) -> bool:
@@ -91,7 +103,9 @@ def judge(root: Path, unsafe: bool) -> tuple[int, int, int]:
     after = state(root)
     faults = [line for line in done.stderr.splitlines() if line]
     faults += [
-        f"{path}: {before[path]} became {after.get(path)}" for path in before if broke(before[path], after, path)
+        f"{path}: {said(before[path])} became {said(after.get(path))}"
+        for path in before
+        if broke(before[path], after, path)
     ]
     depends = {
         edit["path"]
@@ -116,8 +130,14 @@ def judge(root: Path, unsafe: bool) -> tuple[int, int, int]:
     return report["summary"]["packages"], report["summary"]["fixed"], len(faults)
 
 
+def said(state: object) -> object:
+    return "CMake" if isinstance(state, bytes) else state
+
+
 def broke(was: object, after: dict[str, object], path: str) -> bool:
     now = after.get(path)
+    if isinstance(was, bytes):
+        return now != was and is_cmake(was) and not (isinstance(now, bytes) and is_cmake(now))
     if isinstance(was, tuple):
         return bool(was[0]) and not (isinstance(now, tuple) and now[0])
     return bool(was) and not now

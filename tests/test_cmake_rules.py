@@ -127,3 +127,12 @@ def test_what_another_package_looks_for_itself_is_there() -> None:
     )
     files = {path: text.replace("std_msgs", "class_loader") for path, text in files.items()}
     assert said(files, "CMK113") == []
+
+
+@pytest.mark.parametrize("place", ["include", "include/my_pkg"])
+def test_headers_go_where_they_are_exported_from(place: str) -> None:
+    files = {**package(f'ament_export_include_directories("{place}")'), "include/my_pkg/a.hpp": "#pragma once\n"}
+    (finding,) = lint_files(files, ["CMK106"]).findings
+    wanted = place.replace("my_pkg", "${PROJECT_NAME}")
+    assert finding.fix is not None
+    assert f"install(DIRECTORY include/\n  DESTINATION {wanted}\n)" in finding.fix.operations[0].text

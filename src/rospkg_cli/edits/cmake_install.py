@@ -67,9 +67,11 @@ def install_script(cmake: CMake, path: str) -> Edit:
 
 
 def install_headers(cmake: CMake) -> Edit:
-    """Install include/ to where the targets say that it will be, else to where it is found without a word."""
+    """Install include/ to where targets or exports say that it will be, else to where it is found without a word."""
     texts = [text for call in cmake.named("target_include_directories") for text in call.texts]
-    own = any("INSTALL_INTERFACE:" in text and f"include/{cmake.project_name}" in text for text in texts)
+    exported = [text for call in cmake.named("ament_export_include_directories") for text in call.texts]
+    places = [text for text in texts if "INSTALL_INTERFACE:" in text] + exported
+    own = any(f"include/{cmake.project_name}" in text for text in places)
     place = "include/${PROJECT_NAME}" if own else "include"
     return add_rule(cmake, block(cmake.root, "DIRECTORY", "include/", place))
 
