@@ -8,6 +8,7 @@ import pytest
 from small_rosdistro import DISTROS
 from test_lint_command import rospkg
 
+from rospkg_cli.cli.new import new
 from rospkg_cli.engine.elsewhere import lists_others
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
@@ -16,6 +17,7 @@ from rospkg_cli.index.cache import keep
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.ros.index import Index, dump, parse
 from rospkg_cli.ros.names import FetchedNames
+from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.tree import MemoryTree
 
 INDEX = Index(
@@ -156,3 +158,43 @@ def test_the_index_is_read_when_a_name_is_asked_for(tmp_path: Path) -> None:
     lint(need("wheel_odometri"))
     lint(need("gone"))
     assert parse.cache_info().misses == 1
+
+
+@pytest.fixture
+def fetched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    keep(INDEX, {"XDG_CACHE_HOME": str(tmp_path / "cache")})
+    monkeypatch.chdir(tmp_path)
+
+
+def noted(capsys: pytest.CaptureFixture[str], *depends: str) -> str:
+    """Return what `rospkg new` says on stderr of its dependencies."""
+    asked = Request("my_robot", depends=depends, maintainer="Ada", email="ada@example.org", distro="jazzy")
+    assert new(asked, dry_run=True) == 0
+    return capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("fetched")
+def test_new_checks_what_the_package_is_to_depend_on(tmp_path: Path, write, clean, capsys) -> None:
+    assert noted(capsys, "wheel_odometry", "gripper-lib") == ""
+    said = noted(capsys, "wheel_odometri")
+    assert "package.xml:" in said
+    assert "did you mean `wheel_odometry`? (DEP001)" in said
+    assert "is released for humble and not for jazzy" in noted(capsys, "only_in_humble")
+    assert "is a rosdep key without a rule for Ubuntu 24.04" in noted(capsys, "old-lib")
+    assert "is no ROS package and no rosdep key" in noted(capsys, "my_pkg")
+    write(tmp_path / "my_pkg", clean)
+    assert noted(capsys, "my_pkg") == ""
+
+
+@pytest.mark.usefixtures("fetched")
+def test_new_can_tell_nothing_where_packages_are_missing(tmp_path: Path, capsys) -> None:
+    assert noted(capsys, "my_companys_driver")
+    (tmp_path / "ours.repos").touch()
+    assert noted(capsys, "my_companys_driver") == ""
+
+
+@pytest.mark.usefixtures("fetched")
+def test_new_does_without_an_index_that_is_broken(tmp_path: Path, capsys) -> None:
+    (tmp_path / "cache/rospkg/index.txt").write_text("rospkg-index 1 0\n")
+    assert noted(capsys, "my_companys_driver") == ""

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
+from ..engine.elsewhere import lists_others
+from ..engine.prefixes import prefix_names
+from ..index import NamesError
+from ..index.cache import names
 from ..model.discover import packages_below
 from ..model.facts import PackageFacts
 from ..model.files import PackageFiles
@@ -16,6 +21,7 @@ from ..model.manifest import Manifest
 from ..model.package import Package
 from ..model.unreadable import UnreadableError
 from ..ros.distros import Targets
+from ..ros.names import BUILT_IN, Names
 from ..tree import DiskTree, MemoryTree, Tree
 
 
@@ -56,9 +62,15 @@ def arguments_of(file: LaunchFile) -> Iterator[str]:
 class Around:
     trees: Mapping[str, Tree] = field(default_factory=dict)
     """Each package's files, by its name."""
+    installed: frozenset[str] = frozenset()
+    """The names of packages that are installed on this machine."""
+    complete: bool = True
+    """Whether nothing says that more packages belong to the workspace than are there."""
+    index: Names = BUILT_IN
+    """The names of the world outside."""
 
     def with_package(self, name: str, tree: MemoryTree) -> Around:
-        return Around({**self.trees, name: tree})
+        return replace(self, trees={**self.trees, name: tree})
 
     def named(self, name: str) -> Neighbour | None:
         return Neighbour(self.package(name)) if name in self.trees else None
@@ -71,11 +83,21 @@ class Around:
 def around(into: Path) -> Around:
     """Return the packages below the nearest `src` that holds a folder; where there is none, those in the folder."""
     trees: dict[str, Tree] = {}
-    for folder in package_folders(into.absolute()):
+    folders = list(package_folders(into.absolute()))
+    for folder in folders:
         tree = DiskTree(folder)
         manifest = Package(PackageFiles(tree, folder.name)).parts(Manifest).only
         trees.setdefault((manifest.name if manifest else "") or folder.name, tree)
-    return Around(trees)
+    complete = not lists_others(None, [*folders, into.absolute()])
+    return Around(trees, prefix_names(os.environ), complete, fetched(os.environ))
+
+
+def fetched(environment: Mapping[str, str]) -> Names:
+    """Return the names that were fetched; those that are built in where there are none, or none that can be read."""
+    try:
+        return names(environment)
+    except NamesError:
+        return BUILT_IN
 
 
 def package_folders(into: Path) -> Iterable[Path]:

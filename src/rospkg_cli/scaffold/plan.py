@@ -9,7 +9,6 @@ from pathlib import Path
 
 from ..finding import Finding, Severity
 from ..ros.interfaces import SEPARATORS
-from ..ros.names import BUILT_IN
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers, Request
@@ -106,7 +105,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, there: Aro
         params=request.params,
         tests=tests_of(request.tests or TESTS),
     )
-    if BUILT_IN.is_package(answers.name):
+    if there.index.is_package(answers.name):
         notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")
     if not answers.license.header_known and answers.tests == "ament":
         notes.append(f"ament_copyright knows no header for {answers.license.spdx}; its test was left out")

@@ -22,6 +22,10 @@ def lint_written(answers: Answers, files: Iterable[Written], there: Around) -> R
     content = {f"{name}/{path}": entry for name, tree in written.items() for path, entry in tree.content.items()}
     tree = MemoryTree({**content, **{f"{answers.name}/{file.path}": file.entry for file in files}})
     scope = Scope(
-        tuple(sorted({answers.name, *written})), frozenset({answers.name}), prefix_names=frozenset(there.trees)
+        tuple(sorted({answers.name, *written})),
+        frozenset({answers.name}),
+        complete=there.complete,
+        prefix_names=there.installed | frozenset(there.trees),
+        index=there.index,
     )
     return Session(tree, scope, EVERYTHING.codes(), Targets((answers.distro.name,))).run()
