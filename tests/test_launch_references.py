@@ -166,6 +166,22 @@ def test_a_default_may_be_given_anew() -> None:
     assert said({**BASE, "launch/a.launch.xml": launch}) == ["LCH003 warning"]
 
 
+def test_what_an_argument_is_by_default_is_put_in_its_place() -> None:
+    named_by = '<let name="f" value="$(find-pkg-share my_pkg)/config/$(var robot).yaml"/>'
+
+    def finds(default: str, more: str = "") -> list[str]:
+        launch = f'<launch>{more}<arg name="robot" {default}/>{named_by}</launch>'
+        return said({**BASE, "launch/a.launch.xml": launch})
+
+    assert finds('default="robot"') == []
+    assert finds('default="rover"') == ["LCH003 warning"]
+    assert finds("") == finds('default="$(env ROBOT)"') == []
+    assert finds('default="rover"', '<let name="robot" value="robot"/>') == []
+    share = "PathJoinSubstitution([FindPackageShare('my_pkg'), 'config', LaunchConfiguration('robot')])"
+    body = f"return [DeclareLaunchArgument('robot', default_value='rover.yaml'), Node(parameters=[{share}])]"
+    assert said({**BASE, "launch/a.launch.py": python(body)}) == ["LCH003 warning"]
+
+
 def test_a_missing_slash_is_seen_where_the_file_is_there() -> None:
     body = "return Node(parameters=[get_package_share_directory('my_pkg') + '{}'])"
     assert said({**BASE, "launch/a.launch.py": python(body.format("config/robot.yaml"))}) == ["LCH003 error"]

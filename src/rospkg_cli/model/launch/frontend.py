@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from ...ros.launch import ACTIONS
 from ...source import Source, Span
 from ..written import Written
+from .defaults import literal_defaults
 from .entity import Entity
 from .events_xml import xml_events
 from .file import (
@@ -63,8 +64,9 @@ class Walk:
         """Yield the files that the texts of a file in `folder` name."""
         uses: dict[Span, Use] = {include.file.span: "include" for include in self.includes}
         uses |= {each.default.span: "default" for each in self.arguments if each.default is not None}
+        defaults = literal_defaults(self.arguments, self.assigned)
         for text in self.texts:
-            yield from paths_in(text, folder, uses.get(text.span, "file"))
+            yield from paths_in(text, folder, uses.get(text.span, "file"), defaults)
 
     def get(self, entity: Entity, name: str) -> LaunchText | None:
         written = entity.attributes.get(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal as OneOf
@@ -42,38 +42,56 @@ class NamedPath:
     """Whether a slash stands between the share directory and the path."""
 
 
-def paths_in(text: LaunchText, folder: str, use: Use = "file") -> Iterator[NamedPath]:
-    """Yield the files that a text of a launch file in `folder` names, as far as they are told."""
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A path as it is written behind its base."""
+
+    text: str
+    span: Span
+    by_default: bool = False
+    """Whether the default of an argument is a part of it."""
+
+
+NO_DEFAULTS: Mapping[str, str] = {}
+
+
+def paths_in(
+    text: LaunchText, folder: str, use: Use = "file", defaults: Mapping[str, str] = NO_DEFAULTS
+) -> Iterator[NamedPath]:
+    """Yield the files that a text of a launch file in `folder` names, as far as they are told.
+
+    `defaults` are those of the arguments by their names.
+    """
     for at, part in enumerate(text.parts):
         if isinstance(part, Literal):
             if part.text.startswith(f"{ROOT}/"):
-                yield from beside(literal_of(text.parts[at:]), "", use, len(ROOT))
+                yield from beside(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
             continue
         for argument in part.arguments:
-            yield from paths_in(argument, folder, use if part.name != "command" else "file")
+            yield from paths_in(argument, folder, use if part.name != "command" else "file", defaults)
         if part.name in BASES:
-            written = literal_of(text.parts[at + 1 :])
+            written = literal_of(text.parts[at + 1 :], defaults)
             yield from beside(written, folder, use) if part.name == "dirname" else in_package(part, written, use)
 
 
-def in_package(base: Substitution, written: tuple[str, Span] | None, use: Use) -> Iterator[NamedPath]:
+def in_package(base: Substitution, written: Written | None, use: Use) -> Iterator[NamedPath]:
     package = base.arguments[0].literal if base.arguments else None
     if written is None or not package:
         return
-    text, span = written
-    path = clean(text)
+    path = clean(written.text)
     if base.name == "find-pkg-prefix":
         share = f"share/{package}/"
         path = path[len(share) :] if path.startswith(share) else ""
     if is_file(path):
-        yield NamedPath(span, package, path, use, text.startswith("/"))
+        use = "default" if written.by_default else use
+        yield NamedPath(written.span, package, path, use, written.text.startswith("/"))
 
 
-def beside(written: tuple[str, Span] | None, folder: str, use: Use, skip: int = 0) -> Iterator[NamedPath]:
-    if written is not None and written[0].startswith("/"):
-        path = clean(f"{folder}/{written[0][skip:].lstrip('/')}")
+def beside(written: Written | None, folder: str, use: Use, skip: int = 0) -> Iterator[NamedPath]:
+    if written is not None and written.text.startswith("/"):
+        path = clean(f"{folder}/{written.text[skip:].lstrip('/')}")
         if is_file(path):
-            yield NamedPath(written[1], "", path, use)
+            yield NamedPath(written.span, "", path, "default" if written.by_default else use)
 
 
 def clean(text: str) -> str:
@@ -88,16 +106,18 @@ def is_file(path: str) -> bool:
     return "." in name.strip(".") and not path.startswith("..") and not OPEN.search(path)
 
 
-def literal_of(parts: Sequence[Literal | Substitution]) -> tuple[str, Span] | None:
+def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> Written | None:
     """Return the path that some parts begin with, and where it stands; None where a piece of it is not told."""
-    found, spans = "", []
+    found, spans, by_default = "", [], False
     for part in parts:
-        if isinstance(part, Substitution):
+        text = part.text if isinstance(part, Literal) else default_of(part, defaults)
+        if text is None:
             return None
-        end = END.search(part.text)
-        piece = part.text[: end.start()] if end else part.text
+        by_default |= isinstance(part, Substitution)
+        end = END.search(text)
+        piece = text[: end.start()] if end else text
         found += piece
-        as_written = part.span.end - part.span.start == len(part.text)
+        as_written = part.span.end - part.span.start == len(text)
         spans.append(Span(part.span.start, part.span.start + len(piece)) if as_written else part.span)
         if end:
             break
@@ -105,4 +125,10 @@ def literal_of(parts: Sequence[Literal | Substitution]) -> tuple[str, Span] | No
         return None
     wide = Span(spans[0].start, spans[-1].end)
     in_order = all(a.end <= b.start or a == b for a, b in pairwise(spans))
-    return found, wide if in_order and wide.start <= wide.end else spans[-1]
+    return Written(found, wide if in_order and wide.start <= wide.end else spans[-1], by_default)
+
+
+def default_of(part: Substitution, defaults: Mapping[str, str]) -> str | None:
+    """Return the default of the argument that a substitution stands for."""
+    name = part.arguments[0].literal if part.name == "var" and len(part.arguments) == 1 else None
+    return defaults.get(name) if name else None

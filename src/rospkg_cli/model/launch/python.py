@@ -9,6 +9,7 @@ from ..evaluate.evaluator import Evaluator
 from ..evaluate.folder import Folder
 from ..evaluate.values import Call, Text, Value
 from ..python import PythonFile
+from .defaults import literal_defaults
 from .evaluation import ENTRIES, LaunchEvaluator
 from .events_python import python_events
 from .file import LaunchFile
@@ -26,17 +27,20 @@ def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
     evaluator.run_all()
     calls = list(once(evaluator.calls))
     of = {name: [call for call in calls if class_of(call) == name] for name in {class_of(call) for call in calls}}
+    arguments = tuple(map(argument_of, of.get("DeclareLaunchArgument", ())))
+    assigned = tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ()))
+    bare, defaults = tuple(guarded_in(file, ABSENT)), literal_defaults(arguments, assigned)
     every = (node_of(call, kind) for name, kind in NODES.items() for call in of.get(name, ()))
     return LaunchFile(
         file.source,
         "python",
         nodes=tuple(sorted(every, key=lambda node: node.span)),
         includes=tuple(map(include_of, of.get("IncludeLaunchDescription", ()))),
-        arguments=tuple(map(argument_of, of.get("DeclareLaunchArgument", ()))),
+        arguments=arguments,
         commands=tuple(map(command_of, [*of.get("ExecuteProcess", ()), *of.get("ExecuteLocal", ())])),
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
-        assigned=tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ())),
-        paths=tuple(named_paths(calls, posixpath.dirname(file.source.path), tuple(guarded_in(file, ABSENT)))),
+        assigned=assigned,
+        paths=tuple(named_paths(calls, posixpath.dirname(file.source.path), bare, defaults)),
         removed=tuple(removed_arguments(calls, file.source)),
         complete=not evaluator.gave_up,
         entry=any(has_name(file, evaluator, name) for name in ENTRIES),

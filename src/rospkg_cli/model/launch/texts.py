@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Mapping as ByName
 
 from ...source import Span
 from ..evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
@@ -26,13 +27,17 @@ INCLUDING = ("LaunchDescriptionSource", "IncludeLaunchDescription")
 MAX_DEPTH = 20
 
 
-def named_paths(calls: list[Call], folder: str, guarded: tuple[Span, ...]) -> Iterator[NamedPath]:
+def named_paths(
+    calls: list[Call], folder: str, guarded: tuple[Span, ...], defaults: ByName[str, str]
+) -> Iterator[NamedPath]:
     """Yield the files that a launch file in `folder` names, but for those that it asks for first or writes.
 
     Whatever is read where a missing file is caught, as `guarded` says, is left out as well.
     """
     bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
-    found = [path for call in bare for text in texts_of(call) for path in paths_in(text, folder, use_of(call))]
+    found = [
+        path for call in bare for text in texts_of(call) for path in paths_in(text, folder, use_of(call), defaults)
+    ]
     asked = {(path.package, path.path) for call in calls for path in asked_in(call, folder)}
     return (path for path in dict.fromkeys(found) if (path.package, path.path) not in asked)
 
