@@ -246,6 +246,15 @@ def test_a_launch_file_that_others_include_by_its_path_is_no_double() -> None:
     assert said({**files, "launch/all.launch.xml": f"<launch>{''.join(lines)}</launch>"}) == []
 
 
+def test_tests_and_parts_may_be_called_otherwise() -> None:
+    text = python("return LaunchDescription([Node(package='a', executable='b')])")
+    files = {**BASE, "launch/robot.py": text, "launch/test/robot.py": text}
+    findings = lint_files(files, ["LCH010"]).findings
+    assert [f.place.path for f in findings] == ["launch/robot.py"]
+    whole = '<launch><include file="$(find-pkg-share my_pkg)/launch/robot.py"/></launch>'
+    assert said({**files, "launch/all.launch.xml": whole}, "LCH010") == []
+
+
 def include(*arguments: str) -> str:
     given = "".join(f'<arg name="{name}" value="1"/>' for name in arguments)
     return f'<launch><include file="$(find-pkg-share my_pkg)/launch/arm.launch.xml">{given}</include></launch>'

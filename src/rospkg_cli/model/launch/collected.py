@@ -5,11 +5,13 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 from ...ros.launch import LAUNCH_SUFFIXES
 from ...ros.share import LAUNCH
 from ..facts import PackageFacts
 from ..install import Installed, InstallTable
+from ..uses.roles import role_of
 from .file import LaunchFile
 
 
@@ -18,6 +20,11 @@ class InstalledLaunchFiles:
     table: InstallTable
     package: PackageFacts
     files: tuple[LaunchFile, ...]
+
+    @cached_property
+    def parts(self) -> frozenset[str]:
+        """The files that others of the package include by their paths."""
+        return frozenset(each.path for file in self.files for each in file.paths if each.use == "include")
 
     def doubles(self) -> Iterator[tuple[Installed, str, tuple[str, ...]]]:
         """Yield each name that several installed launch files have: the row of the last, the name, and where they go.
@@ -28,9 +35,8 @@ class InstalledLaunchFiles:
         for path, row in self.table.below(f"share/{self.package.name}"):
             if LAUNCH.fullmatch(posixpath.basename(path)):
                 named.setdefault(posixpath.basename(path), {})[path] = row
-        parts = {each.path for file in self.files for each in file.paths if each.use == "include"}
         for name, rows in named.items():
-            free = [path for path in rows if path not in parts]
+            free = [path for path in rows if path not in self.parts]
             if len(rows) > 1 and free:
                 yield rows[free[-1]], name, tuple(sorted(rows))
 
@@ -39,7 +45,8 @@ class InstalledLaunchFiles:
         sources = {row.source for _, row in self.table.below(f"share/{self.package.name}")}
         for file in self.files:
             name = posixpath.basename(file.path)
-            if file.path in sources and not file.path.endswith(LAUNCH_SUFFIXES) and starts_something(file):
+            told = file.path.endswith(LAUNCH_SUFFIXES) or file.path in self.parts or role_of(file.path) == "test"
+            if file.path in sources and not told and starts_something(file):
                 suffix = "py" if file.frontend == "python" else file.frontend
                 stem = name.rpartition(".")[0].removesuffix(".launch")
                 yield file, f"{stem}.launch.{suffix}"

@@ -43,7 +43,8 @@ def generate_launch_description():
 def launch_file_name(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds installed launch files in Python whose names do not end in `launch.py`.
+    Finds installed launch files in Python whose names do not end in `launch.py`. Those of tests, and those that others
+    include by their paths, are left alone.
 
     ## Why is this bad?
     `ros2 launch` starts them, but does not complete their names, and who reads the folder does not know them.
