@@ -180,6 +180,13 @@ def test_what_an_argument_is_by_default_is_put_in_its_place() -> None:
     share = "PathJoinSubstitution([FindPackageShare('my_pkg'), 'config', LaunchConfiguration('robot')])"
     body = f"return [DeclareLaunchArgument('robot', default_value='rover.yaml'), Node(parameters=[{share}])]"
     assert said({**BASE, "launch/a.launch.py": python(body)}) == ["LCH003 warning"]
+    share = "PathSubstitution(FindPackageShare(LaunchConfiguration('pkg'))) / 'config' / LaunchConfiguration('name')"
+    arguments = (
+        "DeclareLaunchArgument('pkg', default_value='my_pkg'), DeclareLaunchArgument('name', default_value='{}')"
+    )
+    body = f"return [{arguments}, Node(parameters=[{share} / 'robot.yaml'])]"
+    assert said({**BASE, "launch/a.launch.py": python(body.format("."))}) == []
+    assert said({**BASE, "launch/a.launch.py": python(body.format("rover"))}) == ["LCH003 warning"]
 
 
 def test_a_missing_slash_is_seen_where_the_file_is_there() -> None:

@@ -115,7 +115,12 @@ def is_path(value: Value) -> bool:
 
 
 def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
-    """Return the parts joined as os.path.join does it; only the first one may be less than a text."""
+    """Return the parts joined as os.path.join does it; only the first one may be less than a text.
+
+    Of paths that are joined with `/`, a call may stand behind as well.
+    """
+    if path and len(parts) == 2 and isinstance(parts[0], Joined) and isinstance(parts[1], Call):
+        return join([parts[0], Text(span, "/"), parts[1]], span, path=True)
     texts = [part.text for part in parts[1:] if isinstance(part, Text)]
     if not parts or len(texts) != len(parts) - 1:
         return None

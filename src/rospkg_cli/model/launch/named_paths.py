@@ -16,6 +16,7 @@ from .text import LaunchText, Literal, Substitution
 Use = OneOf["include", "default", "file"]
 """Included by the launch file; the default of an argument; anything else."""
 
+NAME = re.compile(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
 END = re.compile(r"[\s'\",;:|]")
 """Where a path ends that stands inside of a longer text."""
@@ -71,20 +72,22 @@ def paths_in(
             yield from paths_in(argument, folder, use if part.name != "command" else "file", defaults)
         if part.name in BASES:
             written = literal_of(text.parts[at + 1 :], defaults)
-            yield from beside(written, folder, use) if part.name == "dirname" else in_package(part, written, use)
+            if part.name == "dirname":
+                yield from beside(written, folder, use)
+            elif written is not None and part.arguments:
+                yield from in_package(part, literal_of(part.arguments[0].parts, defaults), written, use)
 
 
-def in_package(base: Substitution, written: Written | None, use: Use) -> Iterator[NamedPath]:
-    package = base.arguments[0].literal if base.arguments else None
-    if written is None or not package:
+def in_package(base: Substitution, package: Written | None, written: Written, use: Use) -> Iterator[NamedPath]:
+    if package is None or not NAME.fullmatch(package.text):
         return
     path = clean(written.text)
     if base.name == "find-pkg-prefix":
-        share = f"share/{package}/"
+        share = f"share/{package.text}/"
         path = path[len(share) :] if path.startswith(share) else ""
     if is_file(path):
-        use = "default" if written.by_default else use
-        yield NamedPath(written.span, package, path, use, written.text.startswith("/"))
+        use = "default" if written.by_default or package.by_default else use
+        yield NamedPath(written.span, package.text, path, use, written.text.startswith("/"))
 
 
 def beside(written: Written | None, folder: str, use: Use, skip: int = 0) -> Iterator[NamedPath]:

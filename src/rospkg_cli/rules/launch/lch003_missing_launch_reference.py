@@ -50,7 +50,7 @@ HARM: dict[Use, str] = {
     "missing-launch-reference",
     over=LaunchScope,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the file is the default of an argument"},
+    levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
     examples=(
         Example(
             bad={

@@ -28,7 +28,7 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
     "reference-not-installed",
     over=LaunchedFiles,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the file is the default of an argument"},
+    levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
     examples=(
         Example(
             on="ament_cmake",
