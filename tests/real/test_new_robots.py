@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 from conftest import DEBIAN_MODULES, DEBIAN_PYTHON, tools
+from messages import message_prefix
+from planned import ADA
 from shell import Shell
-from testing_new import around, linted, plan, results, write
+from testing_new import PREFIX, around, linted, plan, results, write
 from venvs import COLCON, venv
 
+from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.family import plan_family, write_family
 from rospkg_cli.scaffold.plan import Plan
 
 pytestmark = [pytest.mark.debian, pytest.mark.network]
@@ -85,3 +90,33 @@ def test_every_linter_is_content_with_an_empty_bringup(shell: Shell, tmp_path: P
     if place == "git root":
         assert shell.run("git", "init", "--quiet", cwd=folder).returncode == 0
     linted(shell, folder, LINTERS)
+
+
+FAMILIES = {
+    "copied": ("mixed", ()),
+    "symlinked": ("mixed", ("--symlink-install",)),
+    "in Python": ("ament_python", ()),
+    "in C++": ("ament_cmake", ()),
+}
+STATUS = "RobotStatus:std_msgs/Header header, float32 battery_level, string current_task, uint8 error_status"
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_a_family_builds(colcon: Shell, debian_colcon: Shell, tmp_path: Path, name: str) -> None:
+    template, options = FAMILIES[name]
+    asked = {**ADA, "distro": "humble", "template": template, "msgs": (STATUS,), "srvs": ("Go",)}
+    plans = plan_family(Request("my_robot", **asked), tmp_path, {})
+    write_family(plans, tmp_path / "src")
+    prefixes = os.pathsep.join((str(PREFIX), str(message_prefix(debian_colcon))))
+    built = colcon.run("colcon", "build", *options, cwd=tmp_path, CMAKE_PREFIX_PATH=prefixes)
+    assert (built.returncode, built.stderr) == (0, "")
+    home = tmp_path / "install/my_robot/lib/my_robot"
+    assert {path.name for path in home.iterdir()} == {node.name for node in plans[2].answers.nodes}
+    assert all(os.access(path, os.X_OK) for path in home.iterdir())
+    assert (tmp_path / "install/my_robot_bringup/share/my_robot_bringup/config/my_robot.yaml").is_file()
+    if name == "copied":
+        tested = colcon.run("colcon", "test", cwd=tmp_path, CMAKE_PREFIX_PATH=prefixes)
+        assert (tested.returncode, tested.stderr) == (0, "")
+        found = results(colcon, tmp_path)
+        assert found.pop("tests") > 20
+        assert found == {"errors": 0, "failures": 0, "skipped": 0}
