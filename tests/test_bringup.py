@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import cycle
 from pathlib import Path
 
 import pytest
 import yaml
 from planned import around, plan, texts
 
+from rospkg_cli.model.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
@@ -40,13 +42,52 @@ ASKED = {
         "nodes": ("demo_nodes_py/talker:ear",),
     },
     "nodes": {"nodes": ("demo_nodes_cpp/talker", "usb_cam/usb_cam_node_exe")},
+    "no parameters": {"depends": ("my_robot",), "nodes": ("demo_nodes_cpp/talker",), "params": False},
+    "nodes without": {"nodes": ("demo_nodes_cpp/talker",), "params": False, "tests": "none"},
+    "nothing": {"depends": ("my_interfaces",), "tests": "minimal"},
 }  # fmt: skip
 
 
+FORMS_IN_TURN = list(zip([each.name for each in DISTROS], cycle(["py", "xml", "yaml"]), strict=False))
+
+
 @pytest.mark.parametrize("asked", ASKED)
-@pytest.mark.parametrize("distro", [each.name for each in DISTROS])
-def test_it_is_written_without_a_finding(asked: str, distro: str) -> None:
-    assert bringup(distro=distro, **ASKED[asked]).findings == ()
+@pytest.mark.parametrize("distro, form", FORMS_IN_TURN)
+def test_it_is_written_without_a_finding(asked: str, distro: str, form: str) -> None:
+    planned = bringup(distro=distro, launch=form, **ASKED[asked])
+    assert planned.findings == ()
+    faultless_text(texts(planned))
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_every_form_starts_the_same(asked: str) -> None:
+    files = [launch_file(bringup(launch=form, **ASKED[asked])) for form in ("py", "xml", "yaml")]
+    assert all(file.complete and not file.faults for file in files)
+    [wanted, *others] = [started(file) for file in files]
+    assert others == [wanted, wanted]
+    assert wanted[0] or wanted[1] or asked == "nothing"
+
+
+def launch_file(planned: Plan) -> LaunchFile:
+    package = around(planned).package("my_robot_bringup")
+    [file] = package.parts(LaunchFile).good
+    return file
+
+
+def started(file: LaunchFile) -> tuple[object, ...]:
+    """Return what a launch file starts, as far as the forms can be compared."""
+    nodes = [(n.package.literal, n.executable.literal, n.name.literal, len(n.parameters)) for n in file.nodes]
+    includes = [(i.file.in_share()[1], sorted(name.literal for name, _ in i.arguments)) for i in file.includes]
+    return nodes, includes, [argument.name.literal for argument in file.arguments]
+
+
+def faultless_text(files: dict[str, str]) -> None:
+    for path, text in files.items():
+        assert text == "" or (text.endswith("\n") and not text.endswith("\n\n")), path
+        assert "\n\n\n" not in text or path.endswith((".py", "LICENSE")), path
+        assert not [line for line in text.splitlines() if line != line.rstrip()], path
+        if path.endswith(".yaml"):
+            assert yaml.safe_load(text)
 
 
 @pytest.mark.parametrize("license", [each.spdx for each in LICENSES])

@@ -7,19 +7,23 @@ import configparser
 import itertools
 import re
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
 from pairwise import pairwise
-from planned import plan, texts
+from planned import ADA, around, plan, texts
 
+from rospkg_cli.model.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
+from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.around import Around
 from rospkg_cli.scaffold.kinds import OF, all_kinds
 from rospkg_cli.scaffold.launching import FORMATS
-from rospkg_cli.scaffold.plan import Plan
+from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.template import load_template, template_names
 from rospkg_cli.scaffold.testing import TESTS
 
@@ -112,9 +116,38 @@ def test_every_package_of_interfaces_is_too(distro: str, license: str, asked: st
 
 @pytest.mark.parametrize("depends", DEPENDS.values())
 @pytest.mark.parametrize("distro, license", DISTROS_AND_LICENSES)
-@pytest.mark.parametrize("name", ["my_robot_description", "robot"])
-def test_every_description_is_too(name: str, distro: str, license: str, depends: tuple[str, ...]) -> None:
-    faultless(plan(name, template="description", distro=distro, license=license, depends=depends))
+@pytest.mark.parametrize("name, launch", [("my_robot_description", "py"), ("robot", "xml"), ("my_arm", "yaml")])
+def test_every_description_is_too(name: str, launch: str, distro: str, license: str, depends: tuple[str, ...]) -> None:
+    options = {"distro": distro, "license": license, "depends": depends, "launch": launch}
+    faultless(plan(name, template="description", **options))
+
+
+@pytest.mark.parametrize("form", ["py", "xml", "yaml"])
+def test_a_description_shows_the_robot_in_every_form(form: str) -> None:
+    planned = plan("my_robot_description", template="description", launch=form)
+    read = around(planned).package("my_robot_description").parts(LaunchFile).good
+    own, view = sorted(read, key=lambda file: file.path)
+    assert not own.faults
+    assert not view.faults
+    assert [node.package.literal for node in own.nodes] == ["robot_state_publisher"]
+    assert [node.package.literal for node in view.nodes] == [
+        "joint_state_publisher_gui", "joint_state_publisher", "rviz2",
+    ]  # fmt: skip
+    assert [each.file.in_share()[1] for each in view.includes] == [f"launch/my_robot_description.launch.{form}"]
+    assert (f"<exec_depend>launch_{form}<" in texts(planned)["package.xml"]) == (form != "py")
+
+
+@pytest.mark.parametrize("template", ["description", "bringup"])
+def test_what_is_there_for_its_launch_files_has_some(template: str) -> None:
+    with pytest.raises(ScaffoldError, match="py, xml or yaml"):
+        plan("my_robot", template=template, launch="none")
+    with_config = make_plan(Request("my_robot", template=template, **ADA), Path(), {"launch": "none"}, Around())
+    assert "launch/my_robot.launch.py" in texts(with_config)
+    with pytest.raises(ScaffoldError, match="no launch file; leave --launch out"):
+        plan("my_robot", template="interfaces", launch="xml")
+    with pytest.raises(ScaffoldError, match=r"no launch files in `xlm` \(did you mean `xml`\?\)"):
+        plan(launch="xlm")
+    assert make_plan(Request("my_robot", template="interfaces", **ADA), Path(), {"launch": "xml"}, Around()).files
 
 
 def faultless(planned: Plan) -> None:
@@ -141,7 +174,8 @@ def test_the_year_is_the_one_that_was_asked_for() -> None:
 def test_every_file_of_a_template_is_written_by_it(name: str) -> None:
     template = load_template(name)
     own = template.folders[0]
-    listed = {file.source + ".j2" for file in template.files if not file.source.startswith("_shared/")}
+    sources = [file.source for file in template.files if not file.source.startswith("_shared/")]
+    listed = {source.replace("{{ launch }}", form) + ".j2" for source in sources for form in ("py", "xml", "yaml")}
     assert {path.relative_to(own).as_posix() for path in own.rglob("*") if path.is_file()} == listed
 
 
@@ -227,14 +261,6 @@ def test_a_launch_file_declares_the_frontend_that_reads_it(template: str, format
     assert f"launch/my_robot_nav.launch.{format}" in files
     declared = set(re.findall(r"<exec_depend>(launch\w*)</exec_depend>", files["package.xml"]))
     assert declared == {"launch_ros", *needs}
-
-
-def test_a_package_that_starts_nothing_of_its_own_has_no_launch_formats() -> None:
-    for template in set(template_names()) - set(WITH_NODES):
-        with pytest.raises(ScaffoldError, match="leave it out"):
-            plan(template=template, launch="xml")
-    with pytest.raises(ScaffoldError, match=r"no launch files in `xlm` \(did you mean `xml`\?\)"):
-        plan(launch="xlm")
 
 
 @pytest.mark.parametrize("template", WITH_NODES)

@@ -66,7 +66,8 @@ def check_family(name: str, template: Template) -> None:
 def members(request: Request, template: Template) -> list[Request]:
     """Return the requests for the packages, each with what it depends on."""
     name = request.name
-    plain = replace(request, nodes=(), depends=(), msgs=(), srvs=(), actions=(), description="", launch="")
+    plain = replace(request, nodes=(), depends=(), msgs=(), srvs=(), actions=(), description="")
+    plain = replace(plain, launch="" if request.launch == "none" else request.launch)
     nodes = request.nodes or own_nodes(request, template)
     used = any("/" in node or any(word[:1].isupper() for word in node.split(":")) for node in nodes)
     needs = () if used else (f"{name}_interfaces",)
@@ -75,6 +76,7 @@ def members(request: Request, template: Template) -> list[Request]:
             plain,
             name=f"{name}_interfaces",
             template="interfaces",
+            launch="",
             msgs=request.msgs,
             srvs=request.srvs,
             actions=request.actions,

@@ -68,5 +68,5 @@ def in_others(answers: Answers) -> dict[str, Any]:
         "includes": started.includes,
         "started_packages": started.packages,
         "launch_arguments": started.arguments,
-        "has_config": bool(started.starts) or any(include.params for include in started.includes),
+        "has_config": bool(started.starts and started.params) or any(include.params for include in started.includes),
     }

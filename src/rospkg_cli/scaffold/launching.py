@@ -13,20 +13,25 @@ FORMATS = ("py", "xml", "yaml", "none")
 
 
 def check_typed(asked: str, template: Template) -> None:
-    """Raise ScaffoldError where a format was typed and the template has no launch file in different ones."""
-    if asked and not template.kinds:
-        raise ScaffoldError(
-            f"--launch chooses what starts a package's own nodes, and --type {template.name} has none; leave it out"
-        )
+    """Raise ScaffoldError where a format was typed and the template can't have it."""
+    if asked and not template.launches:
+        raise ScaffoldError(f"a package of --type {template.name} has no launch file; leave --launch out")
+    if asked == "none" and not template.kinds:
+        raise ScaffoldError(f"launch files are what a package of --type {template.name} is for: py, xml or yaml")
 
 
-def launch_of(asked: str) -> str:
-    """Return the format of the launch file, "" for no launch file; raises ScaffoldError."""
+def launch_of(asked: str, template: Template) -> str:
+    """Return the format of the launch files, "" for no launch file; raises ScaffoldError.
+
+    What a config says of all packages does not make one without the files that it is for.
+    """
     if asked not in FORMATS:
         raise ScaffoldError(
             f"there are no launch files in `{asked}`{did_you_mean(asked, FORMATS)}; known: {', '.join(FORMATS)}"
         )
-    return "" if asked == "none" else asked
+    if asked == "none":
+        return FORMATS[0] if template.launches and not template.kinds else ""
+    return asked
 
 
 def launch_packages(answers: Answers) -> tuple[str, ...]:

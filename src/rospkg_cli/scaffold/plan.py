@@ -85,8 +85,10 @@ def template_of(name: str) -> Template:
 
 def answers_of(request: Request, maintainer: Who, template: Template, there: Around, notes: list[str]) -> Answers:
     depends, test_depends = depends_of(request.depends, request.name)
-    started = started_by(request.name, request.nodes, depends, there) if template.starts else Started()
-    notes.extend(started.unknown)
+    started = Started()
+    if template.starts:
+        started = started_by(request.name, request.nodes, depends, there, request.params)
+        notes.extend(started.unknown)
     answers = Answers(
         name=request.name,
         nodes=nodes_of(request.nodes, request.name, template, there),
@@ -101,7 +103,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, there: Aro
         version=version_of(request.version or VERSION),
         distro=distro_of(request.distro, notes),
         year=request.year or datetime.date.today().year,
-        launch=launch_of(request.launch or LAUNCH),
+        launch=launch_of(request.launch or LAUNCH, template),
         params=request.params,
         tests=tests_of(request.tests or TESTS),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
@@ -52,13 +52,15 @@ class Started:
     includes: tuple[Include, ...] = ()
     unknown: tuple[str, ...] = ()
     """Packages of which nothing could be started, each with the reason."""
+    params: bool = True
+    """Whether what it starts has parameters of its own choice."""
 
     @property
     def arguments(self) -> dict[str, tuple[str, str]]:
         """The arguments that the launch file has, with default and meaning."""
         used = {name for include in self.includes for name in include.arguments}
         shown = {name: about for name, about in PASSED_ON.items() if self.starts or name in used}
-        return {**shown, **({"params_file": PARAMS_FILE} if self.starts else {})}
+        return {**shown, **({"params_file": PARAMS_FILE} if self.starts and self.params else {})}
 
     @property
     def packages(self) -> tuple[str, ...]:
@@ -66,7 +68,9 @@ class Started:
         return tuple(dict.fromkeys(found))
 
 
-def started_by(name: str, asked: tuple[str, ...], depends: tuple[str, ...], there: Around) -> Started:
+def started_by(
+    name: str, asked: tuple[str, ...], depends: tuple[str, ...], there: Around, params: bool = True
+) -> Started:
     """Return what a package starts: the nodes that are asked for as PACKAGE/EXECUTABLE, and what dependencies offer.
 
     Where nothing is asked for, the packages around that are named after the same robot are its dependencies.
@@ -83,8 +87,9 @@ def started_by(name: str, asked: tuple[str, ...], depends: tuple[str, ...], ther
             raise ScaffoldError(f"two nodes would be called `{twice}`; name one: --node PACKAGE/EXECUTABLE:NAME")
     return Started(
         tuple(starts),
-        tuple(include for each in offered for include in each.includes),
+        tuple(include if params else replace(include, params="") for each in offered for include in each.includes),
         tuple(reason for each in offered for reason in each.unknown),
+        params,
     )
 
 

@@ -52,6 +52,11 @@ class Template:
     """What to type next, from the root of the workspace, with `{{ }}`."""
 
     @property
+    def launches(self) -> bool:
+        """Whether it has launch files in the format that is asked for."""
+        return any("launch.{{ launch }}" in file.path for file in self.files)
+
+    @property
     def folders(self) -> tuple[Path, ...]:
         """The folders that sources and includes are looked for in."""
         return (resources("templates") / self.name / "files", resources("templates"))
