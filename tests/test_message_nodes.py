@@ -89,6 +89,12 @@ def test_whose_message_it_is_must_be_clear() -> None:
         plan(there=there, nodes=("a_node:Foo",))
 
 
+def test_what_a_package_was_before_is_not_around_it() -> None:
+    there = around(plan("my_robot_nav", template="interfaces", msgs=("Foo:",)))
+    with pytest.raises(ScaffoldError, match="no package here has a message `Foo`"):
+        plan(there=there, nodes=("a_node:Foo",))
+
+
 MODULE = """\
 class RobotStatus:
     def __init__(self, data=''):

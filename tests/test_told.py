@@ -17,6 +17,7 @@ from planned import plan, texts
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.plan import Plan
+from rospkg_cli.scaffold.template import template_names
 from rospkg_cli.scaffold.told import Told, UnescapedError, comment, markdown, pieces_of, told
 
 NASTY = (
@@ -67,6 +68,15 @@ def test_any_description_is_the_same_everywhere(text: str) -> None:
     planned = plan(description=text)
     assert {finding.code for finding in planned.findings} <= {"XML104"}, "only a description that says nothing"
     check(planned, line or None, "Ada Lovelace")
+
+
+@settings(deadline=None, max_examples=40)
+@given(TEXT, st.sampled_from(template_names()))
+def test_any_description_stands_in_every_type_of_package(text: str, template: str) -> None:
+    planned = plan("my_robot", template=template, description=text)
+    assert {finding.code for finding in planned.findings} <= {"XML104"}, "only a description that says nothing"
+    shown = ElementTree.fromstring(texts(planned)["package.xml"]).findtext("description")
+    assert shown == (" ".join(text.split()) or plan("my_robot", template=template).answers.description.text)
 
 
 @settings(deadline=None, max_examples=60)

@@ -72,6 +72,9 @@ class Around:
     def with_package(self, name: str, tree: MemoryTree) -> Around:
         return replace(self, trees={**self.trees, name: tree})
 
+    def without(self, name: str) -> Around:
+        return Around({each: tree for each, tree in self.trees.items() if each != name})
+
     def named(self, name: str) -> Neighbour | None:
         return Neighbour(self.package(name)) if name in self.trees else None
 

@@ -66,7 +66,7 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there
     maintainer = who(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
         check_for_cmake(maintainer.name)
-    there = there or around(folder)
+    there = (there or around(folder)).without(request.name)
     answers = answers_of(request, maintainer, template, there, notes)
     files = render(template, answers)
     findings = lint_written(answers, files, there).findings
