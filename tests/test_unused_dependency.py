@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
 from rospkg_cli.testing import lint_files
 
 NODE = "import rclpy\n"
+NODE_TARGET = "add_executable(node src/node.cpp)"
+CPP = present(BACKDROPS["ament_cmake"])
 
 
 def names(clean: dict[str, str], depends: str, **files: str) -> list[str]:
@@ -48,3 +50,58 @@ def test_imports_of_another_name_and_in_tests_count(clean) -> None:
 def test_a_package_without_code_gathers_on_purpose(clean) -> None:
     files = {**clean, "package.xml": manifest("  <depend>nav_msgs</depend>\n")}
     assert lint_files(files, ["DEP202"]).findings == ()
+
+
+def of_cmake(depends: str, *lines: str, **files: str) -> list[str]:
+    text = CMAKE.replace("ament_package()", "\n".join([NODE_TARGET, *lines, "ament_package()"]))
+    tree = {**CPP, "package.xml": manifest(f"  {depends}\n", "ament_cmake"), "CMakeLists.txt": text}
+    tree |= {path.replace("__", "/", 1): text for path, text in files.items()}
+    return [f.message.split("`")[1] for f in lint_files(tree, ["DEP202"]).findings]
+
+
+def test_what_leaves_no_trace_in_a_package_of_cmake() -> None:
+    assert of_cmake("<depend>nav_msgs</depend>") == ["nav_msgs"]
+    assert of_cmake("<test_depend>launch_testing</test_depend>") == ["launch_testing"]
+
+
+@pytest.mark.parametrize(
+    "depends",
+    [
+        "<exec_depend>nav_msgs</exec_depend>",
+        "<depend>eigen</depend>",
+        "<depend>who_knows_what</depend>",
+        "<test_depend>ament_lint_auto</test_depend>",
+        "<test_depend>nav_msgs</test_depend>",
+    ],
+)
+def test_what_may_be_used_without_a_trace(depends: str) -> None:
+    assert of_cmake(depends) == []
+
+
+def test_traces_in_a_package_of_cmake() -> None:
+    nav = "<depend>nav_msgs</depend>"
+    assert of_cmake(nav, "find_package(nav_msgs)") == []
+    assert of_cmake(nav, "foreach(p nav_msgs)\nfind_package(${p})\nendforeach()") == []
+    assert of_cmake(nav, src__a="", **{"src__a.cpp": "#include <nav_msgs/msg/odometry.hpp>\n"}) == []
+    assert of_cmake(nav, **{"README.md": "It needs nav_msgs.\n"}) == []
+    assert of_cmake(nav, **{"test__a.py": "import nav_msgs\n"}) == []
+    assert of_cmake(nav, "include(${SOMEWHERE}/all.cmake)") == []
+
+
+def test_what_only_runs_needs_no_depend() -> None:
+    launch = "<launch>\n  <node pkg='joy' exec='joy_node'/>\n</launch>\n"
+    body = {"package.xml": manifest("  <depend>joy</depend>\n", "ament_cmake"), "launch/a.launch.xml": launch}
+    (finding,) = lint_files({**CPP, **body}, ["DEP202"]).findings
+    assert "write <exec_depend>joy</exec_depend>" in finding.message
+    (edit,) = finding.fix.operations
+    assert edit.text == "<exec_depend>joy</exec_depend>"
+
+
+def test_a_python_library_that_nothing_imports(clean) -> None:
+    assert names(clean, "<exec_depend>python3-enum34</exec_depend>") == ["python3-enum34"]
+    assert names(clean, "<exec_depend>python3-numpy</exec_depend>", **{"my_pkg__see.py": "import numpy\n"}) == []
+
+
+def test_a_package_of_cmake_without_code_gathers_on_purpose() -> None:
+    body = manifest("  <depend>nav_msgs</depend>\n", "ament_cmake")
+    assert lint_files({**CPP, "package.xml": body}, ["DEP202"]).findings == ()

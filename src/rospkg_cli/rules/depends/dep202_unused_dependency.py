@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.manifest import remove_element
-from ...example import Example, manifest
+from ...edits.manifest import change_tag, remove_element
+from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.uses.unused import Unused
 from ...rule import Profile, rule
 
 USED = "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>std_msgs</exec_depend>\n"
+CMAKE_NODE = CMAKE.replace(
+    "ament_package()",
+    "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\nament_package()",
+)
 NODE = "import rclpy\nfrom std_msgs.msg import String\n"
 
 
@@ -21,6 +25,16 @@ NODE = "import rclpy\nfrom std_msgs.msg import String\n"
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": manifest("  <depend>«geometry_msgs»</depend>\n", "ament_cmake"),
+                "CMakeLists.txt": CMAKE_NODE,
+                "src/node.cpp": "int main() {return 0;}\n",
+            },
+            good={"package.xml": manifest("", "ament_cmake")},
+            fix=Safety.UNSAFE,
+        ),
         Example(
             bad={
                 "package.xml": manifest("  <exec_depend>«geometry_msgs»</exec_depend>\n" + USED),
@@ -34,9 +48,11 @@ NODE = "import rclpy\nfrom std_msgs.msg import String\n"
 def unused_dependency(unused: Unused) -> Iterator[Hit]:
     """
     ## What it does
-    Finds dependencies of a Python package that no import, launch file, parameter file or robot description names:
-    `<depend>` and `<build_depend>`, and `<exec_depend>` of packages that hold nothing but interfaces. Any other
-    `<exec_depend>` may be a node that is started by name, or a plug-in, and is left alone.
+    Finds dependencies that nothing in the package names, be it an import, a launch file, parameters or a robot: in a
+    Python package `<depend>`, `<build_depend>`, and `<exec_depend>` of interfaces and Python libraries; in a package
+    that CMake builds `<depend>` and `<build_depend>` on ROS packages, and tools for launch tests. Any other
+    `<exec_depend>` may be a node that is started by name, or a plug-in, and is left alone. Where only what runs names a
+    package that is declared for the build, `<exec_depend>` is enough.
 
     ## Why is this bad?
     Everybody who installs the package installs it too, and `colcon build` waits for it.
@@ -45,11 +61,22 @@ def unused_dependency(unused: Unused) -> Iterator[Hit]:
     Something outside of the package may rely on its being installed along.
     """
     manifest = unused.declared.manifest
-    for dependency in unused.dependencies():
-        message = (
-            f"`{dependency.name}` is declared, and nothing in the package imports or names it: everybody installs it "
-            "all the same; remove the line"
-        )
-        tag = f"<{dependency.tag}>{dependency.name}</{dependency.tag}>"
-        fix = Fix(f"remove {tag}", (remove_element(manifest, dependency.element),), Safety.UNSAFE)
-        yield Hit(manifest.path, dependency.span, message, fix=fix)
+    for each in unused.dependencies():
+        name, tag = each.dependency.name, each.dependency.tag
+        if each.runs:
+            message = (
+                f"`{name}` is declared as <{tag}>, and nothing that is built uses it, only what runs: whoever builds "
+                f"the package waits for it all the same; write <exec_depend>{name}</exec_depend>"
+            )
+            edit, title = change_tag(manifest, each.dependency, "exec_depend"), f"declare `{name}` as <exec_depend>"
+        else:
+            message = (
+                f"`{name}` is declared, and nothing in the package {verb(tag)} it: everybody installs it all the same; "
+                "remove the line"
+            )
+            edit, title = remove_element(manifest, each.dependency.element), f"remove <{tag}>{name}</{tag}>"
+        yield Hit(manifest.path, each.dependency.span, message, fix=Fix(title, (edit,), Safety.UNSAFE))
+
+
+def verb(tag: str) -> str:
+    return "tests with" if tag == "test_depend" else "imports, includes or names"
