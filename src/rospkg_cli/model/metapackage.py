@@ -11,7 +11,7 @@ PAPER = re.compile(
     r"(.*/)?(README|CHANGELOG|LICENSE|LICENCE|CONTRIBUTING|QUALITY_DECLARATION|NOTICE|Doxyfile)[^/]*", re.I
 )
 FRAME = re.compile(
-    r"package\.xml|CMakeLists\.txt|setup\.(py|cfg)|resource/[^/]*|\.[^/]*|docs?/.*|(.*/)?__init__\.py|COLCON_IGNORE"
+    r"package\.xml|CMakeLists\.txt|setup\.(py|cfg)|resource/[^/]*|\.[^/]*|docs?/.*|rosdoc2?\.ya?ml|(.*/)?__init__\.py|COLCON_IGNORE"
 )
 
 

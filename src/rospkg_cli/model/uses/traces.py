@@ -51,6 +51,8 @@ class Traces:
     def purpose(self, path: str) -> Purpose | None:
         """Return what a file is there for; None for what is no text, or what CMake's calls tell better."""
         suffix = PurePosixPath(path).suffix
+        if path.rpartition("/")[2].upper().startswith("CHANGELOG"):
+            return None
         if path == "package.xml" or (path.endswith("CMakeLists.txt") and self.cmake is not None):
             return None
         if suffix in DOCS:

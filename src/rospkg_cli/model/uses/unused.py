@@ -14,6 +14,7 @@ from ..cmake.project import CMake
 from ..cpp.file import CppFile
 from ..files import PackageFiles
 from ..manifest import Dependency
+from ..python import Import
 from .declared import Declared
 from .python import PythonUse
 from .serving import served_by
@@ -136,4 +137,7 @@ class Unused:
     def served(self) -> frozenset[str]:
         """Every name that may stand behind an import."""
         imports = (each for file in self.python.files for each in file.imports)
-        return frozenset(name for each in imports for name in served_by(self.declared, each))
+        return frozenset(name for each in imports for name in self.serving(each))
+
+    def serving(self, what: Import) -> tuple[str, ...]:
+        return served_by(self.declared, what)

@@ -1,0 +1,65 @@
+"""DEP204 test-only-dependency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import change_tag
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.uses.tested import UsedInTests
+from ...rule import Profile, rule
+
+USED = "  <exec_depend>rclpy</exec_depend>\n"
+FOUND = CMAKE.replace(
+    "ament_package()", "if(BUILD_TESTING)\n  find_package(std_msgs REQUIRED)\nendif()\nament_package()"
+)
+
+
+@rule(
+    "DEP204",
+    "test-only-dependency",
+    over=UsedInTests,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>«python3-pytest»</exec_depend>\n" + USED),
+                "my_pkg/talker.py": "import rclpy\n",
+                "test/test_talker.py": "import pytest\n\n\ndef test_nothing():\n    pytest.skip()\n",
+            },
+            good={"package.xml": manifest("  <test_depend>python3-pytest</test_depend>\n" + USED)},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            on="ament_cmake",
+            bad={"package.xml": manifest("  <depend>«std_msgs»</depend>\n", "ament_cmake"), "CMakeLists.txt": FOUND},
+            good={"package.xml": manifest("  <test_depend>std_msgs</test_depend>\n", "ament_cmake")},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def test_only_dependency(used: UsedInTests) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that tests alone import, or that CMake looks for only where it builds tests, and that are declared as
+    `<depend>`, `<build_depend>` or `<exec_depend>`.
+
+    ## Why is this bad?
+    Everybody who installs the package installs it too, and who builds it without tests waits for it.
+
+    ## Fix safety
+    Something outside of the package may rely on its being installed along.
+    """
+    manifest = used.unused.declared.manifest
+    for each in used.alone():
+        line = f"<test_depend>{each.name}</test_depend>"
+        message = (
+            f"`{each.name}` is declared as <{each.tag}>, and only tests use it: everybody installs it all the same; "
+            f"write {line}"
+        )
+        fix = Fix(
+            f"declare `{each.name}` as <test_depend>", (change_tag(manifest, each, "test_depend"),), Safety.UNSAFE
+        )
+        yield Hit(manifest.path, each.span, message, fix=fix)

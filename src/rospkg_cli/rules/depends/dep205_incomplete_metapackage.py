@@ -1,0 +1,66 @@
+"""DEP205 incomplete-metapackage."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...edits.manifest import add_dependency
+from ...example import CMAKE, Example, manifest
+from ...finding import Fix, Hit, Safety, Severity
+from ...model.uses.gathered import Gathered
+from ...rule import Profile, rule
+
+PARTS = ("arm", "base", "camera", "driver", "msgs")
+FILES = {f"acme_{part}/package.xml": manifest("", "ament_cmake", f"acme_{part}") for part in PARTS} | {
+    f"acme_{part}/CMakeLists.txt": CMAKE.replace("my_pkg", f"acme_{part}") for part in (*PARTS, "robot")
+}
+
+
+def metapackage(*parts: str) -> str:
+    body = "".join(f"  <exec_depend>acme_{part}</exec_depend>\n" for part in parts)
+    return manifest(body, "ament_cmake", "acme_robot")
+
+
+@rule(
+    "DEP205",
+    "incomplete-metapackage",
+    over=Gathered,
+    severity=Severity.INFO,
+    profile=Profile.PEDANTIC,
+    examples=(
+        Example(
+            on="",
+            bad={
+                ".github/workflows/build.yml": "on: push\n",
+                "LICENSE": "Apache License\n",
+                **FILES,
+                "acme_robot/package.xml": metapackage(*PARTS[:-1]).replace(
+                    "<name>acme_robot</name>", "<name>«acme_robot»</name>"
+                ),
+            },
+            good={"acme_robot/package.xml": metapackage(*PARTS)},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def incomplete_metapackage(gathered: Gathered) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds metapackages that name nearly all packages of their repository and leave one out that none of the others
+    needs. Tests, examples, demos and other metapackages are left alone, and so are packages that need the metapackage.
+
+    ## Why is this bad?
+    Who installs the metapackage to have everything lacks a part; it was forgotten when that package was made.
+
+    ## Fix safety
+    The package may be left out on purpose.
+    """
+    manifest, facts = gathered.declared.manifest, gathered.declared.facts
+    for each in gathered.missing():
+        line = f"<{gathered.tag}>{each.name}</{gathered.tag}>"
+        message = (
+            f"`{each.name}` is not among what the metapackage `{facts.name}` names, and nearly all other packages of "
+            f"the repository are: who installs `{facts.name}` does not get it; add {line}"
+        )
+        fix = Fix(f"add {line}", (add_dependency(manifest, gathered.tag, each.name),), Safety.UNSAFE)
+        yield Hit(manifest.path, facts.name_span, message, fix=fix)

@@ -1,0 +1,79 @@
+"""DEP205 and DEP204: what a metapackage leaves out, and what only tests use."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.testing import lint_files
+
+REPOSITORY = {".github/workflows/build.yml": "on: push\n"}
+NAMED = ("arm", "base", "camera", "driver")
+PYTHON = present(BACKDROPS["ament_python"])
+CPP = present(BACKDROPS["ament_cmake"])
+
+
+def package(name: str, body: str = "") -> dict[str, str]:
+    return {f"{name}/package.xml": manifest(body, "ament_cmake", name), f"{name}/CMakeLists.txt": CMAKE}
+
+
+def left_out(*others: dict[str, str], names: tuple[str, ...] = NAMED) -> list[str]:
+    body = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in names)
+    files = REPOSITORY | package("robot", body)
+    for each in (*(package(name) for name in NAMED), *others):
+        files |= each
+    return [finding.message.split("`")[1] for finding in lint_files(files, ["DEP205"]).findings]
+
+
+def test_a_metapackage_that_leaves_one_out() -> None:
+    assert left_out(package("lidar")) == ["lidar"]
+    assert left_out() == []
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        package("robot_tests"),
+        package("robot_examples"),
+        package("simulation", "  <exec_depend>robot</exec_depend>\n"),
+        package("tools", "  <exec_depend>arm</exec_depend>\n"),
+    ],
+)
+def test_what_a_metapackage_need_not_name(other: dict[str, str]) -> None:
+    assert left_out(other) == []
+
+
+def test_what_comes_with_a_named_package() -> None:
+    assert left_out(package("lidar"), package("arm", "  <depend>lidar</depend>\n")) == []
+
+
+def test_a_metapackage_of_a_part_of_the_repository() -> None:
+    assert left_out(package("lidar"), package("sonar"), package("radar")) == []
+    assert left_out(package("lidar"), names=NAMED[:3]) == []
+
+
+def only_tests(files: dict[str, str]) -> list[str]:
+    return [finding.message.split("`")[1] for finding in lint_files(files, ["DEP204"]).findings]
+
+
+@pytest.mark.parametrize("tag, found", [("depend", ["nav_msgs"]), ("exec_depend", ["nav_msgs"]), ("test_depend", [])])
+def test_what_tests_alone_import(tag: str, found: list[str]) -> None:
+    files = {
+        **PYTHON,
+        "package.xml": manifest(f"  <{tag}>nav_msgs</{tag}>\n"),
+        "test/test_a.py": "import nav_msgs.msg\n",
+    }
+    assert only_tests(files) == found
+    assert only_tests({**files, "my_pkg/node.py": "import nav_msgs.msg\n"}) == []
+    assert only_tests({**files, "launch/a.launch.xml": "<launch><node pkg='nav_msgs' exec='x'/></launch>\n"}) == []
+
+
+def test_what_cmake_looks_for_in_tests_alone() -> None:
+    testing = "if(BUILD_TESTING)\n  find_package(nav_msgs REQUIRED)\nendif()\n"
+    files = {**CPP, "package.xml": manifest("  <depend>nav_msgs</depend>\n", "ament_cmake")}
+    files["CMakeLists.txt"] = CMAKE.replace("ament_package()", f"{testing}ament_package()")
+    assert only_tests(files) == ["nav_msgs"]
+    assert only_tests({**files, "src/node.cpp": "#include <nav_msgs/msg/odometry.hpp>\n"}) == []
+    assert only_tests({**files, "README.md": "It shows nav_msgs.\n"}) == []
+    node = {"package.xml": manifest("  <exec_depend>nav_msgs</exec_depend>\n", "ament_cmake")}
+    assert only_tests({**files, **node}) == []
