@@ -219,6 +219,12 @@ def test_a_launch_test_that_cmake_does_not_run_is_left_alone() -> None:
     assert said({**files, "CMakeLists.txt": named_there}) == ["LCH002 error"]
 
 
+def test_a_launch_file_that_is_not_installed_is_no_idle_test() -> None:
+    launch = python("return LaunchDescription([Node(package='my_pkg', executable='no')])")
+    files = {**BASE, "CMakeLists.txt": CMAKE, "launch/a.launch.py": launch}
+    assert said(files) == ["LCH002 error"]
+
+
 def test_old_arguments_are_left_where_the_distro_is_asked_for() -> None:
     both = (
         "if os.environ['ROS_DISTRO'] == 'dashing':\n    return Node(node_executable='x')\nreturn Node(executable='x')"

@@ -55,15 +55,10 @@ class LaunchScope:
 
     @cached_property
     def idle(self) -> bool:
-        """Whether nobody starts the file, where that can be told: CMake does not name it.
-
-        What is installed may be started by name, but for tests.
-        """
-        if self.cmake is None or not self.cmake.complete or self.cmake.speaks_of(self.file.path):
-            return False
-        if role_of(self.file.path) == "test":
-            return True
-        return not self.places and self.table is not None and self.table.knows("share")
+        """Whether it is a test that nobody runs: CMake does not name it, as far as that can be told."""
+        test = role_of(self.file.path) == "test"
+        told = self.cmake is not None and self.cmake.complete
+        return test and told and self.cmake is not None and not self.cmake.speaks_of(self.file.path)
 
     @property
     def left_over(self) -> bool:
