@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -149,6 +150,15 @@ def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean
         arguments = ("lint", "--select", "DEP001", "--format", "concise", "--jobs", jobs)
         done = rospkg(*arguments, cwd=tmp_path / "src", **surroundings)
         assert done.stdout.count("did you mean `wheel_odometry`?") == 2, done.stderr
+
+
+@pytest.mark.parametrize("name, says", [("my_companys_driver", True), ("gripper-lib", False)])
+def test_an_old_index_is_said_where_it_told_a_name(tmp_path: Path, write, clean, name: str, says: bool) -> None:
+    surroundings = {"XDG_CACHE_HOME": str(tmp_path / "cache")}
+    keep(replace(INDEX, fetched="2020-01-01T00:00:00Z"), surroundings)
+    write(tmp_path / "my_pkg", {**clean, "package.xml": manifest(need(name))})
+    done = rospkg("lint", "--select", "DEP001", "my_pkg", cwd=tmp_path, **surroundings)
+    assert ("days old; `rospkg index update` fetches it anew" in done.stderr) is says
 
 
 def test_the_index_is_read_when_a_name_is_asked_for(tmp_path: Path) -> None:

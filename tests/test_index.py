@@ -16,6 +16,9 @@ from small_rosdistro import DISTROS, FILES, distribution, index, serve
 from test_lint_command import rospkg
 
 from rospkg_cli.cli import app
+from rospkg_cli.index import NamesError
+from rospkg_cli.index.fetch import fetch
+from rospkg_cli.index.place import Place
 from rospkg_cli.ros.index import parse
 
 Run = Callable[..., SimpleNamespace]
@@ -224,6 +227,13 @@ def test_a_bad_mirror_is_one_sentence_and_the_old_names_stay(
         fails(run("update", "--source", mirror.url), says)
     assert cache.read_bytes() == before
     assert [each.name for each in cache.parent.iterdir()] == ["index.txt"]
+
+
+def test_a_server_that_says_nothing_is_not_waited_for() -> None:
+    with serve() as mirror:
+        mirror.broken["index-v4.yaml"] = "stall"
+        with pytest.raises(NamesError, match="nothing comes from there"):
+            fetch(Place(f"{mirror.url}/index-v4.yaml"), timeout=0.2)
 
 
 @pytest.mark.parametrize("sent, status", [(signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)])

@@ -6,7 +6,6 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timezone
 from pathlib import Path
 
 from ..config import own_config
@@ -19,6 +18,7 @@ from ..ros.names import BUILT_IN
 from ..ros.rosdep import CODENAMES, NOT_THERE
 from ..suggest import did_you_mean
 from . import UsageError
+from .age import age, in_words
 from .progress import progress
 
 
@@ -36,7 +36,7 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
     path = cache_file(os.environ)
     with progress(not quiet) as say:
         wanted = distros or own.get("distros") or names
-        index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"{n} of {of}: {what}"))
+        index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"reading {n} of {of}: {what}"))
     keep(index, os.environ)
     if not quiet:
         print("\n".join(shown(index, path)))
@@ -86,13 +86,3 @@ def document(index: Index, path: Path) -> dict[str, object]:
         "path": str(path),
         "distros": counts,
     }
-
-
-def age(index: Index) -> int:
-    """Return how many days ago an index was fetched."""
-    then = datetime.strptime(index.fetched, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=timezone.utc)
-    return max(0, (datetime.now(timezone.utc) - then).days)
-
-
-def in_words(days: int) -> str:
-    return "today" if days == 0 else "yesterday" if days == 1 else f"{days} days ago"

@@ -18,6 +18,7 @@ from ..engine.write import write_changes, write_text
 from ..finding import Safety, Severity
 from ..report import Report
 from ..report.style import wants_color
+from .age import warn_of_age
 from .diff import unified
 from .ignoring import add_ignores
 from .options import LintOptions, make_session, outputs
@@ -60,6 +61,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     if options.add_ignores is not None and checked:
         return add_ignores(options.add_ignores, session, report)
     show(options, report, files, stream)
+    warn_of_age(session.scope.index, outcome.results.findings)
     return status(options, config, report, outcome)
 
 
