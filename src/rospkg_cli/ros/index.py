@@ -48,8 +48,8 @@ class Index:
 
 def dump(index: Index) -> str:
     """Return the text of an index, the same for the same index. Names with blanks are left out: none can be used."""
-    lines = [f"source {index.source}", f"fetched {index.fetched}", f"distros {' '.join(index.distros)}"]
-    lines += [f"list {each}" for each in index.lists]
+    lines = [f"source {one_line(index.source)}", f"fetched {index.fetched}", f"distros {' '.join(index.distros)}"]
+    lines += [f"list {one_line(each)}" for each in index.lists]
     lines += [f"packages {','.join(mark)} {' '.join(names)}" for mark, names in grouped(index.packages)]
     lines += [f"keys {','.join(mark)} {' '.join(names)}" for mark, names in grouped(index.keys)]
     for kind, named in (("pip", index.pip), ("apt", index.apt)):
@@ -68,6 +68,10 @@ def grouped(named: Named) -> list[tuple[tuple[str, ...], list[str]]]:
 
 def is_word(name: str) -> bool:
     return name.split() == [name]
+
+
+def one_line(text: str) -> str:
+    return " ".join(text.split("\n"))
 
 
 def checksum(body: str) -> str:
