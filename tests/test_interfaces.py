@@ -6,7 +6,7 @@ import pytest
 from interface_texts import REFUSED, TAKEN
 
 from rospkg_cli.engine.apply import apply_fixes
-from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.example import BACKDROPS, INTERFACES_BODY, manifest
 from rospkg_cli.model.interface.declared import Interface
 from rospkg_cli.model.interface.names import is_accepted
 from rospkg_cli.model.interface.text import parse_interface
@@ -199,3 +199,13 @@ def test_two_missing_dependencies_make_one_keyword() -> None:
         files = {**files, **{path: entry.text.text for path, entry in changes.items() if entry}}
     assert files["CMakeLists.txt"].count("DEPENDENCIES") == 1
     assert "DEPENDENCIES std_msgs unique_identifier_msgs" in files["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize("targets, codes", [((), []), (("jazzy",), []), (("humble", "jazzy"), ["IDL007"])])
+def test_services_pass_nothing_on_to_humble(targets: tuple[str, ...], codes: list[str]) -> None:
+    files = {
+        **{path: text for path, text in BACKDROPS["interfaces"].items() if text is not None},
+        "package.xml": manifest("  <depend>builtin_interfaces</depend>\n" + INTERFACES_BODY, "ament_cmake"),
+        "msg/Status.msg": "builtin_interfaces/Time stamp\n",
+    }
+    assert [finding.code for finding in lint_files(files, ["IDL007"], targets).findings] == codes

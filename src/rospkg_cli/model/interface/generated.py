@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...ros.core_messages import CORE_NEEDS
+from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ..cmake.call import located
 from ..cmake.components import InterfaceTarget
@@ -47,6 +48,7 @@ class GeneratedInterfaces:
     interfaces: tuple[Interface, ...]
     package: PackageFacts
     workspace: Workspace
+    targets: Targets
 
     @cached_property
     def listed(self) -> tuple[Listed, ...]:
@@ -104,10 +106,14 @@ class GeneratedInterfaces:
                         yield UnlistedNeed(target, kind.package, interface, kind, certain)
 
     def passed_on(self, target: InterfaceTarget) -> tuple[set[str], bool]:
-        """Return the packages whose interfaces a call links, and whether these are all."""
+        """Return the packages whose interfaces a call links, and whether these are all.
+
+        Actions pass `action_msgs` on; since Iron, services pass `service_msgs` on too.
+        """
         found: set[str] = set()
         certain, waiting = True, [word.text for word in target.dependencies]
-        if any(word.text.endswith((".srv", ".action")) for word in target.files):
+        services_do = not self.targets.named(lambda distro: distro.name == "humble")
+        if any(word.text.endswith((".srv", ".action") if services_do else ".action") for word in target.files):
             waiting += ["action_msgs", "service_msgs"]
         while waiting:
             name = waiting.pop()
