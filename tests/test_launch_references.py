@@ -142,14 +142,21 @@ def test_what_other_packages_install_is_known() -> None:
     assert finds("config/more.yaml", **more) == []
 
 
-def test_what_the_build_writes_may_be_missing() -> None:
+@pytest.mark.parametrize(
+    "line",
+    [
+        "configure_file(config/made.yaml.in ${CMAKE_CURRENT_SOURCE_DIR}/config/made.yaml)",
+        "configure_file(config/made.yaml.in ${CMAKE_CURRENT_SOURCE_DIR}/config/${NAME}.yaml)",
+        "execute_process(COMMAND xacro config/made.xacro -o ${CMAKE_CURRENT_SOURCE_DIR}/config/made.yaml)",
+        "xacro_add_files(config/made.yaml.xacro INSTALL DESTINATION config)",
+        "install(DIRECTORY submodule/config DESTINATION share/${PROJECT_NAME})",
+    ],
+)
+def test_what_the_build_writes_may_be_missing(line: str) -> None:
     launch = '<launch>\n  <include file="$(find-pkg-share my_pkg)/config/made.yaml"/>\n</launch>\n'
     files = {**BASE, "launch/a.launch.xml": launch}
     assert said(files) == ["LCH003 error"]
-    line = "configure_file(config/made.yaml.in ${CMAKE_CURRENT_SOURCE_DIR}/config/made.yaml)\nament_package"
-    assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", line)}) == []
-    foreach = line.replace("made.yaml)", "${NAME}.yaml)")
-    assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", foreach)}) == []
+    assert said({**files, "CMakeLists.txt": INSTALL.replace("ament_package", f"{line}\nament_package")}) == []
 
 
 def test_of_what_is_installed_and_not_there_cmake_speaks() -> None:
@@ -217,6 +224,27 @@ def test_a_launch_test_that_cmake_does_not_run_is_left_alone() -> None:
     assert said(files) == []
     named_there = INSTALL.replace("ament_package", "add_launch_test(test/no_launch_test.launch.py)\nament_package")
     assert said({**files, "CMakeLists.txt": named_there}) == ["LCH002 error"]
+
+
+@pytest.mark.parametrize(
+    "started, built, meant",
+    [
+        ("planner", "my_pkg_planner_node", "my_pkg_planner_node"),
+        ("my_pkg_planner_node", "planner", "planner"),
+        ("planner", "my_pkg_planner_node my_pkg_planner_tool", None),
+        ("planner", "driver", None),
+    ],
+)
+def test_what_a_rename_left_is_told(started: str, built: str, meant: str | None) -> None:
+    lines = "".join(f"add_executable({each} a.cpp)\n" for each in built.split())
+    rule = f"{lines}install(TARGETS {built} DESTINATION lib/my_pkg)\nament_package"
+    files = {
+        **BASE,
+        "CMakeLists.txt": CMAKE.replace("ament_package", rule),
+        "launch/a.launch.xml": f'<launch><node pkg="my_pkg" exec="{started}"/></launch>',
+    }
+    (found,) = lint_files(files, ["LCH002"]).findings
+    assert (f"did you mean `{meant}`?" in found.message) == (found.fix is not None) == (meant is not None)
 
 
 def test_a_launch_file_that_is_not_installed_is_no_idle_test() -> None:

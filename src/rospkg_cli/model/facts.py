@@ -120,8 +120,9 @@ class PackageFacts:
         return field not in self.unknown
 
     def makes(self, path: str) -> bool:
-        """Return whether its build writes a file of that name."""
-        return any(fnmatchcase(path.rpartition("/")[2], pattern) for pattern in self.made)
+        """Return whether its build may write a file, wherever it goes."""
+        name = path.rpartition("/")[2]
+        return any(fnmatchcase(path if "/" in pattern else name, pattern) for pattern in self.made)
 
     def at(self, path: str) -> str:
         """Return the path of a file of this package as another package's rule must write it."""

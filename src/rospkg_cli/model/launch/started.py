@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...source import Span
+from ...suggest import nearest
 from ..facts import PackageFacts
 from .scope import LaunchScope
 
@@ -21,6 +22,17 @@ class StartedNode:
     plain: bool
     """Whether the span holds the name and nothing else."""
     facts: PackageFacts
+
+    @property
+    def meant(self) -> str | None:
+        """The one executable whose name is near, or that differs by words that a rename put on or took off."""
+        if near := nearest(self.executable, self.facts.executables):
+            return near
+        words = set(self.executable.split("_"))
+        renamed = [
+            name for name in self.facts.executables if words <= (other := set(name.split("_"))) or other <= words
+        ]
+        return renamed[0] if len(renamed) == 1 else None
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.launch.started import Started, StartedNode
 from ...rule import rule
-from ...suggest import nearest
 
 SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
@@ -53,7 +52,7 @@ def unknown_executable(started: Started) -> Iterator[Hit]:
     The one name that is near is put in its place; it may be another program than the one that was meant.
     """
     for node in started.unknown_executables():
-        meant = nearest(node.executable, node.facts.executables)
+        meant = node.meant
         there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8]) or "no executable at all"
         hint = f"did you mean `{meant}`?" if meant else f"it installs {there}"
         message = (
