@@ -7,8 +7,10 @@ import re
 from pathlib import Path
 
 from test_lint_command import rospkg
+from typer.main import get_command
 
 from rospkg_cli.cli.app import app
+from rospkg_cli.scaffold.template import read_template
 
 ROOT = Path(__file__).parents[1]
 NEW = (
@@ -44,6 +46,19 @@ def test_the_problem_matcher_reads_concise(tmp_path, write, clean) -> None:
     assert found.group(pattern["file"]) == "my_pkg/package.xml"
     assert found.group(pattern["severity"]) == "warning"
     assert found.group(pattern["code"]) == "XML104"
+
+
+def test_the_page_on_new_names_its_options_and_a_template_that_can_be_read(tmp_path) -> None:
+    text = (ROOT / "docs/new.md").read_text()
+    [command] = [command for command in get_command(app).commands.values() if command.name == "new"]
+    options = {name for parameter in command.params for name in (*parameter.opts, *parameter.secondary_opts)}
+    named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text)) - {"--packages-select"}
+    assert named <= options
+    told_by_help = {"--build-type", "--description", "--maintainer", "--email", "--license", "--version", "--year"}
+    assert {name for name in options if name.startswith("--")} - named <= told_by_help | {"--into", "--color", "--help"}
+    [block] = [block for block in re.findall(r"```toml\n(.*?)```", text, re.DOTALL) if "build-type" in block]
+    (tmp_path / "template.toml").write_text(block)
+    assert len(read_template(tmp_path).files) == 4
 
 
 def test_hooks_run_verbs_that_exist() -> None:

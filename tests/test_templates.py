@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import configparser
 import itertools
+import json
 import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -21,6 +22,7 @@ from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.around import Around
+from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.kinds import OF, all_kinds
 from rospkg_cli.scaffold.launching import FORMATS
 from rospkg_cli.scaffold.plan import Plan, make_plan
@@ -65,6 +67,7 @@ FACTORS = {
     "params": (True, False),
     "tests": tuple(TESTS),
     "depends": tuple(DEPENDS),
+    "extras": ((), tuple(all_extras())),
 }
 COMBINATIONS = [
     {"template": template, **row}
@@ -160,6 +163,8 @@ def faultless(planned: Plan) -> None:
             assert max(map(len, text.splitlines()), default=0) <= 99, path
         if path.endswith(".yaml"):
             assert yaml.safe_load(text)
+        if path.endswith(".json"):
+            assert json.loads(text)
 
 
 def test_the_same_answers_give_the_same_bytes() -> None:
@@ -184,7 +189,8 @@ def test_every_file_of_the_templates_ends_in_j2() -> None:
     for name in (*template_names(), "_shared"):
         folder = load_template("ament_python").folders[1] / name
         names = {path.name for path in folder.rglob("*") if path.is_file()}
-        assert [n for n in names if not n.endswith(".j2")] == ["kinds.toml" if name == "_shared" else "template.toml"]
+        others = {"kinds.toml", "extras.toml"} if name == "_shared" else {"template.toml"}
+        assert {n for n in names if not n.endswith(".j2")} == others
 
 
 def test_dependencies_stand_in_their_tags() -> None:
@@ -335,6 +341,35 @@ def test_a_launch_test_waits_for_every_node_of_the_launch_file(template: str, fo
     assert "<test_depend>launch_testing</test_depend>" in files["package.xml"]
     assert ("mark.launch_test" in test) == (template == "ament_python")
     assert ("add_launch_test(test/test_launch.py)\n" in files.get("CMakeLists.txt", "")) == (template != "ament_python")
+
+
+@pytest.mark.parametrize("template", template_names())
+def test_extras_come_with_every_type(template: str) -> None:
+    planned = plan(template=template, extras=tuple(all_extras()), distro="jazzy")
+    faultless(planned)
+    files = texts(planned)
+    plain = set(texts(plan(template=template)))
+    assert set(files) - plain == {
+        ".devcontainer/devcontainer.json", ".github/workflows/ci.yaml", ".pre-commit-config.yaml", "doc/index.md",
+    }  # fmt: skip
+    workflow = yaml.safe_load(files[".github/workflows/ci.yaml"])
+    assert workflow["jobs"]["test"]["strategy"]["matrix"] == {"distro": ["jazzy"]}
+    assert workflow["jobs"]["test"]["container"] == "ros:${{ matrix.distro }}-ros-base"
+    assert "ros:jazzy-ros-base" in files[".devcontainer/devcontainer.json"]
+    hooks = yaml.safe_load(files[".pre-commit-config.yaml"])["repos"][-1]["hooks"]
+    assert [hook["id"] for hook in hooks] == ["rospkg-fix"]
+
+
+def test_a_workflow_below_the_root_of_a_repository_is_mentioned(tmp_path: Path) -> None:
+    asked = Request("my_pkg", extras=("ci",), maintainer="Ada", email="ada@example.org")
+    assert make_plan(asked, tmp_path / "src", {}).notes == ()
+    (tmp_path / ".git").mkdir()
+    assert f"move `.github` to `{tmp_path}`" in make_plan(asked, tmp_path / "src", {}).notes[0]
+
+
+def test_unknown_extras_are_refused() -> None:
+    with pytest.raises(ScaffoldError, match=r"knows no `precommit` \(did you mean `pre-commit`\?\); known: ci, "):
+        plan(extras=("precommit",))
 
 
 def test_unknown_tests_are_refused() -> None:

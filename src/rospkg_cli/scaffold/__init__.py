@@ -3,3 +3,7 @@
 
 class ScaffoldError(Exception):
     """What can't be written as asked; the message is one sentence that says why and what to do."""
+
+
+class OwnFaultError(Exception):
+    """A template that writes what our own linter refuses."""

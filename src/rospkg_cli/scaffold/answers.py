@@ -36,6 +36,10 @@ class Request:
     params: bool = True
     tests: str = ""
     """`ament`, `minimal` or `none`."""
+    extras: tuple[str, ...] = ()
+    """What `--with` adds."""
+    own_template: str = ""
+    """A folder or the address of a git repository, in the place of `template`."""
     description: str = ""
     license: str = ""
     maintainer: str = ""

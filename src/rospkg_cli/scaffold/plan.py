@@ -10,14 +10,16 @@ from pathlib import Path
 from ..finding import Finding, Severity
 from ..ros.interfaces import SEPARATORS
 from ..suggest import did_you_mean
-from . import ScaffoldError
+from . import OwnFaultError, ScaffoldError
 from .answers import Answers, Request
 from .around import Around, around
 from .ask import asked_interfaces, depends_of, distro_of, license_of, version_of
+from .extras import notes_on_extras, with_extras
 from .identity import Who, check_for_cmake, who
 from .launching import check_typed, launch_of, notes_on_launch
 from .names import check_package_name
 from .node import nodes_of
+from .own import own_template
 from .proof import lint_written
 from .render import Written, render, render_line
 from .start import Started, started_by
@@ -31,24 +33,17 @@ TESTS = "ament"
 VERSION = "0.1.0"
 
 
-class OwnFaultError(Exception):
-    """A template wrote what our own linter refuses."""
-
-
 @dataclass(frozen=True)
 class Plan:
     answers: Answers
     template: Template
     files: tuple[Written, ...]
+    commands: tuple[str, ...]
+    """What to type next, from the root of the workspace."""
     findings: tuple[Finding, ...]
     """What our own linter says of what was asked for (a key that nobody knows, say); never an error."""
     notes: tuple[str, ...]
     """What the user should hear: guesses, and what follows from what was asked for."""
-
-    @property
-    def commands(self) -> list[str]:
-        """What to type next, from the root of the workspace."""
-        return [render_line(self.template, line, self.answers) for line in self.template.commands]
 
 
 def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there: Around | None = None) -> Plan:
@@ -58,7 +53,15 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there
     environment, from git's config as it holds in the folder, and at last from the login. `there` are the packages
     around, if not those on disk.
     """
-    template = template_of(request.template)
+    if not request.own_template:
+        return plan_with(template_of(request.template), request, folder, defaults, there)
+    with own_template(request.own_template) as template:
+        return plan_with(template, request, folder, defaults, there)
+
+
+def plan_with(
+    template: Template, request: Request, folder: Path, defaults: Mapping[str, str], there: Around | None
+) -> Plan:
     check_package_name(request.name)
     notes: list[str] = []
     check_typed(request.launch, template)
@@ -66,6 +69,8 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there
     maintainer = who(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
         check_for_cmake(maintainer.name)
+    template = with_extras(template, request.extras)
+    notes.extend(notes_on_extras(request.extras, folder))
     there = (there or around(folder)).without(request.name)
     answers = answers_of(request, maintainer, template, there, notes)
     files = render(template, answers)
@@ -73,7 +78,8 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there
     refuse_errors(template, findings)
     if maintainer.guessed:
         notes.append(where_guessed(maintainer, files))
-    return Plan(answers, template, files, findings, tuple(notes))
+    commands = tuple(render_line(template, line, answers) for line in template.commands)
+    return Plan(answers, template, files, commands, findings, tuple(notes))
 
 
 def template_of(name: str) -> Template:
@@ -125,7 +131,7 @@ def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
             raise ScaffoldError(f"{finding.place.path.partition('/')[2]}: {finding.message}")
     if faults:
         shown = "; ".join(f"{each.place.path}:{each.place.line}: {each.code} {each.message}" for each in faults)
-        raise OwnFaultError(f"the template `{template.name}` writes what our own linter refuses: {shown}")
+        raise OwnFaultError(f"`{template.name}` writes what our own linter refuses: {shown}")
 
 
 def where_guessed(maintainer: Who, files: Sequence[Written]) -> str:

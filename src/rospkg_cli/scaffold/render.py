@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2.sandbox import SandboxedEnvironment
 
 from ..tree import Entry
 from . import ScaffoldError
@@ -29,11 +30,12 @@ class Written:
 def render(template: Template, answers: Answers) -> tuple[Written, ...]:
     """Return every file, sorted by path; raises ScaffoldError where two have one path."""
     environment = make_environment(template)
+    bracketed = make_environment(template, brackets=True)
     values = known_values(answers)
     files: dict[str, Written] = {}
     for file in template.files:
         for extra in items(environment, file, values):
-            one = render_file(environment, file, {**values, **extra})
+            one = render_file(environment, file, {**values, **extra}, bracketed if file.brackets else environment)
             if one.path in files:
                 raise ScaffoldError(f"two files would have the name `{one.path}`; choose other names for the nodes")
             files[one.path] = one
@@ -48,13 +50,22 @@ def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) 
             yield extra
 
 
-def render_file(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Written:
+def render_file(
+    environment: Environment, file: TemplateFile, values: dict[str, Any], of_source: Environment
+) -> Written:
     source = environment.from_string(file.source).render(values)
-    text = environment.get_template(source + ".j2").render(values)
-    path = environment.from_string(file.path).render(values)
+    text = of_source.get_template(source + ".j2").render(values)
+    path = inside(environment.from_string(file.path).render(values))
     about = environment.from_string(file.about).render(values)
     mode = 0o755 if text.startswith("#!") else 0o644
     return Written(path, Entry("file", text.encode(), mode), about)
+
+
+def inside(path: str) -> str:
+    """Return a path; raises ScaffoldError where it leads out of the package, or into what git keeps there."""
+    if not path or path.startswith("/") or {"", ".", "..", ".git"} & set(path.split("/")) or "\\" in path:
+        raise ScaffoldError(f"the template would write `{path}`, which is no path inside of the package")
+    return path
 
 
 def render_line(template: Template, line: str, answers: Answers) -> str:
@@ -62,9 +73,20 @@ def render_line(template: Template, line: str, answers: Answers) -> str:
     return make_environment(template).from_string(line).render(known_values(answers))
 
 
+BRACKETS: dict[str, Any] = {
+    "variable_start_string": "[[",
+    "variable_end_string": "]]",
+    "block_start_string": "[%",
+    "block_end_string": "%]",
+    "comment_start_string": "[#",
+    "comment_end_string": "#]",
+}
+
+
 @cache
-def make_environment(template: Template) -> Environment:
-    environment = Environment(
+def make_environment(template: Template, brackets: bool = False) -> Environment:
+    environment = SandboxedEnvironment(  # a template may be a stranger's
+        **(BRACKETS if brackets else {}),
         loader=FileSystemLoader([str(folder) for folder in template.folders]),
         undefined=StrictUndefined,
         autoescape=False,  # each text names the language of its file; see `told`

@@ -30,6 +30,8 @@ class TemplateFile:
     """The answer that holds the items; an item goes by the name in the singular (`nodes`: `node`)."""
     when: str = ""
     """An expression; the file is written where it holds."""
+    brackets: bool = False
+    """Whether the source has `[[ ]]` and `[% %]`, because `{{ }}` means something else in its language."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,8 @@ class Template:
     files: tuple[TemplateFile, ...]
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace, with `{{ }}`."""
+    folder: Path
+    """Where its template.toml is."""
 
     @property
     def launches(self) -> bool:
@@ -59,7 +63,7 @@ class Template:
     @property
     def folders(self) -> tuple[Path, ...]:
         """The folders that sources and includes are looked for in."""
-        return (resources("templates") / self.name / "files", resources("templates"))
+        return (self.folder / "files", resources("templates"))
 
 
 def template_names() -> tuple[str, ...]:
@@ -68,10 +72,15 @@ def template_names() -> tuple[str, ...]:
 
 
 def load_template(name: str) -> Template:
-    """Read a template; raises FileNotFoundError, and KeyError or TypeError where its template.toml is wrong."""
-    data = tomllib.loads((resources("templates") / name / "template.toml").read_text("utf-8"))
+    """Read one of our templates."""
+    return read_template(resources("templates") / name)
+
+
+def read_template(folder: Path) -> Template:
+    """Read a template; raises OSError, and ValueError, KeyError or TypeError where its template.toml is wrong."""
+    data = tomllib.loads((folder / "template.toml").read_text("utf-8"))
     return Template(
-        name=name,
+        name=folder.name,
         title=data["title"],
         build_type=data["build-type"],
         description=data["description"],
@@ -81,6 +90,7 @@ def load_template(name: str) -> Template:
         interfaces=data.get("interfaces", False),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),
+        folder=folder,
     )
 
 

@@ -45,6 +45,14 @@ def new(
         str, Option(metavar="TESTS", help="ament, minimal or none. Else ament.", rich_help_panel=WHAT)
     ] = "",
     family: Annotated[bool, Option("--family", help=FAMILY, rich_help_panel=WHAT)] = False,
+    with_: Annotated[
+        Names,
+        Option("--with", metavar="EXTRAS", help="ci, pre-commit, devcontainer, docs; by commas.", rich_help_panel=WHAT),
+    ] = None,
+    template: Annotated[
+        str,
+        Option(metavar="DIR|GIT-URL", help="A template of your own, in the place of --type.", rich_help_panel=WHAT),
+    ] = "",
     depends: Annotated[
         Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
     ] = None,
@@ -90,6 +98,8 @@ def new(
         launch=launch,
         params=params,
         tests=tests,
+        extras=split(with_),
+        own_template=template,
         description=description,
         license=license,
         maintainer=maintainer,
@@ -98,11 +108,17 @@ def new(
         distro=distro,
         year=year,
     )
+    if template and type != "ament_python":
+        raise UsageError("--template stands in the place of --type; leave one of them out")
     if force and skip:
         raise UsageError("--force replaces what --skip leaves alone; choose one of them")
     if family:
         from ..family import new_family
 
+        if template:
+            raise UsageError("--family writes our own types of packages; leave --template out")
+        if with_:
+            raise UsageError("--with is for a package that is a repository of its own; leave it out with --family")
         if diff or force or skip:
             raise UsageError(
                 "--family writes packages that are not there yet; --diff, --force and --skip want one package"
