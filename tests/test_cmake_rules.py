@@ -136,3 +136,11 @@ def test_headers_go_where_they_are_exported_from(place: str) -> None:
     wanted = place.replace("my_pkg", "${PROJECT_NAME}")
     assert finding.fix is not None
     assert f"install(DIRECTORY include/\n  DESTINATION {wanted}\n)" in finding.fix.operations[0].text
+
+
+@pytest.mark.parametrize(("sources", "count"), [("a.hpp b.h", 0), ("a.hpp b.cpp", 1), ("a.hpp ${MORE}", 1)])
+def test_a_library_of_headers_is_nothing_to_load(sources: str, count: int) -> None:
+    lines = f"add_library(empty SHARED {sources})\nadd_library(core SHARED core.cpp)\n"
+    lines += "target_link_libraries(core empty)\ninstall(TARGETS core DESTINATION lib)"
+    files = {**package(lines), **dict.fromkeys(("a.hpp", "b.h", "b.cpp", "core.cpp"), "")}
+    assert len(said(files, "CMK103")) == count

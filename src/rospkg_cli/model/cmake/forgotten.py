@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from .call import Call
+from .headers import HEADERS
 from .links import Links
 from .project import CMake
 from .targets import Target
@@ -51,7 +52,7 @@ class ForgottenTargets:
                 continue
             if target.executable and not target.call.maybe and not self.is_used(target):
                 yield Forgotten(target, "")
-            elif self.links.shared(target) and (needed := self.needed_by(target)):
+            elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)):
                 yield Forgotten(target, needed)
 
     def candidates(self) -> Iterator[Target]:
@@ -67,6 +68,11 @@ class ForgottenTargets:
         if is_aside(target):
             return True
         return any(names(call, target.name) for call in self.cmake.calls if call is not target.call)
+
+    def has_code(self, target: Target) -> bool:
+        """Return whether there may be more in a library than headers: the linker leaves an empty one out."""
+        only = bool(target.sources) and all(word.known and word.text.endswith(HEADERS) for word in target.sources)
+        return not only or any(target.name in call.texts[:1] for call in self.cmake.named("target_sources"))
 
     def needed_by(self, target: Target) -> str:
         """Return what does not work without a library."""
