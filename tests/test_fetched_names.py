@@ -13,7 +13,7 @@ from rospkg_cli.cli.new import new
 from rospkg_cli.engine.elsewhere import lists_others
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
-from rospkg_cli.finding import Finding
+from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.index.cache import keep
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.ros.index import Index, dump, parse
@@ -66,7 +66,8 @@ def need(name: str, condition: str = "") -> str:
         ("only_in_humble", (), None),
         ("only_in_humble", ("humble",), None),
         ("only_in_humble", ("humble", "jazzy"), "`only_in_humble` is released for humble and not for jazzy"),
-        ("gone", ("lyrical", "rolling"), "`gone` is released for humble and jazzy and not for lyrical and rolling"),
+        ("gone", ("kilted", "lyrical"), "`gone` is released for humble and jazzy and not for kilted and lyrical"),
+        ("gone", ("rolling",), None),
         ("old-lib", (), None),
         ("old-lib", ("humble",), None),
         ("old-lib", ("jazzy", "kilted"), "`old-lib` is a rosdep key without a rule for Ubuntu 24.04"),
@@ -86,7 +87,8 @@ def test_what_to_do_is_told() -> None:
     (finding,) = lint(need("old-lib"), "jazzy")
     assert 'ends with "No definition of [old-lib] for OS version [noble]"' in finding.message
     (finding,) = lint(need("only_in_humble"), "jazzy")
-    assert finding.message.endswith('add condition="$ROS_DISTRO == humble", or build it from source in the workspace')
+    assert finding.message.endswith('or do without it there: condition="$ROS_DISTRO != jazzy"')
+    assert finding.severity is Severity.INFO
 
 
 @pytest.mark.parametrize(
@@ -137,6 +139,8 @@ def test_without_a_workspace_the_folder_of_the_packages_is_asked(tmp_path: Path,
     write(tmp_path, {"pkg/package.xml": "", "ours.repos": ""})
     assert lists_others(None, [tmp_path / "pkg"])
     assert not lists_others(None, [])
+    write(tmp_path / "deep", {"a/one/package.xml": "", "b/two/package.xml": "", "ours.repos": ""})
+    assert lists_others(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
 
 
 def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean) -> None:

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 LISTS = (".repos", ".rosinstall")
 SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
 
 
-def lists_others(around: Path | None, packages: Iterable[Path]) -> bool:
+def lists_others(around: Path | None, packages: Sequence[Path]) -> bool:
     """Return whether something in a workspace, in a folder right below it or above one of the packages says so.
 
     Where there is no workspace around, the folder that holds the packages stands for it.
     """
-    folders = {folder for package in packages for folder in (package, package.parent)}
-    if around is not None:
-        folders = {
-            folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(around)
-        }
-        folders |= {around, *children(around)}
-    return any(lists_some(folder) for folder in folders)
+    if around is None and not packages:
+        return False
+    top = around or Path(os.path.commonpath([package.parent for package in packages]))
+    above = {folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(top)}
+    return any(lists_some(folder) for folder in {top, *above, *(children(top) if around else ())})
 
 
 def children(folder: Path) -> Iterator[Path]:
@@ -44,4 +43,7 @@ def lists_some(folder: Path) -> bool:
 
 def is_empty(folder: Path) -> bool:
     """Return whether a submodule is not checked out: its folder is missing, or holds nothing."""
-    return not folder.is_dir() or not any(folder.iterdir())
+    try:
+        return not folder.is_dir() or not any(folder.iterdir())
+    except OSError:
+        return False

@@ -73,7 +73,7 @@ class Around:
         return replace(self, trees={**self.trees, name: tree})
 
     def without(self, name: str) -> Around:
-        return Around({each: tree for each, tree in self.trees.items() if each != name})
+        return replace(self, trees={each: tree for each, tree in self.trees.items() if each != name})
 
     def named(self, name: str) -> Neighbour | None:
         return Neighbour(self.package(name)) if name in self.trees else None

@@ -55,8 +55,8 @@ class Lacking:
     @property
     def instead(self) -> str:
         if self.elsewhere:
-            having = " or ".join(f"$ROS_DISTRO == {name}" for name in self.elsewhere)
-            return f'add condition="{having}", or build it from source in the workspace'
+            lacking = " and ".join(f"$ROS_DISTRO != {each.name}" for each in self.distros)
+            return f'have it in the workspace, or do without it there: condition="{lacking}"'
         if self.meant:
             return f"did you mean `{self.meant}`?"
         return "" if self.workspace.index.is_key(self.name) else "is it a package that the workspace lacks?"

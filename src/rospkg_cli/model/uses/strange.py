@@ -40,6 +40,8 @@ class Strange:
     """What rosdep says of the name."""
     instead: str = ""
     """What to do; "" where the name that is meant says it all."""
+    elsewhere: bool = False
+    """Whether another distribution has a package of that name."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,8 @@ class NamesDeclared:
             found = None if index.is_package(each.name) or index.is_key(each.name) else self.meant(each)
             lacking = Lacking(each, self.declared.workspace, self.targets, self.lacking(each))
             if found is None and lacking.distros:
-                found = Strange(each, lacking.meant, lacking.why, lacking.fails, lacking.instead)
+                told = (lacking.meant, lacking.why, lacking.fails, lacking.instead)
+                found = Strange(each, *told, elsewhere=bool(lacking.elsewhere))
             if found is not None:
                 yield found
 
@@ -97,7 +100,11 @@ class NamesDeclared:
         without = [each for each in self.targets if self.declared.workspace.resolves(dependency.name, each) is False]
         needing = list(self.needing(dependency)) if without else []
         found = [each for each in needing if each in without]
-        return tuple(found) if self.targets.names or found == needing else ()
+        if not self.targets.names:
+            return tuple(found) if found == needing else ()
+        if self.declared.workspace.index.is_package(dependency.name):
+            found = [each for each in found if each.end_of_life]  # packages come and go in Rolling, as they are rebuilt
+        return tuple(found)
 
     def needing(self, dependency: Dependency) -> Iterator[Distro]:
         """Yield the targets for which a dependency of that name holds for certain."""

@@ -18,6 +18,7 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
     "unknown-dependency",
     over=NamesDeclared,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where another distribution than the target has the package"},
     examples=(
         Example(
             bad={"package.xml": manifest(LINE.format("«opencv-python»"))},
@@ -43,8 +44,9 @@ def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
     Finds dependencies whose name is no ROS package of the target, none of the workspace or of an installed prefix, and
     no rosdep key: names of PyPI, Ubuntu or CMake for what rosdep calls otherwise, modules of Python itself, packages
     that were renamed, and names that are one letter away from a package of every distribution. Any other unknown name
-    is reported only where `rospkg index update` has fetched the names, and so is one that a named target lacks. Where a
-    `.repos` file or an empty submodule says that more packages belong to the workspace, it can't be told.
+    is reported only where `rospkg index update` has fetched the names, and so is one that a named target lacks (but for
+    packages of other distributions that Rolling lacks: they come and go there, as they are rebuilt). Where a `.repos`
+    file or an empty submodule says that more packages belong to the workspace, it can't be told.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
@@ -64,4 +66,5 @@ def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         message = f'`{name}` {each.why}: `rosdep install` ends with "{each.fails.format(name)}"'
         message += f"; {instead}" if instead else ""
-        yield Hit(manifest.path, each.dependency.span, message, None, related, fix)
+        level = Severity.INFO if each.elsewhere else None
+        yield Hit(manifest.path, each.dependency.span, message, level, related, fix)
