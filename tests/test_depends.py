@@ -441,6 +441,14 @@ def test_any_key_of_a_library_will_do() -> None:
     assert built("DEP104", text, body) == []
 
 
+@pytest.mark.parametrize("key", ["octomap", "liboctomap-dev", "octomap_vendor"])
+def test_a_library_may_be_a_package_and_a_key(key: str) -> None:
+    text = cmake("find_package(octomap REQUIRED)", "add_executable(node src/node.cpp)")
+    include: dict[str, str | None] = {"src/node.cpp": "#include <octomap/octomap.h>\n"}
+    assert built("DEP104", text, line(key, "depend"), **include) == []
+    assert built("DEP105", text, line(key, "depend"), **include) == []
+
+
 def test_what_another_dependency_brings_is_milder() -> None:
     def levels(text: str, body: str) -> list[str]:
         files = {"package.xml": manifest(body, "ament_cmake"), "CMakeLists.txt": text}

@@ -91,7 +91,11 @@ class SoughtAndDeclared:
         return (*known, *self.fitting(name, self.declared.names)) if known else ()
 
     def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
-        """Return those of some names that fit a pattern of the table, or are called like a vendor package."""
+        """Return those of some names that fit a pattern of the table, or are called like a vendor's or Debian's package.
+
+        A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.
+        """
         patterns = [each for each in keys_for_cmake(name) if "*" in each]
-        vendor = f"{name.lower()}_vendor"
-        return tuple(n for n in names if n.lower() == vendor or any(fnmatchcase(n, p) for p in patterns))
+        debian = name.lower().replace("_", "-")
+        alike = {f"{name.lower()}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
+        return tuple(n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns))
