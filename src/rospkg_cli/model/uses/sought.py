@@ -91,7 +91,7 @@ class SoughtAndDeclared:
         return (*known, *self.fitting(name, self.declared.names)) if known else ()
 
     def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
-        """Return those of some names that fit a pattern of the table, or are called like a package of a vendor or Debian.
+        """Return the names that fit a pattern of the table, or are called like a package of a vendor or Debian.
 
         A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.
         """
