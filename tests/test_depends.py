@@ -141,6 +141,12 @@ def test_a_metapackage_stands_for_what_it_names() -> None:
     assert {f.message.split("`")[1] for f in lint_files(files, ["DEP101"]).findings} == {"python3-opencv", "rclpy"}
 
 
+def test_a_metapackage_that_everybody_knows_stands_for_what_it_names() -> None:
+    text = "<launch><node pkg='nav2_amcl' exec='amcl'/><node pkg='controller_manager' exec='x'/></launch>\n"
+    body = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("navigation2", "ros2_control", "ros2launch"))
+    assert said("DEP103", {"launch/a.launch.xml": text, "package.xml": manifest(body)}) == []
+
+
 def in_tests(body: str, files: dict[str, str | None]) -> list[str]:
     return said("DEP102", {"package.xml": manifest(body), **files})
 

@@ -54,8 +54,8 @@ class Declared:
                 continue
             found.add(name)
             facts = self.workspace.named(name)
-            if facts is not None and facts.metapackage and depth < MAX_DEPTH:
-                waiting += [(need.name, depth + 1) for need in facts.dependencies]
+            if depth < MAX_DEPTH:
+                waiting += [(other, depth + 1) for other in gathered(name, facts)]
         return found
 
     def has(self, names: Iterable[str]) -> bool:
@@ -139,3 +139,10 @@ class Declared:
             if self.facts.name in waiting:
                 return True
         return False
+
+
+def gathered(name: str, facts: PackageFacts | None) -> Iterable[str]:
+    """Return what a package names if it is a metapackage: one of the workspace, or one that everybody knows."""
+    if facts is None:
+        return rows("metapackages.txt").get(name, ())
+    return [need.name for need in facts.dependencies] if facts.metapackage else ()
