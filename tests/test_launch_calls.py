@@ -9,6 +9,8 @@ from rospkg_cli.model.launch.file import LaunchFile
 from rospkg_cli.model.launch.imported import misimports
 from rospkg_cli.model.launch.names import undefined_names
 from rospkg_cli.model.package import Package
+from rospkg_cli.rule import all_rules
+from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 
 HEAD = """\
@@ -196,3 +198,16 @@ def test_robot_descriptions_that_are_read_as_yaml(value: str, spans: list[str]) 
     )
     file = read(text)
     assert [file.source.slice(each.span) for each in file.unquoted] == spans
+
+
+@pytest.mark.parametrize(
+    "comment, level",
+    [("base: on the floor", "warning"), ("the base", "info"), ("see #3", "warning"), ("a:b", "info")],
+)
+def test_what_yaml_can_not_read_of_a_robot(comment: str, level: str) -> None:
+    example = next(rule for rule in all_rules() if rule.code == "LCH009").examples[0]
+    robot = '<robot name="r">\n  <xacro:include filename="$(find my_pkg)/urdf/base.xacro"/>\n</robot>\n'
+    base = f"<robot>\n  <!-- {comment} -->\n</robot>\n"
+    files = {**example.bad_files(), "urdf/robot.urdf.xacro": robot, "urdf/base.xacro": base}
+    (finding,) = lint_files(files, ["LCH009"]).findings
+    assert finding.severity.value == level

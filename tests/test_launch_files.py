@@ -313,3 +313,13 @@ def test_yaml_that_unfolds_without_end_is_refused() -> None:
     )
     (broken,) = Package(PackageFiles(MemoryTree.of({"launch/a.yaml": laughs}))).parts(LaunchFile).broken
     assert "too" in broken.message
+
+
+def test_each_round_of_a_loop_makes_its_own() -> None:
+    file = python(
+        "from launch.actions import IncludeLaunchDescription\n"
+        "return [IncludeLaunchDescription('a.launch.py', launch_arguments={'namespace': name}.items())\n"
+        "    for name in ['a', 'b']] + [Node(package='p', executable='e', arguments=['-n', n]) for n in ['a', 'b']]"
+    )
+    assert [value.literal for include in file.includes for _, value in include.arguments] == ["a", "b"]
+    assert len(file.nodes) == 2

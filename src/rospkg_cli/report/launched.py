@@ -25,8 +25,8 @@ def launch_lines(file: LaunchFile, color: bool) -> Iterator[str]:
         yield f"      includes {include.file.shown}" + (paint(f"  ({passed})", "dim", color) if passed else "")
     for command in file.commands:
         yield f"      runs {' '.join(word.shown for word in command.words)}"
-    if not file.complete:
-        yield paint("      …", "yellow", color)
+    if not file.told:
+        yield paint("      … and what can't be told", "yellow", color)
 
 
 def argument_text(argument: DeclaredArgument) -> str:
@@ -54,7 +54,7 @@ def launch_document(file: LaunchFile, at: At) -> dict[str, Any]:
     return {
         "said": at(file.path, 0),
         "frontend": file.frontend,
-        "complete": file.complete,
+        "complete": file.told,
         "arguments": [argument_document(argument, file, at) for argument in file.arguments],
         "nodes": [node_document(node, file, at) for node in file.nodes],
         "includes": [include_document(include, file, at) for include in file.includes],

@@ -47,8 +47,15 @@ class Loaded:
             if facts is not None:
                 if facts.knows("components") and name not in facts.components:
                     yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts))
-            elif self.workspace.what(package) is Known.UNKNOWN and (found := self.elsewhere(name, None)):
+            elif found := self.renamed(package, name):
                 yield UnknownComponent(package, node.plugin, name, None, found)
+
+    def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
+        """Return who registers the class now, of a package that nobody knows; nothing where that may be another."""
+        known = self.workspace.what(package)
+        found = () if known is Known.PACKAGE else self.elsewhere(name, None)
+        longer = len(found) == 1 and found[0][0].endswith(f"_{package}")
+        return found if known is Known.UNKNOWN or longer else ()
 
     def elsewhere(self, name: str, but: PackageFacts | None) -> tuple[tuple[str, str], ...]:
         """Return who registers a class of this name, or, where nobody does, one of the same last name."""

@@ -129,6 +129,13 @@ class LaunchFile:
         return any(guard.start <= span.start < guard.end for guard in self.guarded)
 
     @property
+    def told(self) -> bool:
+        """Whether all that the file starts is known: nothing in its description comes from elsewhere."""
+        if not self.complete or self.events is None:
+            return False
+        return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)
+
+    @property
     def set_somewhere(self) -> frozenset[str]:
         """The launch configurations that anything in the file declares or sets."""
         return frozenset(text.literal for text in (*self.assigned, *(a.name for a in self.arguments)) if text.literal)

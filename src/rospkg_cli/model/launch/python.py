@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from ..evaluate.evaluator import Evaluator
 from ..evaluate.folder import Folder
-from ..evaluate.values import Call, Text, Value
+from ..evaluate.values import Call, Constant, Joined, Mapping, Sequence, Text, Value
 from ..python import PythonFile
 from .defaults import literal_defaults
 from .evaluation import ENTRIES, LaunchEvaluator
@@ -20,6 +20,8 @@ from .removed import removed_arguments
 from .texts import named_paths
 from .unquoted import unquoted_in
 from .values import class_of, substitution
+
+MAX_DEPTH = 8
 
 
 def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
@@ -70,5 +72,21 @@ def once(calls: Iterable[Call]) -> Iterator[Call]:
             yield call
 
 
-def shown(value: Value) -> object:
-    return value.text if isinstance(value, Text) else value.span
+def shown(value: Value, depth: int = 0) -> object:
+    """Return what tells two values apart that came of the same place."""
+    if depth > MAX_DEPTH:
+        return value.span
+    match value:
+        case Text():
+            return value.text
+        case Constant():
+            return value.value
+        case Sequence():
+            return value.span, tuple(shown(item, depth + 1) for item in value.items)
+        case Mapping():
+            return value.span, tuple((shown(k, depth + 1), shown(v, depth + 1)) for k, v in value.items.values())
+        case Joined():
+            return value.span, tuple(shown(part, depth + 1) for part in value.parts)
+        case Call():
+            return value.span, value.callee, tuple(shown(argument.value, depth + 1) for argument in value.arguments)
+    return value.span

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ from .text import LaunchText, Literal
 from .values import class_of, text_of
 
 DESCRIBES = ("xacro", ".urdf")
+ROBOT = re.compile(r"([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
 TAKERS = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode"})
 
 
@@ -23,6 +25,8 @@ class Unquoted:
     """Of the value in the dict where that can be told, else of the command."""
     written: bool
     """Whether the value stands there, so that it can be wrapped."""
+    robot: str = ""
+    """The name of the file that the command prints, where it is literal."""
 
 
 def unquoted_in(file: PythonFile, calls: Iterable[Call]) -> Iterator[Unquoted]:
@@ -43,7 +47,8 @@ def of_dict(file: PythonFile, given: Mapping, node: ast.Dict | None) -> Iterator
     for key, value in given.items.values():
         if isinstance(key, Text) and prints_robot(value):
             place = place_of(key.text, node)
-            yield Unquoted(key.text, file.span(place) if place else value.span, place is not None)
+            span = file.span(place) if place else value.span
+            yield Unquoted(key.text, span, place is not None, robot_of(value))
 
 
 def prints_robot(value: Value) -> bool:
@@ -52,6 +57,12 @@ def prints_robot(value: Value) -> bool:
     if not isinstance(value, Call) or class_of(value) != "Command":
         return False
     return any(word in piece for piece in pieces(text_of(value)) for word in DESCRIBES)
+
+
+def robot_of(value: Value) -> str:
+    """Return the name of the robot file in a command."""
+    names = [found for piece in pieces(text_of(value)) for found in ROBOT.findall(piece)]
+    return names[0] if len(names) == 1 else ""
 
 
 def pieces(text: LaunchText) -> Iterator[str]:

@@ -73,7 +73,8 @@ class Watching(Evaluator):
                 self.judged[span] = f"`not` makes False of {kind_of(odd)}, whatever it is at run time"
             case ast.BoolOp() if len(operands) > 1 and all(map(is_late, operands)):
                 word, taken = ("or", "first") if isinstance(node.op, ast.Or) else ("and", "last")
-                self.judged[span] = f"Python's `{word}` just takes the {taken} of them, whatever they are at run time"
+                of = ", ".join(dict.fromkeys(map(kind_of, operands)))
+                self.judged[span] = f"Python's `{word}` just takes the {taken} of these ({of}), whatever they are then"
 
 
 def is_instance(machine: Machine, call: Call) -> Value | None:

@@ -8,10 +8,12 @@ from ...edits.launch import import_name, wrap
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.launch.file import LaunchFile
+from ...model.launch.robots import Robots
 from ...model.launch.unquoted import Unquoted
 from ...rule import rule
 
 NEEDED = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("robot_state_publisher", "ros2launch", "xacro"))
+ROBOT = '<robot name="robot">\n  <!-- base: on the floor -->\n  <link name="base_link"/>\n</robot>\n'
 COMMAND = "Command(['xacro ', FindPackageShare('my_pkg'), '/urdf/robot.urdf.xacro'])"
 GOOD = f"""\
 from launch import LaunchDescription
@@ -39,13 +41,14 @@ BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description
 @rule(
     "LCH009",
     "unquoted-robot-description",
-    over=LaunchFile,
+    over=Robots,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "no file of the robot is known that YAML can't read"},
     examples=(
         Example(
             bad={
                 "package.xml": manifest(NEEDED),
-                "urdf/robot.urdf.xacro": '<robot name="robot">\n  <link name="base_link"/>\n</robot>\n',
+                "urdf/robot.urdf.xacro": ROBOT,
                 "launch/a.launch.py": BAD,
             },
             good={"launch/a.launch.py": GOOD},
@@ -53,25 +56,30 @@ BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description
         ),
     ),
 )
-def unquoted_robot_description(file: LaunchFile) -> Iterator[Hit]:
+def unquoted_robot_description(robots: Robots) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameters of nodes that are the output of a command which prints a robot (`xacro …`, `cat x.urdf`) and are
-    not wrapped in `ParameterValue(…, value_type=str)`.
+    not wrapped in `ParameterValue(…, value_type=str)`. It is a warning where a file of that robot, in this package,
+    holds what YAML can't read; elsewhere it goes well so far, and is an information.
 
     ## Why is this bad?
-    launch_ros reads the output as YAML. That goes well until somebody writes a colon and a blank into a comment of the
-    robot: then the launch stops with "Unable to parse the value of parameter robot_description as yaml".
+    launch_ros reads the output as YAML. A colon and a blank in any comment of the robot, and the launch stops with
+    "Unable to parse the value of parameter robot_description as yaml".
 
     ## Fix safety
     The value is wrapped, and ParameterValue is imported: the parameter is the same text.
     """
-    for each in file.unquoted:
-        message = (
-            f"launch_ros reads `{each.parameter}` as YAML: a `: ` in any comment of the robot ends the launch with "
-            f'"Unable to parse the value of parameter"; wrap it in `ParameterValue(…, value_type=str)`'
+    for each, robot in robots.unquoted():
+        ends = f'the launch stops with "Unable to parse the value of parameter {each.parameter} as yaml"'
+        if robot:
+            message = f"launch_ros reads `{each.parameter}` as YAML, and `{robot}` holds `: ` or ` #`: {ends}"
+        else:
+            message = f"launch_ros reads `{each.parameter}` as YAML: as soon as the robot holds a `: `, {ends}"
+        message += "; wrap it in `ParameterValue(…, value_type=str)`"
+        yield Hit(
+            robots.file.path, each.span, message, None if robot else Severity.INFO, fix=wrapped(robots.file, each)
         )
-        yield Hit(file.path, each.span, message, fix=wrapped(file, each))
 
 
 def wrapped(file: LaunchFile, each: Unquoted) -> Fix | None:
