@@ -118,6 +118,7 @@ LANGUAGES = {
     ("mixed", ("a_node:component:python",)): "component in C\\+\\+ alone",
     ("mixed", ("a_node",)): "--type ament_cmake is for; .*--node NAME:python",
     ("mixed", ("a_node:python",)): "--type ament_python is for; .*--node NAME:cpp",
+    ("ament_python", ("demo_nodes_cpp/talker",)): "--type bringup starts such ones",
     ("mixed", ("a_node:timer:empty",)): "NAME:KIND:LANGUAGE",
     ("mixed", ("a_node:cpp:python",)): "NAME:KIND:LANGUAGE",
     ("ament_python", ("a_node:component",)): "component in C\\+\\+ alone",

@@ -167,8 +167,10 @@ def faultless(planned: Plan) -> None:
             assert json.loads(text)
 
 
-def test_the_same_answers_give_the_same_bytes() -> None:
-    assert plan(nodes=("a1", "b2")).files == plan(nodes=("a1", "b2")).files
+@pytest.mark.parametrize("template", template_names())
+def test_the_same_answers_give_the_same_bytes(template: str) -> None:
+    asked = {"ament_python": {"nodes": ("a1", "b2")}, "mixed": {"nodes": ("a1", "b2:python")}}.get(template, {})
+    assert plan(template=template, **asked).files == plan(template=template, **asked).files
 
 
 def test_the_year_is_the_one_that_was_asked_for() -> None:

@@ -10,10 +10,11 @@ import os
 from pathlib import Path
 
 import pytest
+from conftest import DEBIAN_MODULES
 from messages import message_prefix
 from shell import Shell
 from testing_new import PREFIX, around, linted, plan, results, write
-from venvs import venv
+from venvs import COLCON, SETUPTOOLS, venv
 
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold.plan import Plan
@@ -130,3 +131,18 @@ def test_nodes_use_a_message_of_the_workspace(built: Shell, tmp_path: Path) -> N
     linted(built, folder, (*LINTERS, "mypy"))
     made = built.run("colcon", "build", "--packages-up-to", "my_robot", cwd=tmp_path)
     assert (made.returncode, made.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("setuptools", SETUPTOOLS)
+def test_the_python_of_a_mixed_package_builds_with_each_setuptools(
+    built: Shell, tmp_path: Path, setuptools: str
+) -> None:
+    """ament_cmake runs `setup.py egg_info` with what CMake finds beside colcon."""
+    write(plan(template="mixed", nodes=("idle:empty", "other:empty:python"), tests="none"), tmp_path)
+    colcon = built.before(venv("/usr/bin/python3", (f"setuptools=={setuptools}", *COLCON), DEBIAN_MODULES) / "bin")
+    made = colcon.run("colcon", "build", cwd=tmp_path)
+    assert (made.returncode, made.stderr) == (0, "")
+    prefix = tmp_path / "install/my_robot_nav"
+    [modules] = prefix.glob("l*/**/*-packages/my_robot_nav")
+    assert (modules / "py.typed").is_file()
+    assert os.access(prefix / "lib/my_robot_nav/other", os.X_OK)

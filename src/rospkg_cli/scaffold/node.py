@@ -55,6 +55,8 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template, there: Ar
 def node_of(text: str, package: str, template: Template, there: Around) -> Node:
     """Return one node; after its name, kind, language and message may stand in any order."""
     name, *words = text.split(":")
+    if "/" in name:
+        raise ScaffoldError(f"`{name}` is a node of another package: a package of --type bringup starts such ones")
     check_node_name(name, package)
     languages = [word for word in words if word in LANGUAGES]
     messages = [word for word in words if is_message(word)]
