@@ -15,7 +15,7 @@ HEAD = """\
 import os
 from ament_index_python.packages import get_package_prefix, get_package_share_directory, get_package_share_path
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, LogInfo
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution, PathSubstitution, ThisLaunchFileDir
 from launch_ros.actions import Node
@@ -65,6 +65,7 @@ def said(files: Mapping[str, str], *codes: str) -> list[str]:
         ("DeclareLaunchArgument('p', default_value=get_package_share_directory('a') + '/y.yaml')", "y.yaml", "default"),
         ("IncludeLaunchDescription([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
         ("PythonLaunchDescriptionSource([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
+        ("ExecuteProcess(cmd=['sh', '-c', ['(cat ', FindPackageShare('a'), '/y.urdf)']])", "y.urdf", "file"),
         ("ExecuteProcess(cmd=['cat', [FindPackageShare('a'), '/y.urdf']])", "y.urdf", "file"),
         ("open(os.path.join(get_package_share_directory('a'), 'y.urdf')).read()", "y.urdf", "file"),
     ],
@@ -84,6 +85,7 @@ def test_files_of_a_package_are_found_in_python(body: str, path: str, use: str) 
         "Node(parameters=[get_package_share_directory(os.environ['P']) + '/y.yaml'])",
         "Node(parameters=[{'log': get_package_share_directory('a') + '/logs/y.yaml'}])",
         "open(get_package_share_directory('a') + '/y.yaml', 'w')",
+        "LogInfo(msg=['(', FindPackageShare('a'), '/y.yaml)'])",
         "os.path.join(get_package_share_directory('a'), 'y.yaml')",
     ],
 )

@@ -18,7 +18,7 @@ Use = OneOf["include", "default", "file"]
 
 NAME = re.compile(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
-END = re.compile(r"[\s'\",;:|]")
+END = re.compile(r"[\s'\",;:|&()`]")
 """Where a path ends that stands inside of a longer text."""
 OPEN = re.compile(r"[*?\[\]{}<>$%]")
 """What stands in patterns and templates, not in names of files."""

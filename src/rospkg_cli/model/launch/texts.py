@@ -17,8 +17,10 @@ LISTS = frozenset({
 })  # fmt: skip
 """Arguments whose items are texts of their own; any other list is one text."""
 
-NO_TEXT = frozenset({"LaunchDescription", "GroupAction", "TimerAction", "PathJoinSubstitution", "PathSubstitution"})
-"""What takes actions, or makes of its texts a path that something else uses."""
+NO_TEXT = frozenset({
+    "LaunchDescription", "GroupAction", "TimerAction", "PathJoinSubstitution", "PathSubstitution", "LogInfo",
+})  # fmt: skip
+"""What takes actions, makes of its texts a path that something else uses, or only shows them."""
 
 READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xacro.process", "xacro.parse"})
 ASKS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
