@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.engine.fix import repair
+from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.finding import Severity
+from rospkg_cli.finding import Safety, Severity
+from rospkg_cli.model.discover import packages_in
+from rospkg_cli.ros.distros import Targets
 from rospkg_cli.rules.cmake import cmk113_missing_export_dependency as cmk113
 from rospkg_cli.testing import lint_files
+from rospkg_cli.tree import MemoryTree
 
 RVIZ = {"rviz/robot.rviz": "Panels: []\n"}
 OPENS = """\
@@ -144,3 +149,63 @@ def test_a_library_of_headers_is_nothing_to_load(sources: str, count: int) -> No
     lines += "target_link_libraries(core empty)\ninstall(TARGETS core DESTINATION lib)"
     files = {**package(lines), **dict.fromkeys(("a.hpp", "b.h", "b.cpp", "core.cpp"), "")}
     assert len(said(files, "CMK103")) == count
+
+
+def repaired(files: dict[str, str], code: str) -> str:
+    """Return CMakeLists.txt as the fixes of a rule leave it."""
+    tree = MemoryTree.of(files)
+    folders = tuple(packages_in(tree))
+    session = Session(tree, Scope(folders, frozenset(folders), "my_pkg"), frozenset({code}), Targets())
+    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    changed = outcome.changes["CMakeLists.txt"].text
+    return changed.text if changed else ""
+
+
+NODE = {"src/a.cpp": "int main() {return 0;}\n", "src/core.cpp": "int core() {return 1;}\n"}
+LIB = "  ARCHIVE DESTINATION lib\n  LIBRARY DESTINATION lib\n  RUNTIME DESTINATION bin\n"
+
+
+def test_a_target_is_installed_below_the_call_that_makes_it() -> None:
+    lines = "install(DIRECTORY src DESTINATION share/${PROJECT_NAME})\nadd_executable(a src/a.cpp)\n"
+    text = repaired({**package(lines), **NODE}, "CMK103")
+    assert text.endswith("install(TARGETS a\n  DESTINATION lib/${PROJECT_NAME}\n)\n\nament_package()\n")
+
+
+def test_a_target_that_may_not_be_there_is_asked_for() -> None:
+    lines = "add_executable(a src/a.cpp)\nfind_package(CUDA)\nif(CUDA_FOUND)\n"
+    lines += "  add_library(${PROJECT_NAME}_gpu SHARED src/core.cpp)\n  target_link_libraries(a ${PROJECT_NAME}_gpu)\n"
+    lines += "endif()\ninstall(TARGETS a DESTINATION lib/${PROJECT_NAME})\n"
+    text = repaired({**package(lines), **NODE}, "CMK103")
+    rule = f"install(TARGETS ${{PROJECT_NAME}}_gpu\n{LIB})".replace("\n", "\n  ")
+    assert f"if(TARGET ${{PROJECT_NAME}}_gpu)\n  {rule}\nendif()\n" in text
+
+
+def test_targets_of_a_loop_are_installed_by_their_names() -> None:
+    lines = "foreach(n a b)\n  add_executable(${n} src/a.cpp)\nendforeach()\n"
+    text = repaired({**package(lines), **NODE}, "CMK103")
+    assert "$" not in text.replace("${PROJECT_NAME}", "").partition("endforeach()")[2]
+
+
+def test_all_dependencies_are_exported_in_one_call() -> None:
+    text = repaired(exporting(cmk113.LINES.replace("ament_export_dependencies(rclcpp)\n", "")), "CMK113")
+    assert "ament_export_targets(export_core HAS_LIBRARY_TARGET)\nament_export_dependencies(rclcpp std_msgs)\n" in text
+
+
+def test_what_may_be_called_by_its_name_is_not_moved_safely() -> None:
+    lines = "add_executable(a src/a.cpp)\ninstall(TARGETS a DESTINATION bin)\n"
+    (finding,) = lint_files({**package(lines), **NODE}, ["CMK104"]).findings
+    assert finding.fix is not None
+    assert finding.fix.safety is Safety.UNSAFE
+    readme = {"README.md": "Start it with `ros2 run my_pkg a`.\n"}
+    (finding,) = lint_files({**package(lines), **NODE, **readme}, ["CMK104"]).findings
+    assert finding.fix is not None
+    assert finding.fix.safety is Safety.SAFE
+
+
+def test_a_target_of_a_folder_is_installed_beside_its_like() -> None:
+    below = "add_executable(a a.cpp)\nadd_executable(b a.cpp)\ninstall(TARGETS a DESTINATION lib/${PROJECT_NAME})\n"
+    files = {**package("add_subdirectory(src)"), **NODE, "src/CMakeLists.txt": below}
+    (finding,) = lint_files(files, ["CMK103"]).findings
+    assert finding.fix is not None
+    (edit,) = finding.fix.operations
+    assert (edit.path, edit.text) == ("src/CMakeLists.txt", " b")

@@ -6,10 +6,12 @@ from collections.abc import Callable
 
 from ..finding import Edit
 from ..model.cmake.blocks import Block
+from ..model.cmake.call import Call
 from ..model.cmake.installs import InstallRule
 from ..model.cmake.project import CMake
 from ..model.cmake.read import CMakeFile
 from ..model.cmake.syntax import Command
+from ..model.cmake.targets import Target
 from ..source import Span
 from .cmake import add_after, add_argument, add_at_end, add_before, indent_of
 
@@ -48,13 +50,22 @@ def to_share(cmake: CMake, command: Command, folder: str) -> Edit | None:
     return add_argument(cmake.root, command, folder, command.arguments[last - 1].span)
 
 
-def install_executable(cmake: CMake, target: str) -> Edit:
+def install_executable(cmake: CMake, target: Target) -> Edit:
+    name = said(cmake, target)
     return extend_or_add(
         cmake,
         lambda rule: rule.kind == "TARGETS" and only_executables(cmake, rule),
-        target,
-        block(cmake.root, "TARGETS", target, LIBEXEC),
+        name,
+        block(cmake.root, "TARGETS", name, LIBEXEC),
+        target.call,
     )
+
+
+def said(cmake: CMake, target: Target) -> str:
+    """Return what CMakeLists.txt calls a target: as it is written, where that means the same everywhere in it."""
+    raw = cmake.raw(target.word)
+    everywhere = target.call.path == cmake.root.path and target.call.command in cmake.root.body
+    return raw if everywhere or "$" not in raw.replace("${PROJECT_NAME}", "") else target.name
 
 
 def install_script(cmake: CMake, path: str) -> Edit:
@@ -76,7 +87,7 @@ def install_headers(cmake: CMake) -> Edit:
     return add_rule(cmake, block(cmake.root, "DIRECTORY", "include/", place))
 
 
-def install_library(cmake: CMake, target: str, export: str = "") -> Edit:
+def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
     """Install a library beside other libraries (of the same export, where one is named), else in a rule of its own."""
 
     def fits(rule: InstallRule) -> bool:
@@ -88,25 +99,44 @@ def install_library(cmake: CMake, target: str, export: str = "") -> Edit:
     places = [f"EXPORT {export}"] if export else []
     places += ["ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin"]
     lines = "".join(f"\n{indent}{place}" for place in places)
-    return extend_or_add(cmake, fits, target, f"install(TARGETS {target}{lines}\n)")
+    name = said(cmake, target)
+    return extend_or_add(cmake, fits, name, f"install(TARGETS {name}{lines}\n)", target.call)
 
 
-def extend_or_add(cmake: CMake, fits: Callable[[InstallRule], bool], item: str, lines: str) -> Edit:
-    """Put an item into the last rule that fits and stands in CMakeLists.txt itself, else add a rule."""
+def extend_or_add(
+    cmake: CMake, fits: Callable[[InstallRule], bool], item: str, lines: str, made: Call | None = None
+) -> Edit:
+    """Put an item into the last rule that fits, in CMakeLists.txt or where the item is made, else add a rule.
+
+    `made` is the call that makes the item, where it is a target: CMake wants it first.
+    """
+    if made is not None and made.maybe:
+        inside = "\n".join(f"{indent_of(cmake.root)}{line}" for line in lines.split("\n"))
+        return add_rule(cmake, f"if(TARGET {item})\n{inside}\nendif()", made)
     for rule in reversed(cmake.installs):
         command = rule.call.command
-        if rule.call.path == cmake.root.path and command in cmake.root.body and not rule.call.maybe and fits(rule):
+        near = rule.call.path in (cmake.root.path, made.path if made else "")
+        file = cmake.file(rule.call.path)
+        if near and command in file.body and follows(cmake, command, made) and not rule.call.maybe and fits(rule):
             written = [argument for argument, words in rule.call.by_argument() if words and words[-1] == rule.items[-1]]
             if written:
-                return add_argument(cmake.root, command, item, written[0].span)
-    return add_rule(cmake, lines)
+                return add_argument(file, command, item, written[0].span)
+    return add_rule(cmake, lines, made)
 
 
-def add_rule(cmake: CMake, lines: str) -> Edit:
+def follows(cmake: CMake, command: Command, made: Call | None) -> bool:
+    """Return whether a command runs after a call."""
+    if made is None:
+        return True
+    places = {id(call.command): place for place, call in enumerate(cmake.calls)}
+    return places.get(id(command), -1) > places.get(id(made.command), -1)
+
+
+def add_rule(cmake: CMake, lines: str, made: Call | None = None) -> Edit:
     """Put a rule below the last one, else before the tests and ament_package()."""
     root = cmake.root
     installs = [each for each in root.body if isinstance(each, Command) and each.name == "install"]
-    if installs:
+    if installs and follows(cmake, installs[-1], made):
         return add_after(root, installs[-1], f"\n{lines}")
     for each in root.body:
         first = each.command if isinstance(each, Block) else each

@@ -106,8 +106,8 @@ def message(package: CMakePackage, forgotten: Forgotten) -> str:
 
 
 def edit(package: CMakePackage, forgotten: Forgotten) -> Edit:
-    cmake, raw = package.cmake, package.cmake.raw(forgotten.target.word)
-    if forgotten.target.executable:
-        return install_executable(cmake, raw)
+    cmake, target = package.cmake, forgotten.target
+    if target.executable:
+        return install_executable(cmake, target)
     exports = [rule.export.text for rule in cmake.installs if rule.export is not None and forgotten.stops]
-    return install_library(cmake, raw, exports[0] if exports else "")
+    return install_library(cmake, target, exports[0] if exports else "")

@@ -72,6 +72,10 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
+
+    ## Fix safety
+    What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
+    not safe.
     """
     name = astray.package.facts.name
     if not astray.package.ament:
@@ -83,7 +87,8 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
         start = f"`{each.name}` is installed into `{each.place}`, where neither `ros2 run {name} {each.name}` nor a"
         message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
         edits = to_libexec(astray.package.cmake, each)
-        fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits) if edits else None
+        safety = Safety.SAFE if level(each) is None else Safety.UNSAFE
+        fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
         yield Hit(each.word.path, each.word.span, message, level(each), fix=fix)
 
 

@@ -75,11 +75,12 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     package = exported.headers.package
     if not package.ament:
         return
-    for each in exported.missing():
+    for number, each in enumerate(exported.missing()):
         lacks = "a target" if each.as_target else "a header"
         message = (
             f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
             f"not name: who links it stops because {lacks} of `{each.package}` was not found; export it"
         )
-        fix = Fix(f"export {each.package}", (export_dependency(package.cmake, each.package),), Safety.UNSAFE)
+        edit = export_dependency(package.cmake, each.package, first=number == 0)
+        fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
         yield Hit(each.word.path, each.word.span, message, fix=fix)
