@@ -68,6 +68,12 @@ def test_what_tests_alone_import(tag: str, found: list[str]) -> None:
     assert only_tests({**files, "launch/a.launch.xml": "<launch><node pkg='nav_msgs' exec='x'/></launch>\n"}) == []
 
 
+def test_what_reads_launch_files_is_named_in_none() -> None:
+    files = {**PYTHON, "package.xml": manifest("  <exec_depend>launch_ros</exec_depend>\n")}
+    files["test/test_launch.py"] = "from launch_ros.substitutions import FindPackageShare\n"
+    assert only_tests({**files, "launch/a.launch.xml": "<launch><node pkg='my_pkg' exec='x'/></launch>\n"}) == []
+
+
 def test_what_cmake_looks_for_in_tests_alone() -> None:
     testing = "if(BUILD_TESTING)\n  find_package(nav_msgs REQUIRED)\nendif()\n"
     files = {**CPP, "package.xml": manifest("  <depend>nav_msgs</depend>\n", "ament_cmake")}

@@ -16,8 +16,10 @@ from planned import plan, texts
 
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.extras import all_extras
+from rospkg_cli.scaffold.launching import FORMATS
 from rospkg_cli.scaffold.plan import Plan
-from rospkg_cli.scaffold.template import template_names
+from rospkg_cli.scaffold.template import load_template, template_names
 from rospkg_cli.scaffold.told import Told, UnescapedError, comment, markdown, pieces_of, told
 
 NASTY = (
@@ -92,6 +94,52 @@ def test_any_maintainer_is_the_same_everywhere(text: str) -> None:
         assert planned.findings == ()
         check(planned, None, line)
         assert Told(line).text in texts(plan(maintainer=text, license="MIT"))["LICENSE"]
+
+
+@settings(deadline=None, max_examples=40)
+@given(TEXT, st.sampled_from(template_names()))
+def test_any_maintainer_stands_in_every_type_of_package(text: str, template: str) -> None:
+    try:
+        planned = plan("my_robot", template=template, maintainer=text, license="MIT", extras=tuple(all_extras()))
+    except ScaffoldError:
+        return
+    assert planned.findings == ()
+    check_parses(planned)
+    [package] = [parse_package_string(texts(planned)["package.xml"])]
+    assert package.maintainers[0].name == planned.answers.maintainer.text
+
+
+NAMES = st.from_regex(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", fullmatch=True).filter(lambda name: 2 <= len(name) <= 60)
+
+
+@settings(deadline=None, max_examples=40)
+@given(NAMES, st.sampled_from(template_names()), st.sampled_from(FORMATS[:3]))
+def test_any_name_fits_every_type_of_package(name: str, template: str, launch: str) -> None:
+    try:
+        planned = plan(name, template=template, launch=launch if load_template(template).launches else "")
+    except ScaffoldError:
+        return
+    assert {finding.code for finding in planned.findings} == set()
+    check_parses(planned)
+
+
+def check_parses(planned: Plan) -> None:
+    for path, text in texts(planned).items():
+        if path.endswith(".py"):
+            ast.parse(text)
+        if path.endswith((".xml", ".xacro")):
+            ElementTree.fromstring(text)
+        if path.endswith((".yaml", ".json")):
+            assert yaml.safe_load(text)
+
+
+@pytest.mark.parametrize("template", template_names())
+def test_what_a_user_says_is_no_template(template: str) -> None:
+    text = "{{ name }} {% raw %} {# no #} [[ name ]] [% raw %] [# no #]"
+    files = texts(plan("my_robot", template=template, description=text, extras=("docs",)))
+    assert text in files["package.xml"]
+    for page in ("README.md", "doc/index.md"):
+        assert text in files[page].replace("\\", "")
 
 
 @pytest.mark.parametrize(

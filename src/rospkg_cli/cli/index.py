@@ -12,11 +12,10 @@ from ..config import own_config
 from ..index.cache import cache_file, keep, kept
 from ..index.place import place_of
 from ..index.update import make_index
-from ..ros.distros import DISTROS, distro
+from ..ros.distros import DISTROS, distro, fault_of_name
 from ..ros.index import Index
 from ..ros.names import BUILT_IN
 from ..ros.rosdep import CODENAMES, NOT_THERE
-from ..suggest import did_you_mean
 from . import UsageError
 from .age import age, in_words
 from .progress import progress
@@ -27,15 +26,14 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
 
     Raises UsageError, ConfigError, and NamesError where the old one stays.
     """
-    names = [each.name for each in DISTROS]
     for name in distros:
-        if name not in names:
-            raise UsageError(f"there is no distribution `{name}`{did_you_mean(name, names)}; known: {', '.join(names)}")
+        if fault := fault_of_name(name):
+            raise UsageError(fault)
     own = own_config().index
     place = place_of(source, os.environ, own.get("source", ""))
     path = cache_file(os.environ)
     with progress(not quiet) as say:
-        wanted = distros or own.get("distros") or names
+        wanted = distros or own.get("distros") or [each.name for each in DISTROS]
         index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"reading {n} of {of}: {what}"))
     keep(index, os.environ)
     if not quiet:

@@ -19,7 +19,7 @@ from ..index import NamesError
 from ..index.cache import names
 from ..model.settings import Settings
 from ..report import FORMATS
-from ..ros.distros import DISTROS, Targets
+from ..ros.distros import Targets, fault_of_name
 from ..ros.names import BUILT_IN, Names
 from ..rule import Profile
 from ..suggest import did_you_mean
@@ -109,12 +109,11 @@ def require_version(config: Config) -> None:
 
 def targets(options: LintOptions, config: Config) -> Targets:
     """Return the targets: as typed, else the config's, else $ROS_DISTRO, else unknown."""
-    names = [each.name for each in DISTROS]
     for name in options.target:
-        if name not in names:
-            raise UsageError(f"there is no distribution `{name}`{did_you_mean(name, names)}; known: {', '.join(names)}")
+        if fault := fault_of_name(name):
+            raise UsageError(fault)
     own = os.environ.get("ROS_DISTRO", "")
-    return Targets(options.target or config.target or ((own,) if own in names else ()))
+    return Targets(options.target or config.target or (() if fault_of_name(own) else (own,)))
 
 
 def pool_for(jobs: str, packages: int) -> type[Pool] | partial[ProcessPool]:

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from ..suggest import did_you_mean
+
 Version = tuple[int, ...]
 
 
@@ -38,6 +40,14 @@ NEWEST_LTS = "lyrical"
 def distro(name: str) -> Distro:
     """Return a distribution by its name; raises KeyError."""
     return {each.name: each for each in DISTROS}[name]
+
+
+def fault_of_name(name: str) -> str:
+    """Return what is wrong with a name that no distribution has, in a sentence; "" for one that is known."""
+    names = [each.name for each in DISTROS]
+    if name in names:
+        return ""
+    return f"there is no distribution `{name}`{did_you_mean(name, names)}; known: {', '.join(names)}"
 
 
 @dataclass(frozen=True)

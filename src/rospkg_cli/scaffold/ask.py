@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 
-from ..ros.distros import DISTROS, NEWEST_LTS, Distro, distro
+from ..ros.distros import NEWEST_LTS, Distro, distro, fault_of_name
 from ..ros.licenses import LICENSES, License, offered, spdx_id
 from ..ros.manifest import VERSION
 from ..suggest import did_you_mean
@@ -66,12 +66,10 @@ def version_of(asked: str) -> str:
 
 def distro_of(asked: str, notes: list[str]) -> Distro:
     """Return the distribution that was asked for, else that of $ROS_DISTRO, else the newest with long support."""
-    names = [each.name for each in DISTROS]
-    if asked and asked not in names:
-        raise ScaffoldError(
-            f"there is no distribution `{asked}`{did_you_mean(asked, names)}; known: {', '.join(names)}"
-        )
+    if asked and (fault := fault_of_name(asked)):
+        raise ScaffoldError(fault)
     sourced = os.environ.get("ROS_DISTRO", "")
-    if not asked and sourced and sourced not in names:
+    unknown = bool(fault_of_name(sourced))
+    if not asked and sourced and unknown:
         notes.append(f"nothing is known of ROS_DISTRO={sourced}; written for {NEWEST_LTS} (--distro chooses)")
-    return distro(asked or (sourced if sourced in names else NEWEST_LTS))
+    return distro(asked or (NEWEST_LTS if unknown else sourced))

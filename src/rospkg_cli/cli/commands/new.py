@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -26,7 +27,7 @@ Names = list[str] | None
 
 
 def new(
-    name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.")],
+    name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.", show_default=False)] = "",
     type: Annotated[
         str,
         Option("--type", "-t", "--build-type", metavar="TYPE", help=TYPE, rich_help_panel=WHAT),
@@ -80,6 +81,9 @@ def new(
     skip: Annotated[
         bool, Option("--skip", help="Write what is missing there, leave the rest alone.", rich_help_panel=WHERE)
     ] = False,
+    interactive: Annotated[
+        bool, Option("--interactive", "-i", help="Ask for what was not typed, with the same defaults.")
+    ] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
@@ -112,6 +116,14 @@ def new(
         raise UsageError("--template stands in the place of --type; leave one of them out")
     if force and skip:
         raise UsageError("--force replaces what --skip leaves alone; choose one of them")
+    if interactive:
+        from ..asking import ask, command_of
+        from ..new import defaults
+
+        request = ask(request, into, defaults(into))
+        print(f"rospkg: the same without questions: {command_of(request)}", file=sys.stderr)
+    elif not name:
+        raise UsageError("the package wants a name: `rospkg new my_robot_nav`; `rospkg new -i` asks for everything")
     if family:
         from ..family import new_family
 

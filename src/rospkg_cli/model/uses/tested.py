@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...ros.imports import may_serve
+from ...ros.stands_for import LAUNCH
 from ..manifest import Dependency
 from .unused import BUILT_IN, TOOLS, Unused
 
@@ -37,7 +38,9 @@ class UsedInTests:
         return found or name in self.imported[True]
 
     def is_used(self, name: str) -> bool:
-        """Return whether anything else may use it."""
+        """Return whether anything else may use it; launch files in XML and YAML name nothing that reads them."""
+        if name in LAUNCH:
+            return True
         files = [file for file in self.unused.python.files if file.role != "test"]
         modules = {each.module for file in files for each in file.imports}
         alike = name.removesuffix("_py") in {module.partition(".")[0] for module in modules}
