@@ -269,6 +269,12 @@ def test_code_that_describes_nodes_is_asked_mildly() -> None:
     assert said("DEP103", {"my_pkg/generator.py": code.format(0), "package.xml": manifest(body)}) == []
 
 
+@pytest.mark.parametrize("name, level", [("nav_example", "info"), ("examples", "info"), ("exampled_demo", "warning")])
+def test_launch_files_that_are_examples_are_asked_mildly(name: str, level: str) -> None:
+    files = {**PYTHON, f"launch/{name}.launch.xml": xml('<node pkg="joy" exec="x"/>')}
+    assert [f.severity.value for f in lint_files(files, ["DEP103"]).findings] == [level]
+
+
 def test_a_dependency_in_a_comment_was_thought_about() -> None:
     body = LAUNCH + "  <!-- not released yet: <exec_depend>a</exec_depend> -->\n"
     files = {**PYTHON, "launch/a.launch.xml": xml('<node pkg="a" exec="x"/>'), "package.xml": manifest(body)}

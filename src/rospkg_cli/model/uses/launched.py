@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,6 +20,8 @@ from .declared import Declared
 from .python import OwnModules, PythonUse
 from .roles import Role, role_of
 from .serving import served_by
+
+EXAMPLE = re.compile(r"(?:^|[_.-])examples?(?:[_.-]|$)")
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,10 @@ class Launched:
         if "launch" in path.split("/")[:-1] or self.table is None or not self.table.knows("share"):
             return "launch"
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
+
+    def is_example(self, path: str) -> bool:
+        """Return whether a launch file calls itself an example: not everybody who installs the package starts it."""
+        return EXAMPLE.search(path.rpartition("/")[2]) is not None
 
     @cached_property
     def of_tests(self) -> frozenset[str]:

@@ -36,8 +36,8 @@ BAD_XML = """\
     over=Launched,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which whoever starts a launch file has, for nodes that other code "
-        "describes, and for what stands in a comment"
+        Severity.INFO: "for launch itself, which whoever starts a launch file has, for launch files that are examples, "
+        "for nodes that other code describes, and for what stands in a comment"
     },
     examples=(
         Example(
@@ -98,6 +98,7 @@ def undeclared(
     )
     fix = None if hint else Fix(f"add {line}", (add_dependency(launched.declared.manifest, tag, name),))
     related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
+    mild = mild or all(launched.is_example(use.path) for use in uses)
     level = Severity.INFO if mild or name in launched.declared.put_aside else None
     return Hit(first.path, first.span, message, level, related, fix)
 
