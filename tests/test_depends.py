@@ -269,9 +269,12 @@ def test_code_that_describes_nodes_is_asked_mildly() -> None:
     assert said("DEP103", {"my_pkg/generator.py": code.format(0), "package.xml": manifest(body)}) == []
 
 
-@pytest.mark.parametrize("name, level", [("nav_example", "info"), ("examples", "info"), ("exampled_demo", "warning")])
+LEVELS = [("nav_example", "info"), ("demo_arm", "info"), ("nav_demo", "info"), ("demo", "warning"), ("arm", "warning")]
+
+
+@pytest.mark.parametrize("name, level", LEVELS)
 def test_launch_files_that_are_examples_are_asked_mildly(name: str, level: str) -> None:
-    files = {**PYTHON, f"launch/{name}.launch.xml": xml('<node pkg="joy" exec="x"/>')}
+    files = {**PYTHON, f"launch/{name}_launch.xml": xml('<node pkg="joy" exec="x"/>')}
     assert [f.severity.value for f in lint_files(files, ["DEP103"]).findings] == [level]
 
 

@@ -21,7 +21,8 @@ from .python import OwnModules, PythonUse
 from .roles import Role, role_of
 from .serving import served_by
 
-EXAMPLE = re.compile(r"(?:^|[_.-])examples?(?:[_.-]|$)")
+EXAMPLE = re.compile(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
+ENDING = re.compile(r"[._]launch\.\w+$|\.launch$")
 
 
 @dataclass(frozen=True)
@@ -45,8 +46,12 @@ class Launched:
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
 
     def is_example(self, path: str) -> bool:
-        """Return whether a launch file calls itself an example: not everybody who installs the package starts it."""
-        return EXAMPLE.search(path.rpartition("/")[2]) is not None
+        """Return whether a launch file calls itself an example: not everybody who installs the package starts it.
+
+        MoveIt's `demo.launch.py` is the one that everybody starts.
+        """
+        name = ENDING.sub("", path.rpartition("/")[2])
+        return name != "demo" and EXAMPLE.search(name) is not None
 
     @cached_property
     def of_tests(self) -> frozenset[str]:

@@ -36,7 +36,7 @@ BAD_XML = """\
     over=Launched,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which whoever starts a launch file has, for launch files that are examples, "
+        Severity.INFO: "for launch itself, which whoever starts a launch file has, for examples and demos, "
         "for nodes that other code describes, and for what stands in a comment"
     },
     examples=(
