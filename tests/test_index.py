@@ -191,6 +191,7 @@ def test_a_bad_copy_is_one_sentence_and_the_old_names_stay(
         ("nowhere", "--source: there is no folder and no file"),
         ("ftp://example.org/x", "--source: `ftp://example.org/x` can't be read"),
         ("https:///x", "names no host"),
+        ("http://[x", "`http://[x` is no URL"),
         ("http://127.0.0.1:9/index-v4.yaml", "http://127.0.0.1:9/index-v4.yaml can't be read: Connection refused"),
         ("http://me:secret@127.0.0.1:9", "rospkg: http://127.0.0.1:9/index-v4.yaml can't be read"),
     ],

@@ -60,6 +60,25 @@ def test_what_is_no_index_is_refused(text: str) -> None:
         check(text)
 
 
+@pytest.mark.parametrize(
+    "index, named, place",
+    [
+        ("https://a.org/b/index-v4.yaml?token=x", "jazzy/d.yaml", "https://a.org/b/jazzy/d.yaml?token=x"),
+        ("https://a.org/b/index-v4.yaml?token=x", "https://b.org/d.yaml", "https://b.org/d.yaml"),
+        ("file:///b/index-v4.yaml", "file:///c/d.yaml", "file:///c/d.yaml"),
+        ("https://a.org/b/index-v4.yaml", "file:///etc/passwd", None),
+        ("https://a.org/b/index-v4.yaml", "ftp://a.org/d.yaml", None),
+        ("https://a.org/b/index-v4.yaml", "http://[x", None),
+    ],
+)
+def test_what_an_index_names_lies_beside_it_or_elsewhere(index: str, named: str, place: str | None) -> None:
+    if place:
+        assert Place(index).beside(named) == Place(place)
+    else:
+        with pytest.raises(NamesError):
+            Place(index).beside(named)
+
+
 @given(ODD)
 def test_odd_files_are_refused_or_read(data) -> None:
     for read in (lambda: distribution_files(HERE, data), lambda: released([(HERE, data)])):

@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape, quoteattr
-
 from ..finding import Edit
 from ..model.manifest import Manifest
 from ..model.xml_tree import Element
 from ..source import Span
+
+
+def escape(text: str) -> str:
+    """Return a text for XML. (The standard library's own comes with urllib.request: 30 ms at each start.)"""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def quoted(text: str) -> str:
+    """Return a text as the value of an attribute, in quotes that it does not hold if that can be."""
+    text = escape(text)
+    for char, reference in (("\n", "&#10;"), ("\r", "&#13;"), ("\t", "&#9;")):
+        text = text.replace(char, reference)
+    if '"' in text and "'" not in text:
+        return f"'{text}'"
+    text = text.replace('"', "&quot;")
+    return f'"{text}"'
 
 
 def set_attribute(manifest: Manifest, element: Element, name: str, value: str) -> Edit:
@@ -15,9 +29,10 @@ def set_attribute(manifest: Manifest, element: Element, name: str, value: str) -
     attribute = element.attributes.get(name)
     if attribute is not None:
         quote = manifest.source.text[attribute.value_span.start - 1]
-        return Edit(manifest.path, attribute.value_span, escape(value, {quote: "&quot;" if quote == '"' else "&apos;"}))
+        text = escape(value).replace(quote, "&quot;" if quote == '"' else "&apos;")
+        return Edit(manifest.path, attribute.value_span, text)
     at = element.open.start + 1 + len(element.tag)
-    return Edit(manifest.path, Span(at, at), f" {name}={quoteattr(value)}")
+    return Edit(manifest.path, Span(at, at), f" {name}={quoted(value)}")
 
 
 def remove_attribute(manifest: Manifest, element: Element, name: str) -> Edit:

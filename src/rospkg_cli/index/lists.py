@@ -70,7 +70,7 @@ def parsed(text: str, source: Place, path: str) -> Iterator[KeyList]:
         kind, *rest = line.split() or [""]
         if not kind or kind.startswith("#") or kind == "gbpdistro":
             continue
-        if kind != "yaml" or not rest or "://" not in rest[0]:
+        if kind != "yaml" or not rest or not rest[0].startswith(("http://", "https://", "file:///")):
             raise NamesError(f"{path}:{number}: `{line.strip()}` is no source of rosdep: `yaml URL [TAG …]`")
         official = OFFICIAL.search(rest[0])
         place, tags = Place(rest[0]), frozenset(rest[1:])

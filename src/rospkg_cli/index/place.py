@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from urllib.parse import urljoin, urlsplit, urlunsplit
+from urllib.parse import SplitResult, urljoin, urlsplit, urlunsplit
 
 from . import NamesError
 
@@ -21,10 +21,15 @@ class Place:
     url: str
 
     def beside(self, path: str) -> Place:
-        """Return the place of a path that is relative to the index file, or of a URL; a query goes with the former."""
-        if urlsplit(path).scheme:
+        """Return the place of a path that is relative to the index file, or of a URL; a query goes with the former.
+
+        Raises NamesError for what is neither, and for a file of this machine that another machine names.
+        """
+        parts, other = split(self.url), split(path)
+        if other.scheme and (other.scheme not in SCHEMES or (other.scheme == "file" and parts.scheme != "file")):
+            raise NamesError(f"{self} names `{path}`, and that is not read")
+        if other.scheme:
             return Place(path)
-        parts = urlsplit(self.url)
         return Place(urljoin(urlunsplit(parts._replace(query="")), path) + (f"?{parts.query}" if parts.query else ""))
 
     def holds(self, other: Place) -> bool:
@@ -38,6 +43,14 @@ class Place:
         if parts.scheme == "file":
             return path_of(self.url)
         return urlunsplit(parts._replace(netloc=parts.netloc.rpartition("@")[2], query="", fragment=""))
+
+
+def split(url: str) -> SplitResult:
+    """Return the parts of a URL; raises NamesError where it is none."""
+    try:
+        return urlsplit(url)
+    except ValueError as error:
+        raise NamesError(f"`{url}` is no URL: {error}") from None
 
 
 def path_of(url: str) -> str:
@@ -58,7 +71,7 @@ def place_of(asked: str, environment: Mapping[str, str], configured: str) -> Pla
         (DEFAULT, ""),
     )
     text, where = next((text, where) for text, where in named if text)
-    scheme = urlsplit(text).scheme
+    scheme = split(text).scheme
     if "://" not in text and not text.startswith("file:"):
         return local(Path(text).expanduser(), where)
     if scheme not in SCHEMES:
