@@ -33,6 +33,19 @@ cmake_language(SET_DEPENDENCY_PROVIDER bench_provide SUPPORTED_METHODS FIND_PACK
 function(target_link_libraries)
 endfunction()
 
+# Neither are the files that a package looks for.
+foreach(bench_command find_library find_path)
+  cmake_language(EVAL CODE "
+    function(${bench_command} variable)
+      set(arguments \${ARGN})
+      list(REMOVE_ITEM arguments REQUIRED)
+      _${bench_command}(\${variable} \${arguments})
+      if(NOT \${variable} AND NOT CMAKE_CURRENT_LIST_DIR MATCHES \"^\${CMAKE_ROOT}\")
+        set(\${variable} /bench/found CACHE FILEPATH \"\" FORCE)
+      endif()
+    endfunction()")
+endforeach()
+
 foreach(bench_command ${BENCH_COMMANDS})
   cmake_language(EVAL CODE "function(${bench_command})\nendfunction()")
 endforeach()

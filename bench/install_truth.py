@@ -91,6 +91,9 @@ def judge(package: Path, inspection: Inspection, prefix: Path, generates: bool) 
     missing = sorted(path for path in real - ours if not added.fullmatch(path))
     untold = [path for path in missing if not inspection.table.knows(what(path, name))]
     invented = sorted({row.destination for row in inspection.table.rows if not row.maybe} - real)
+    for path in (path for path in missing if path.endswith(".a") and f"{path[:-2]}.so" in invented):
+        untold.append(path)  # whether such a library is shared, a package that is not there decides
+        invented.remove(f"{path[:-2]}.so")
     return Verdict(
         package, len(ours), tuple(p for p in missing if p not in untold), tuple(invented), tuple(untold)
     )  # fmt: skip
@@ -189,18 +192,17 @@ def pretend(world: World, package: Path) -> Verdict | None:
 
 def make_artifacts(world: World, build: Path) -> None:
     """Make what the targets of a build would make, as empty files; scripts of Python packages are really made."""
-    scripts = []
-    for file in (build / ".cmake/api/v1/reply").glob("target-*.json"):
-        target = json.loads(file.read_text(encoding="utf-8"))
-        for artifact in target.get("artifacts", ()):
-            touch(build / artifact["path"])
-        for generated in (each["path"] for each in target.get("sources", ()) if each.get("isGenerated")):
-            if not generated.endswith(".rule"):
-                touch(build / generated)
-        if re.fullmatch(r"ament_cmake_python_build_.*", target["name"]):
-            scripts.append(target["name"])
-    if scripts:
+    replies = (build / ".cmake/api/v1/reply").glob("target-*.json")
+    targets = [json.loads(file.read_text(encoding="utf-8")) for file in replies]
+    names = [target["name"] for target in targets]
+    if scripts := [name for name in names if name.startswith("ament_cmake_python_build_")]:
         world.run([world.cmake, "--build", str(build), "--target", *scripts], build)
+    for target in targets:
+        made = [each["path"] for each in target.get("artifacts", ())]
+        made += [each["path"] for each in target.get("sources", ()) if each.get("isGenerated")]
+        for path in made:
+            if not path.endswith(".rule"):
+                touch(build / path)
 
 
 def touch(path: Path, folder: bool = False) -> None:
