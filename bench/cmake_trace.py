@@ -42,6 +42,8 @@ FACTS = re.compile(
     r"set_target_properties|ament_\w+|rclcpp_\w+|pluginlib_\w+|rosidl_\w+|generate_parameter_\w+|pybind11_\w+"
 )
 PYTHON = re.compile(r"(?:local/)?lib/python3(?:\.\d+)?/(?:site|dist)-packages")
+ANYTHING = re.compile(f";?(?:{re.escape(HOLE)})+;?")
+"""A hole in a text: it may stand for no element of a list."""
 Place = tuple[str, int, str]
 """File, line and name of a command."""
 
@@ -88,8 +90,8 @@ def argument_fits(words: Sequence[Word], args: Sequence[str]) -> bool:
     reached = {0}
     """How many elements may be used up before the next word."""
     for word in words:
-        pattern = re.compile(".*".join(map(re.escape, word.text.split(HOLE))), re.DOTALL)
-        after = set(reached) if word.maybe or (word.text == HOLE and not word.quoted) else set()
+        pattern = re.compile(ANYTHING.sub(".*", re.escape(word.text)), re.DOTALL)
+        after = set(reached) if word.maybe or (not word.text.strip(HOLE) and not word.quoted) else set()
         for at in reached:
             more = len(args) - at if HOLE in word.text and not word.quoted else 1
             for end in range(at + 1, min(len(args), at + more) + 1):

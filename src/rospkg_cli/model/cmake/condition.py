@@ -15,6 +15,8 @@ Truth = bool | None
 TRUE = frozenset({"ON", "YES", "TRUE", "Y"})
 FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
 NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
+NUMBER_FIRST = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
+"""What EQUAL and LESS read of a text: sscanf stops where the number does."""
 VERSION = re.compile(r"\d+(\.\d+)*")
 
 NUMBERS: Mapping[str, Callable[[float, float], bool]] = {
@@ -137,8 +139,8 @@ class Condition:
         if operator == "MATCHES":
             return search(b, a)
         if operator in NUMBERS:
-            numbers = NUMBER.fullmatch(a.strip()) and NUMBER.fullmatch(b.strip())
-            return NUMBERS[operator](float(a), float(b)) if numbers else None if not a.strip() else False
+            numbers = [float(match.group(1)) for text in (a, b) if (match := NUMBER_FIRST.match(text))]
+            return NUMBERS[operator](*numbers) if len(numbers) == 2 else False if a.strip() else None
         return versions(operator.removeprefix("VERSION_"), a, b)
 
     def content(self, word: Word) -> str:

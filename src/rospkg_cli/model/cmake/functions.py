@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from .blocks import Block
@@ -10,6 +11,9 @@ from .frame import Function, LeaveError
 from .machine import Machine
 from .scope import Scope
 from .words import HOLE, Value, as_value
+
+AGAIN = re.compile(r"\$\{|\\")
+"""What a macro evaluates once more where it uses an argument."""
 
 
 def run_block(machine: Machine, block: Block) -> None:
@@ -57,6 +61,8 @@ def invoke(machine: Machine, function: Function, call: Call) -> None:
 def arguments(machine: Machine, function: Function, call: Call) -> dict[str, Value]:
     """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
     words, count = call.words, len(function.parameters)
+    if function.macro:
+        words = tuple(replace(word, text=HOLE, quoted=False) if AGAIN.search(word.text) else word for word in words)
     whole = any(word.text == HOLE or word.maybe for word in words[:count])
     bound: dict[str, Value] = {"ARGV": as_value(words)}
     bound["ARGN"] = machine.hole() if whole else as_value(words[count:])

@@ -40,7 +40,7 @@ def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]
         if word.maybe or word.text == HOLE:
             run_maybe(machine, block, {name: (replace(word, maybe=False),)})
             continue
-        machine.scope.set(name, (word,))
+        machine.scope.set(name, as_value([word]))
         try:
             machine.body(block.branches[0].body)
         except LeaveError as leave:
@@ -70,7 +70,7 @@ def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
     if words and words[0].text == "RANGE" and not words[0].quoted:
         return number_range([word.text for word in words[1:]], machine)
     if not (words and words[0].text == "IN" and not words[0].quoted):
-        return list(as_value(words))
+        return list(words)
     found: list[Word] = []
     mode = ""
     for word in words[1:]:
@@ -79,7 +79,7 @@ def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
         elif mode == "ZIP_LISTS":
             return None
         else:
-            found += machine.value(word.text) if mode == "LISTS" else as_value([word])
+            found += machine.value(word.text) if mode == "LISTS" else [word]
     return found
 
 

@@ -69,7 +69,8 @@ def result(operation: str, rest: Sequence[str]) -> str | None:
         case "FIND", [text, part, *_]:
             return str(text.find(part))
         case "MAKE_C_IDENTIFIER", [text]:
-            return "".join(c if c.isalnum() and c.isascii() else "_" for c in text)
+            made = "".join(c if c.isalnum() and c.isascii() else "_" for c in text)
+            return f"_{made}" if made[:1].isdigit() else made
         case _:
             return None
 

@@ -59,7 +59,7 @@ def run_list(machine: Machine, call: Call) -> None:
 
 
 def without(value: Value, words: Sequence[Word]) -> Value:
-    gone = {word.text for word in as_value(words)}
+    gone = {word.text for word in words}
     return tuple(word for word in value if word.text not in gone)
 
 
@@ -86,17 +86,26 @@ def filtered(value: Value, words: Sequence[Word]) -> Value | None:
 
 
 def transformed(value: Value, words: Sequence[Word]) -> Value | None:
-    match texts(tuple(words)):
+    """Return a list with each element changed; a `;` that comes in parts it."""
+    change = transformation(texts(tuple(words)))
+    if change is None:
+        return None
+    changed = [(word, HOLE if word.text == HOLE else change(word.text)) for word in value]
+    return as_value(replace(word, text=HOLE if text is None else text) for word, text in changed)
+
+
+def transformation(words: Sequence[str]) -> Callable[[str], str | None] | None:
+    match words:
         case ["APPEND", text]:
-            return tuple(replace(word, text=word.text + text) for word in value)
+            return lambda each: each + text
         case ["PREPEND", text]:
-            return tuple(replace(word, text=text + word.text) for word in value)
+            return lambda each: text + each
         case ["REPLACE", pattern, by]:
-            changed = [None if HOLE in pattern + by + w.text else replace_all(pattern, by, w.text) for w in value]
-            return tuple(replace(w, text=HOLE if t is None else t) for w, t in zip(value, changed, strict=True))
-        case [("TOUPPER" | "TOLOWER") as case]:
-            upper = case == "TOUPPER"
-            return tuple(replace(w, text=w.text.upper() if upper else w.text.lower()) for w in value)
+            return lambda each: None if HOLE in pattern + by + each else replace_all(pattern, by, each)
+        case ["TOUPPER"]:
+            return str.upper
+        case ["TOLOWER"]:
+            return str.lower
         case _:
             return None
 

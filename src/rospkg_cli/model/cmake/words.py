@@ -25,6 +25,7 @@ MAX_WORDS = 5_000
 
 REFERENCE = re.compile(r"\$(ENV|CACHE)?\{|\}|\\(.)", re.DOTALL)
 PLAIN_REFERENCE = re.compile(r"\$\{([^{}$\\]+)\}")
+HOLE_AT_TEXT = re.compile(r";\0(?=[^;\0])|(?<=[^;\0])\0;")
 ESCAPES = {"n": "\n", "t": "\t", "r": "\r", ";": "\\;"}
 
 
@@ -111,12 +112,17 @@ def words_of(argument: Argument, path: str, variable: Callable[[str], Value], en
     if argument.kind in ("bracket", "paren"):
         return [Word(argument.text, path, argument.span, quoted=argument.kind == "bracket")]
     if argument.kind == "quoted":
-        text = substitute(argument.text.replace("\\\n", ""), value_of)
+        text = blurred(substitute(argument.text.replace("\\\n", ""), value_of))
         return [Word(text, path, argument.span, quoted=True)]
     if whole := PLAIN_REFERENCE.fullmatch(argument.text):
         return [placed(word, argument, path) for word in variable(whole.group(1)) if word.text]
-    text = substitute(argument.text, value_of)
+    text = blurred(substitute(argument.text, value_of))
     return [Word(each, path, argument.span) for each in split(text) if each]
+
+
+def blurred(text: str) -> str:
+    """Return a text in which a hole beside other text takes the `;` before it along: it may be no element at all."""
+    return HOLE_AT_TEXT.sub(HOLE, text) if HOLE in text and ";" in text else text
 
 
 def placed(word: Word, argument: Argument, path: str) -> Word:
@@ -146,11 +152,15 @@ def merge(values: Sequence[Value]) -> Value:
     longest = max(values, key=len)
     if not all(is_within(texts(value), texts(longest)) for value in values):
         return (replace(longest[0], text=HOLE, maybe=False),)
-    common = [texts(value) for value in values]
-    return tuple(
-        word if all(word.text in each for each in common) and not word.maybe else replace(word, maybe=True)
-        for word in longest
-    )
+    common = frozenset(range(len(longest))).intersection(*(certain_in(value, longest) for value in values))
+    return tuple(word if at in common else replace(word, maybe=True) for at, word in enumerate(longest))
+
+
+def certain_in(shorter: Value, longer: Value) -> frozenset[int]:
+    """Return which elements of a list are certainly those of another, which is within it."""
+    rest = enumerate(longer)
+    found = ((next(at for at, there in rest if there.text == word.text), word) for word in shorter)
+    return frozenset(at for at, word in found if not word.maybe)
 
 
 def texts(value: Value) -> list[str]:
