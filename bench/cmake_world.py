@@ -154,5 +154,6 @@ def make_world(scratch: Path, folders: Iterable[Path], cmake: str = "cmake") -> 
     for folder in folders:
         for package in packages_below(folder):
             write_extras(package, stubs)
-    (stubs / "rosidl_default_generators.cmake").write_text("find_package(rosidl_cmake REQUIRED)\n")
+    for name in ("rosidl_default_generators", "rosidl_core_generators"):
+        (stubs / f"{name}.cmake").write_text("find_package(rosidl_cmake REQUIRED)\n")
     return World(scratch, stubs, cmake)
