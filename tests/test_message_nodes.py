@@ -72,7 +72,8 @@ REFUSED = {
     "a_node:a_pkg/b/C": "PACKAGE/Name",
     "a_node:Robot_Status": "PACKAGE/Name",
     "a_node:some_msgs/Node": "another name",
-    "a_node:some_msgs/" + "A" * 70: "too long",
+    "a_node:some_messages_of_an_old_friend_of_mine/" + "A" * 38: "too long",
+    "a_node:some_msgs/" + "Ab" * 14: "too long",
     "a_node:std_msgs/String:std_msgs/Bool": "says too much",
 }
 
@@ -81,6 +82,21 @@ REFUSED = {
 def test_what_cannot_be_is_refused(node: str) -> None:
     with pytest.raises(ScaffoldError, match=REFUSED[node]):
         plan(there=THERE, nodes=(node,))
+
+
+@pytest.mark.parametrize("name", ["A" * 40, "Ab" * 13, "Abcdefghijklmnopqrs" * 2])
+def test_names_that_are_taken_fit_their_lines(name: str) -> None:
+    package = "a_robot_interfaces_pkg_of_mine"
+    nodes = [
+        f"{kind}_{n}:{kind}er:{language}:{package}/{name}"
+        for n, language in enumerate(("cpp", "python"))
+        for kind in ("publish", "subscrib")
+    ]
+    planned = plan(template="mixed", nodes=tuple(nodes))
+    for path, text in texts(planned).items():
+        if path.endswith((".py", ".cpp")):
+            long = [line for line in text.splitlines() if len(line) > 99 and not line.startswith("#include")]
+            assert long == [], path
 
 
 def test_whose_message_it_is_must_be_clear() -> None:

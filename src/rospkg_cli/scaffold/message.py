@@ -17,6 +17,9 @@ from .around import Around, Neighbour
 LONGEST = 70
 """Names of package and message together: longer ones don't fit the line that names both."""
 
+LONGEST_TOPIC = 40
+"""The same for the lines that name the topic."""
+
 TAKEN = frozenset({"ExternalShutdownException", "FloatingPointRange", "Node", "ParameterDescriptor"})
 """What a node imports beside it."""
 
@@ -63,7 +66,7 @@ def message_of(word: str, package: str, there: Around) -> Message:
     if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)):
         raise ScaffoldError(f"`{word}` can't be a message: PACKAGE/Name, as std_msgs/String")
     owner = owner or owner_of(name, package, there)
-    if name in TAKEN or len(owner) + len(name) > LONGEST:
+    if name in TAKEN or len(owner) + len(name) > LONGEST or len(Message(owner, name).topic) > LONGEST_TOPIC:
         reason = "is called like a class of ROS that nodes import" if name in TAKEN else "has too long a name"
         raise ScaffoldError(f"`{owner}/{name}` {reason}; give the message another name")
     neighbour = there.named(owner)
