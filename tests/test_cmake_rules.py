@@ -96,17 +96,24 @@ def exporting(lines: str) -> dict[str, str]:
     return {**cmk113.FILES, "CMakeLists.txt": cmake}
 
 
-def test_plugins_and_components_are_loaded_and_not_linked() -> None:
-    plugin = "pluginlib_export_plugin_description_file(rviz_common plugins.xml)\n"
-    component = 'rclcpp_components_register_node(core PLUGIN "my_pkg::Core" EXECUTABLE core_node)\n'
-    for line in (plugin, component):
-        files = exporting(cmk113.LINES + line)
-        assert said(files, "CMK113") == []
-        own = {f"src/my_pkg/{path}": text for path, text in files.items()}
-        user = package("find_package(my_pkg REQUIRED)", "  <depend>OTHER</depend>\n", "user_pkg")
-        user["package.xml"] = user["package.xml"].replace("OTHER", "my_pkg")
-        theirs = {f"src/user_pkg/{path}": text for path, text in user.items()}
-        assert len(said({**own, **theirs}, "CMK113")) == 1
+PLUGIN = "pluginlib_export_plugin_description_file(rviz_common plugins.xml)\n"
+COMPONENT = 'rclcpp_components_register_node(core PLUGIN "my_pkg::Core" EXECUTABLE core_node)\n'
+HEADERS = "ament_export_include_directories(include/${PROJECT_NAME})\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "levels"),
+    [(PLUGIN, []), (PLUGIN + HEADERS, [Severity.INFO]), (COMPONENT, [Severity.INFO]), (HEADERS, [Severity.WARNING])],
+)
+def test_plugins_and_components_may_only_be_loaded(lines: str, levels: list[Severity]) -> None:
+    files = exporting(cmk113.LINES + lines)
+    assert [finding.severity for finding in lint_files(files, ["CMK113"]).findings] == levels
+    own = {f"src/my_pkg/{path}": text for path, text in files.items()}
+    user = package("find_package(my_pkg REQUIRED)", "  <depend>OTHER</depend>\n", "user_pkg")
+    user["package.xml"] = user["package.xml"].replace("OTHER", "my_pkg")
+    theirs = {f"src/user_pkg/{path}": text for path, text in user.items()}
+    found = lint_files({**own, **theirs}, ["CMK113"]).findings
+    assert [finding.severity for finding in found] == [Severity.WARNING]
 
 
 def test_a_library_without_a_target_lacks_headers() -> None:

@@ -11,7 +11,7 @@ from ...ros.table import rows
 from ..facts import PackageFacts
 from ..workspace import Workspace
 from .call import Call
-from .headers import PLUGINS, Headers
+from .headers import INCLUDES, PLUGINS, Headers
 from .links import Link, Links
 from .words import HOLE, Word
 
@@ -33,6 +33,8 @@ class Unexported:
     link: Link
     as_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
+    only_loaded: bool
+    """Whether it is a plug-in or a component, and no package around builds against this one."""
 
 
 @dataclass(frozen=True)
@@ -46,15 +48,19 @@ class ExportedDependencies:
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
         unclear = not cmake.complete or cmake.clouded or automatic or HOLE in self.exported
-        if unclear or not self.headers.installed or (cmake.named(PLUGINS) and not self.is_built_against):
+        plugins = bool(cmake.named(PLUGINS))
+        unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
+        if unclear or not self.headers.installed or unused:
             return
+        components = {each.target.text for each in cmake.components}
         seen: set[str] = set()
         for link in Links(cmake).all:
             package = self.package_of(link)
-            passed = link.exported and link.target in self.offered and not link.call.maybe and not link.word.maybe
+            passed = link.exported and link.target in self.libraries and not link.call.maybe and not link.word.maybe
             if passed and package in self.needed and package not in self.there | seen:
                 seen.add(package)
-                yield Unexported(package, link.word, link, link.target in self.targets)
+                loaded = (plugins or link.target in components) and not self.is_built_against
+                yield Unexported(package, link.word, link, link.target in self.targets, loaded)
 
     @cached_property
     def is_built_against(self) -> bool:
@@ -72,12 +78,6 @@ class ExportedDependencies:
         return match.group(1) if match else ""
 
     @cached_property
-    def offered(self) -> frozenset[str]:
-        """The libraries that other packages are meant to link."""
-        components = {each.target.text for each in self.headers.package.cmake.components}
-        return self.libraries if self.is_built_against else self.libraries - components
-
-    @cached_property
     def targets(self) -> frozenset[str]:
         """The names that are exported as targets."""
         cmake = self.headers.package.cmake
@@ -87,7 +87,7 @@ class ExportedDependencies:
 
     @cached_property
     def libraries(self) -> frozenset[str]:
-        """The libraries that are exported."""
+        """The libraries that are exported, for other packages to link."""
         cmake = self.headers.package.cmake
         old = {text for call in cmake.named("ament_export_libraries") if not call.folder for text in call.texts}
         named = self.targets | old

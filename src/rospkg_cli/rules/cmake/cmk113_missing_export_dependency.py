@@ -48,6 +48,7 @@ def cmake(lines: str) -> str:
     "missing-export-dependency",
     over=ExportedDependencies,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "it is a plug-in or a component, and no package around builds against it"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": cmake(LINES)},
@@ -62,8 +63,7 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     ## What it does
     Finds packages that an exported library is linked with in public (PUBLIC, INTERFACE, or without a keyword), that one
     of its installed headers includes, and that `ament_export_dependencies()` does not name. What comes with a package
-    that it does name is left alone, and so are plug-ins and components where no package around builds against them:
-    those are only loaded.
+    that it does name is left alone. A plug-in or a component that no package around builds against may only be loaded.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
@@ -83,4 +83,5 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
         )
         edit = export_dependency(package.cmake, each.package, first=number == 0)
         fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
-        yield Hit(each.word.path, each.word.span, message, fix=fix)
+        level = Severity.INFO if each.only_loaded else None
+        yield Hit(each.word.path, each.word.span, message, level, fix=fix)
