@@ -107,6 +107,18 @@ def test_a_file_that_others_include_has_what_these_set() -> None:
     assert said({**inner, **outer}) == []
 
 
+def test_the_name_of_an_included_file_is_told_by_its_last_pieces() -> None:
+    path = "PathJoinSubstitution([FindPackageShare('my_pkg'), 'launch', 'b.launch.xml'])"
+    files = python(f"return LaunchDescription([IncludeLaunchDescription({path}), use])")
+    files["launch/a.launch.py"] = (
+        "from launch.substitutions import PathJoinSubstitution\n"
+        "from launch_ros.substitutions import FindPackageShare\n" + files["launch/a.launch.py"]
+    )
+    assert said({**files, "launch/b.launch.xml": f"<launch>{DECLARE}</launch>"}) == []
+    assert said({**files, "launch/b.launch.xml": "<launch/>"}) == ["LCH008"]
+    assert said(files) == []
+
+
 def test_a_file_that_is_included_sets_what_it_declares() -> None:
     includes = '<include file="$(dirname)/b.launch.xml"/>'
     assert said({**xml(includes + USE), "launch/b.launch.xml": f"<launch>{DECLARE}</launch>"}) == []

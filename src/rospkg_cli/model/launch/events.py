@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal as OneOf
 
 from ...source import Span
-from .text import LaunchText
+from .text import LaunchText, Literal
 
 NOWHERE = Span(0, 0)
 
-Kind = Literal["use", "declare", "define", "pass", "include", "open", "push", "pop", "later"]
+Kind = OneOf["use", "declare", "define", "pass", "include", "open", "push", "pop", "later"]
 """`pass`: an include sets it for the included file; `open`: anything may be set from here on; `push` and `pop`: a scope
 of its own; `later`: what follows happens some time, when an event or a timer comes."""
 
@@ -37,13 +37,13 @@ def uses_of(*texts: LaunchText | None) -> Iterator[Event]:
 
 
 def file_name(text: LaunchText) -> str:
-    """Return the name of an included file, as far as its last piece tells."""
-    last = text.literal
-    if last is None and text.parts:
-        piece = text.parts[-1]
-        last = getattr(piece, "text", "")
-        last = last if "/" in last else ""
-    return (last or "").rpartition("/")[2]
+    """Return the name of an included file, as far as its last pieces tell."""
+    tail = ""
+    for part in reversed(text.parts):
+        if not isinstance(part, Literal):
+            return tail.rpartition("/")[2] if "/" in tail else ""
+        tail = part.text + tail
+    return tail.rpartition("/")[2]
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 
 from ...ros.launch_calls import ACTIONS, SIGNATURES
@@ -15,6 +16,9 @@ from .values import class_of, substitution, text_of
 LATER = frozenset({"RegisterEventHandler", "TimerAction", "RosTimer", "ROSTimer"})
 ADDS = frozenset({"add_action", "add_entity"})
 PERFORMS = frozenset({"perform", "perform_substitution"})
+HARMLESS = (sys.stdlib_module_names | {"launch_testing", "print"}) - {"functools", "itertools"}
+"""Where calls come from that declare nothing, whatever they return."""
+
 MAX_DEPTH = 40
 
 
@@ -70,7 +74,8 @@ class Visit:
             yield from self.description(value, depth + 1)
         elif not isinstance(value, Constant | Text):
             yield from used(value, 0)
-            yield Event("open")
+            if not (isinstance(value, Call) and value.callee.partition(".")[0] in HARMLESS):
+                yield Event("open")
 
     def action(self, call: Call, name: str, depth: int) -> Iterator[Event]:
         if name == "GroupAction":
