@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 import pytest
 
-from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, manifest
+from rospkg_cli.finding import Edit
 from rospkg_cli.model.launch.file import LaunchFile
 from rospkg_cli.testing import lint_files
 from tests.reading import package
@@ -354,3 +355,30 @@ def test_only_what_is_declared_for_certain_is_required(body: str, found: int) ->
         ).findings
         if "`b`" in f.message
     ] == []
+
+
+PYTHON_BASE = {**BACKDROPS["ament_python"], "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n")}
+NAMES_IT = '<launch>\n  <include file="$(find-pkg-share my_pkg)/config/robot.yaml"/>\n</launch>\n'
+SHARE = "        ('share/' + package_name, ['package.xml']),\n"
+
+
+def with_setup(line: str) -> dict[str, str]:
+    files = {path: text for path, text in PYTHON_BASE.items() if text is not None}
+    launch = "        ('share/' + package_name + '/launch', ['launch/a.launch.xml']),\n"
+    setup = SETUP_PY.replace(SHARE, SHARE + launch + line)
+    return {**files, "setup.py": setup, "launch/a.launch.xml": NAMES_IT, "config/robot.yaml": YAML}
+
+
+def test_of_a_folder_that_setup_py_forgets_its_own_rule_speaks() -> None:
+    assert said(with_setup(""), "SET206", "LCH003", "LCH004") == ["SET206 error"]
+
+
+def test_a_file_that_setup_py_leaves_out_is_put_beside_its_like() -> None:
+    files = {
+        **with_setup("        ('share/' + package_name + '/config', ['config/more.yaml']),\n"),
+        "config/more.yaml": YAML,
+    }
+    (found,) = lint_files(files, ["SET206", "SET207", "LCH003", "LCH004"]).findings
+    assert found.code == "LCH004"
+    assert found.fix is not None
+    assert [each.text for each in found.fix.operations if isinstance(each, Edit)] == ["', 'config/robot.yaml'"]
