@@ -1,0 +1,45 @@
+"""What `new` writes as it was last looked at: every file, and what says what is built, installed and needed.
+
+`pytest tests/test_new_trees.py --update-golden` writes them anew; read the diff before it is committed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from planned import plan, texts
+
+from rospkg_cli.scaffold.extras import all_extras
+from rospkg_cli.scaffold.plan import Plan
+from rospkg_cli.scaffold.template import load_template, template_names
+from rospkg_cli.scaffold.testing import TESTS
+
+TREES = Path(__file__).parent / "trees"
+SHOWN = ("package.xml", "setup.py", "CMakeLists.txt")
+"""The files whose text is kept."""
+
+
+def shown(planned: Plan) -> str:
+    """Return the paths of all files, and the text of those that say what is built, installed and needed."""
+    files = texts(planned)
+    return "\n".join([*files, ""]) + "".join(f"\n── {path}\n{files[path]}" for path in SHOWN if path in files)
+
+
+@pytest.mark.parametrize("tests", TESTS)
+@pytest.mark.parametrize("template", template_names())
+def test_the_tree_is_the_one_that_was_looked_at(template: str, tests: str, pytestconfig: pytest.Config) -> None:
+    launches = load_template(template).launches
+    launch = {"ament": "py", "minimal": "xml", "none": "yaml"}[tests] if launches else ""
+    extras = tuple(all_extras()) if tests == "ament" else ()
+    planned = plan("my_robot", template=template, tests=tests, launch=launch, extras=extras, distro="jazzy")
+    golden = TREES / f"{template}-{tests}.txt"
+    if pytestconfig.getoption("--update-golden"):
+        golden.write_text(shown(planned))
+    assert shown(planned) == golden.read_text()
+
+
+def test_no_tree_is_left_over() -> None:
+    assert {path.stem for path in TREES.iterdir()} == {
+        f"{name}-{tests}" for name in template_names() for tests in TESTS
+    }
