@@ -102,9 +102,19 @@ def test_a_file_that_others_include_has_what_these_set() -> None:
     assert said({**inner, "launch/b.launch.xml": f"<launch>{passing}</launch>"}) == []
     assert said({**inner, "launch/b.launch.xml": f"<launch>{DECLARE}{silent}</launch>"}) == []
     assert said({**inner, "launch/b.launch.xml": f"<launch>{silent}</launch>"}) == ["LCH008"]
+    inherits = f'<launch><log message="$(var from_elsewhere)"/>{silent}</launch>'
+    assert said({**inner, "launch/b.launch.xml": inherits}) == ["LCH008"], "of b alone: what starts b sets more"
     outer = {"launch/b.launch.xml": f"<launch>{silent}</launch>"}
     outer["launch/c.launch.xml"] = f'<launch>{DECLARE}<include file="$(dirname)/b.launch.xml"/></launch>'
     assert said({**inner, **outer}) == []
+
+
+def test_a_file_that_asks_for_much_and_passes_it_on_is_made_to_be_included() -> None:
+    names = ["a", "b", "c", "d"]
+    passed = "".join(f'<arg name="{name}" value="$(var {name})"/>' for name in names)
+    include = f'<include file="$(find-pkg-share other)/launch/b.launch.xml">{passed}</include>'
+    assert said(xml(include)) == []
+    assert said(xml('<log message="$(var e)"/>' + include)) == ["LCH008"]
 
 
 def test_the_name_of_an_included_file_is_told_by_its_last_pieces() -> None:

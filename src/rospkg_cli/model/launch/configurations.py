@@ -28,6 +28,8 @@ class Unset:
     state: State
     declared: tuple[str, ...]
     """The arguments that the file declares."""
+    handed_on: bool = False
+    """Whether it is only passed on to an included file, under its own name."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ class Configurations:
                 seen.add(event.name)
                 state = self.state(event.name, events, index)
                 if state is not None:
-                    yield Unset(event.name, event.span, state, declared)
+                    yield Unset(event.name, event.span, state, declared, event.passed_as == event.name)
 
     def state(self, name: str, events: tuple[Event, ...], index: int) -> State | None:
         """Return why a name is not set at an event; None where it is, for all that can be told, set in some scope."""

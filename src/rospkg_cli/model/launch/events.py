@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal as OneOf
 
 from ...source import Span
@@ -24,6 +24,8 @@ class Event:
     span: Span = NOWHERE
     optional: bool = False
     """Of a use: it has a default; of a declaration: it has none, so that whoever starts the file gives it."""
+    passed_as: str = ""
+    """Of a use: the argument of an include that is all that it becomes."""
 
 
 def uses_of(*texts: LaunchText | None) -> Iterator[Event]:
@@ -34,6 +36,11 @@ def uses_of(*texts: LaunchText | None) -> Iterator[Event]:
                 name = found.arguments[0]
                 span = name.span if name.literal else found.span
                 yield Event("use", name.literal or "", span, optional=len(found.arguments) > 1)
+
+
+def passing(uses: Iterable[Event], name: str) -> Iterator[Event]:
+    """Yield the uses in what an include passes as an argument."""
+    yield from (replace(event, passed_as=name) for event in uses)
 
 
 def file_name(text: LaunchText) -> str:
@@ -58,16 +65,21 @@ class Summary:
     """The names of the files that it includes."""
     open: bool
     """Whether it may define others, or include others."""
+    inherits: bool = False
+    """Whether it asks for what it does not define itself: then something beyond sets it."""
 
 
 def summary(name: str, events: Iterable[Event], complete: bool) -> Summary:
     events = tuple(events)
     defined = [event for event in events if event.kind in ("declare", "define", "pass")]
     included = [event for event in events if event.kind == "include"]
+    names = {event.name for event in defined}
+    inherits = any(e.kind == "use" and e.name and not e.optional and e.name not in names for e in events)
     unknown = any(not event.name for event in (*defined, *included)) or any(event.kind == "open" for event in events)
     return Summary(
         name,
         frozenset(event.name for event in defined if event.name),
         frozenset(event.name for event in included if event.name),
         unknown or not complete,
+        inherits,
     )

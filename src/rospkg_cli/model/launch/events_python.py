@@ -10,7 +10,7 @@ from ...source import Span
 from ..evaluate.values import Attribute, Call, Constant, Function, Joined, Mapping, Sequence, Text, Unknown, Value
 from .called import named_arguments
 from .evaluation import ENTRIES, LaunchEvaluator
-from .events import Event, file_name, uses_of
+from .events import Event, file_name, passing, uses_of
 from .values import class_of, substitution, text_of
 
 LATER = frozenset({"RegisterEventHandler", "TimerAction", "RosTimer", "ROSTimer"})
@@ -167,9 +167,10 @@ def included(call: Call) -> Iterator[Event]:
 
 
 def passed(name: Value, value: Value) -> Iterator[Event]:
+    text = text_of(name).literal or ""
     yield from used(name, 0)
-    yield from used(value, 0)
-    yield Event("pass", text_of(name).literal or "", name.span)
+    yield from passing(used(value, 0), text)
+    yield Event("pass", text, name.span)
 
 
 def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[Event]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...ros.launch import ACTIONS
 from ..written import Written
 from .entity import Entity
-from .events import Event, file_name, uses_of
+from .events import Event, file_name, passing, uses_of
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, unknown_text
 
@@ -57,8 +57,9 @@ def include(entity: Entity) -> Iterator[Event]:
     given = entity.named("arg", "let")
     yield from uses_of(*texts(entity))
     for each in given:
-        yield from uses_of(*texts(each))
-        yield Event("pass", plain(each, "name"), each.name_span)
+        name = plain(each, "name")
+        yield from passing(uses_of(*texts(each)), name)
+        yield Event("pass", name, each.name_span)
     file = read(entity.attributes["file"]) if "file" in entity.attributes else None
     yield Event("include", file_name(file) if file is not None else "", entity.name_span)
 

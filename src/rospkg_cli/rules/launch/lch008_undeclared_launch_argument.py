@@ -64,6 +64,8 @@ def undeclared_launch_argument(configurations: Configurations) -> Iterator[Hit]:
     many = len(found) > FEW
     level = Severity.INFO if many or configurations.included else None
     for each in found if not (many and configurations.included) else ():
+        if many and each.handed_on:
+            continue
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
             better = "add it"
