@@ -31,7 +31,7 @@ class LaunchFiles:
         seen, queue = {name}, [name]
         while queue:
             for each in self.included.get(queue.pop(), ()):
-                if each.open or (each.inherits and each.name not in self.included):
+                if each.open or each.inherits:
                     return None
                 names |= each.defines
                 if each.name not in seen:
