@@ -13,7 +13,7 @@ from rospkg_cli.cli.diff import unified
 from rospkg_cli.engine.fix import repair
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.finding import Safety
-from rospkg_cli.model.discover import packages_in
+from rospkg_cli.model.discover import packages_in, repositories_in
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.tree import MemoryTree
@@ -32,9 +32,8 @@ def diffs(rule: Rule) -> str:
         tree = MemoryTree.of(example.bad_files())
         folders = packages_in(tree)
         codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
-        session = Session(
-            tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), frozenset(codes), Targets(example.targets)
-        )
+        scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
+        session = Session(tree, scope, frozenset(codes), Targets(example.targets))
         outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
         assert not outcome.refused
         titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})

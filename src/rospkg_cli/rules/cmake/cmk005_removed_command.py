@@ -94,13 +94,13 @@ def level_for(targets: Targets) -> Severity | None:
 def advice(replacement: Replacement | None) -> str:
     if replacement is None:
         return "link the packages' targets with `target_link_libraries` (which these are can't be told here)"
-    new = [text for part in replacement.parts for text in part.texts or ()]
     guessed = ", ".join(f"`{name}`" for name in replacement.guessed)
     doubt = f" (whether {guessed} exports targets can't be told here)" if guessed else ""
-    return f"link `{' '.join(new) or 'nothing'}` with `target_link_libraries`{doubt}"
+    return f"link the targets of its packages with `target_link_libraries`{doubt}"
 
 
 def fix(removed: Removed, replacement: Replacement | None) -> Fix | None:
     if replacement is None:
         return None
-    return Fix("link targets with target_link_libraries", link_instead(removed, replacement), Safety.UNSAFE)
+    new = " ".join(text for part in replacement.parts for text in part.texts or ()) or "nothing"
+    return Fix(f"link `{new}` with target_link_libraries", link_instead(removed, replacement), Safety.UNSAFE)
