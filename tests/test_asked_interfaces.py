@@ -104,7 +104,7 @@ def test_humble_wants_action_msgs_named() -> None:
 
 @pytest.mark.parametrize("form", ["msg", "srv", "action"])
 def test_elsewhere_they_are_refused_with_the_command_to_run(form: str) -> None:
-    command = f"rospkg new my_robot_nav_interfaces --type interfaces --{form} Status"
+    command = f"rospkg new my_robot_nav_interfaces --type interfaces --{form} 'Status:int32 x'"
     with pytest.raises(ScaffoldError, match=command):
         plan(**{form + "s": ("Status:int32 x",)})
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from shlex import quote
 
 from ..ros.distros import NEWEST_LTS, Distro, distro, fault_of_name
 from ..ros.licenses import LICENSES, License, offered, spdx_id
@@ -27,10 +28,10 @@ def asked_interfaces(request: Request, template: Template) -> tuple[Interface, .
     asked = {"msg": request.msgs, "srv": request.srvs, "action": request.actions}
     if template.interfaces:
         return interfaces_of(asked if any(asked.values()) else {"msg": ("Status",)})
-    for form, texts in asked.items():
-        if texts:
-            command = f"rospkg new {request.name}_interfaces --type interfaces --{form} {texts[0].partition(':')[0]}"
-            raise ScaffoldError(f"--{form} wants a package that only holds interfaces: {command}")
+    options = [f"--{form} {quote(text)}" for form, texts in asked.items() for text in texts]
+    if options:
+        command = f"rospkg new {request.name}_interfaces --type interfaces {' '.join(options)}"
+        raise ScaffoldError(f"{options[0].partition(' ')[0]} wants a package that only holds interfaces: {command}")
     return ()
 
 
