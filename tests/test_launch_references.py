@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import pytest
+from reading import package
 
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, manifest
 from rospkg_cli.finding import Edit
 from rospkg_cli.model.launch.file import LaunchFile
 from rospkg_cli.testing import lint_files
-from tests.reading import package
 
 HEAD = """\
 import os

@@ -54,7 +54,7 @@ class Table:
         return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
 
     def what(self, destination: str) -> What:
-        if destination.startswith((f"lib/{self.name}/", "bin/")):
+        if destination.startswith((f"lib/{self.name}/", f"lib/{self.cmake.project_name}/", "bin/")):
             return "executable"
         for prefix, what in PLACES:
             if destination.startswith(prefix):
