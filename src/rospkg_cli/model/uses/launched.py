@@ -108,7 +108,12 @@ class Launched:
                 yield from () if tests else self.imported(file)
 
     def imported(self, file: LaunchFile) -> Iterator[PackageUse]:
-        """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare."""
+        """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare.
+
+        One that stands among the modules is held against the manifest as these are.
+        """
+        if role_of(file.path) == "run":
+            return
         own = OwnModules(self.files)
         for each in file.imports:
             if each.level or each.optional or each.typing or own.has(each.module, file.path):

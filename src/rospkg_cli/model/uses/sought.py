@@ -82,12 +82,16 @@ class SoughtAndDeclared:
         return name in SAID_ELSEWHERE or generates or typed
 
     def serving(self, name: str) -> tuple[str, ...]:
-        """Return what serves find_package(name); nothing where nobody can tell or nothing has to be declared."""
+        """Return what serves find_package(name) besides the package itself.
+
+        Nothing where nobody can tell or nothing has to be declared.
+        """
         listed = keys_for_cmake(name)
         if NOTHING_NEEDED in listed:
             return ()
         own = (name,) if self.declared.workspace.what(name) in (Known.PACKAGE, Known.KEY) else ()
-        known = tuple(each for each in (*own, *listed) if "*" not in each)
+        itself = self.declared.facts.name
+        known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
         return (*known, *self.fitting(name, self.declared.names)) if known else ()
 
     def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:

@@ -87,12 +87,16 @@ class Unused:
             package = self.declared.workspace.what(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
             if not package or self.traces.are_in(name, "test", "docs"):
                 continue
-            if tag == "test_depend" and name in TOOLS and not self.is_imported(name) and not self.traces.are_in(name):
+            if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.traces.are_in(name):
                 yield UnusedDependency(dependency)
             elif tag in BUILT_IN and not self.is_built_with(name):
                 runs = self.is_imported(name) or self.traces.are_in(name, "run")
                 if (runs or self.has_code) and not (runs and self.runs_already(name)):
                     yield UnusedDependency(dependency, runs)
+
+    def is_tool_used(self, name: str) -> bool:
+        """Return whether tests import a tool, or launch_testing, which others of its family bring."""
+        return self.is_imported(name) or (name.startswith("launch_testing") and self.is_imported("launch_testing"))
 
     @property
     def has_code(self) -> bool:

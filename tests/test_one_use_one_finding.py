@@ -1,0 +1,45 @@
+"""Uses that two rules could speak of, and declarations of which one rule relies on what another doubts."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+
+def codes(files: dict[str, str], *only: str) -> list[tuple[str, str]]:
+    return [(f.code, f.place.path) for f in lint_files(files, list(only)).findings]
+
+
+def test_a_launch_test_among_the_modules_is_a_module(clean) -> None:
+    code = (
+        "from launch import LaunchDescription\n\n\ndef generate_test_description():\n    return LaunchDescription([])\n"
+    )
+    files = {**clean, "my_pkg/talks_launch_test.py": f"from rcl_interfaces.srv import SetParameters\n{code}"}
+    assert codes(files, "DEP101", "DEP103") == [("DEP101", "my_pkg/talks_launch_test.py")] * 2
+
+
+def test_a_package_is_no_other_way_to_get_what_it_looks_for() -> None:
+    text = manifest("  <test_depend>python3-opencv</test_depend>\n", "ament_cmake", "cv_bridge")
+    cmake = CMAKE.replace("my_pkg", "cv_bridge").replace(
+        "ament_package", "find_package(OpenCV REQUIRED)\nament_package"
+    )
+    found = lint_files({"package.xml": text, "CMakeLists.txt": cmake}, ["DEP104"]).findings
+    assert ["libopencv-dev" in each.message for each in found] == [True]
+
+
+def test_a_package_may_be_named_through_a_class(clean) -> None:
+    code = "def node():\n    return Node(package=Package('nav2_controller'), executable='x')\n"
+    assert codes({**clean, "my_pkg/generator.py": code}, "DEP103") == [("DEP103", "my_pkg/generator.py")]
+    other = code.replace("Package('nav2_controller')", "Package('nav2_controller', 'x')")
+    assert codes({**clean, "my_pkg/generator.py": other}, "DEP103") == []
+
+
+def test_what_brings_the_tool_that_tests_import_is_used() -> None:
+    depends = "  <test_depend>launch_testing_ros</test_depend>\n"
+    files = {
+        "package.xml": manifest(depends, "ament_cmake"),
+        "CMakeLists.txt": CMAKE,
+        "test/test_talks.py": "import launch_testing.actions\n",
+    }
+    assert codes(files, "DEP202") == []
+    assert codes({**files, "test/test_talks.py": "import pytest\n"}, "DEP202") == [("DEP202", "package.xml")]
