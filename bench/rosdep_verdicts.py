@@ -14,7 +14,7 @@ import sys
 from types import SimpleNamespace
 from typing import Any
 
-import rosdep2.main as rosdep  # type: ignore[import-untyped]
+import rosdep2.main as rosdep
 
 distro, codename = sys.argv[1:3]
 os.environ["ROS_DISTRO"] = distro

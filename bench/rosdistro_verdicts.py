@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import sys
 
-import rosdistro  # type: ignore[import-untyped]
+import rosdistro
 
 index = rosdistro.get_index(sys.argv[1])
 print(

@@ -27,11 +27,10 @@ def test_a_package_is_no_other_way_to_get_what_it_looks_for() -> None:
     assert ["libopencv-dev" in each.message for each in found] == [True]
 
 
-def test_a_package_may_be_named_through_a_class(clean) -> None:
-    code = "def node():\n    return Node(package=Package('nav2_controller'), executable='x')\n"
-    assert codes({**clean, "my_pkg/generator.py": code}, "DEP103") == [("DEP103", "my_pkg/generator.py")]
-    other = code.replace("Package('nav2_controller')", "Package('nav2_controller', 'x')")
-    assert codes({**clean, "my_pkg/generator.py": other}, "DEP103") == []
+def test_a_name_of_an_earlier_distribution_is_known_as_such(clean) -> None:
+    text = clean["package.xml"].replace("  <export>", "  <exec_depend>nav2_recoveries</exec_depend>\n  <export>")
+    (found,) = lint_files({**clean, "package.xml": text}, ["DEP001"]).findings
+    assert "is called `nav2_behaviors` since Humble" in found.message
 
 
 def test_what_brings_the_tool_that_tests_import_is_used() -> None:

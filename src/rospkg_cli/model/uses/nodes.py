@@ -28,18 +28,10 @@ def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
     for node in ast.walk(file.tree):
         if isinstance(node, ast.Call) and called(node.func) in CLASSES:
             given = {keyword.arg: keyword.value for keyword in node.keywords}
-            package = unwrapped(given.get("package"))
+            package = given.get("package")
             literal = isinstance(package, ast.Constant) and isinstance(package.value, str)
             if isinstance(package, ast.Constant) and literal and WHAT & given.keys():
                 yield DescribedNode(str(package.value), file.span(package))
-
-
-def unwrapped(value: ast.expr | None) -> ast.expr | None:
-    """Return the one argument of a call, as of a class that stands for a package: `Package('…')`."""
-    match value:
-        case ast.Call(args=[argument], keywords=[]):
-            return argument
-    return value
 
 
 def called(function: ast.expr) -> str:

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.imports import STANDARD
+from ...ros.table import rows
 from ...suggest import near
 from ..condition import certain
 from ..manifest import Dependency
@@ -128,6 +129,10 @@ class NamesDeclared:
         key = key_for_apt(name, self.declared.workspace.index)
         if key is not None:
             return Strange(dependency, key, "is its name in Ubuntu")
+        if later := rows("earlier.txt").get(name):
+            return Strange(
+                dependency, later[0], f"is called {' and '.join(f'`{each}`' for each in later)} since Humble"
+            )
         if (member := self.renamed(name)) is not None:
             return Strange(dependency, member, "is no package of this workspace or any other that is known")
         if (core := self.misspelt(name)) is not None:

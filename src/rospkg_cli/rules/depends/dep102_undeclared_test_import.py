@@ -55,5 +55,5 @@ def undeclared_test_import(imported: Imported) -> Iterator[Hit]:
 
 def consequence(missing: Missing) -> str:
     if missing.brought_by:
-        return f"it is there only as long as `{missing.brought_by}` brings it"
+        return "it is there only as long as another dependency brings it"
     return "on a clean machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError"
