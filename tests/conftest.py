@@ -53,4 +53,4 @@ def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--update-golden", action="store_true", help="write the golden outputs of tests/corpus anew")
+    parser.addoption("--update-golden", action="store_true", help="write golden files anew (findings, fixes, trees, corpus)")
