@@ -53,4 +53,6 @@ def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--update-golden", action="store_true", help="write golden files anew (findings, fixes, trees, corpus)")
+    parser.addoption(
+        "--update-golden", action="store_true", help="write golden files anew (findings, fixes, trees, corpus)"
+    )
