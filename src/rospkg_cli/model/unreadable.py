@@ -14,11 +14,13 @@ class Unreadable:
     message: str
     grammar: bool = False
     """The text may be right for a Python newer than the one that runs us."""
+    skipped: bool = False
+    """The file is there and is not read on purpose: it is too large, or a link that leads out."""
 
 
 class UnreadableError(Exception):
     """Raised by readers; the engine makes one finding of it."""
 
-    def __init__(self, path: str, span: Span, message: str, *, grammar: bool = False) -> None:
+    def __init__(self, path: str, span: Span, message: str, *, grammar: bool = False, skipped: bool = False) -> None:
         super().__init__(message)
-        self.unreadable = Unreadable(path, span, message, grammar)
+        self.unreadable = Unreadable(path, span, message, grammar, skipped)
