@@ -118,7 +118,8 @@ def extend_or_add(
         near = rule.call.path in (cmake.root.path, made.path if made else "")
         file = cmake.file(rule.call.path)
         if near and command in file.body and follows(cmake, command, made) and not rule.call.maybe and fits(rule):
-            written = [argument for argument, words in rule.call.by_argument() if words and words[-1] == rule.items[-1]]
+            last = rule.items[-1:]
+            written = [argument for argument, words in rule.call.by_argument() if last and words[-1:] == last]
             if written:
                 return add_argument(file, command, item, written[0].span)
     return add_rule(cmake, lines, made)
