@@ -7,11 +7,12 @@ from ..model.cmake.call import Call
 from ..model.cmake.project import CMake
 from ..model.cmake.syntax import Command
 from .cmake import add_after, add_before
+from .plain import PLAIN
 
 
 def find(cmake: CMake, name: str, before: Call) -> tuple[Edit, ...]:
     """Look for a package before a call that needs it, below the last one that is looked for; nothing where one does."""
-    if any(each.name == name for each in cmake.packages):
+    if not PLAIN.fullmatch(name) or any(each.name == name for each in cmake.packages):
         return ()
     file = cmake.file(before.path)
     line = f"find_package({name} REQUIRED)"
@@ -27,7 +28,7 @@ def find_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
     """Look for a package below the last one that is looked for, for tests or always; nothing where there is none."""
     calls = [each.call for each in cmake.packages if each.call.testing is testing and not each.call.maybe]
     alone = [call for call in calls if not call.inside and is_alone(cmake, call)]
-    if not alone:
+    if not alone or not PLAIN.fullmatch(name):
         return ()
     last = next((call for call in reversed(alone) if call.path == cmake.root.path), alone[-1])
     return (add_after(cmake.file(last.path), last.command, f"find_package({name} REQUIRED)"),)

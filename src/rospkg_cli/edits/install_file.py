@@ -9,11 +9,14 @@ from ..model.cmake.project import CMake
 from ..model.setup.setup_py import SetupPy
 from .cmake_install import SHARE, block, extend_or_add
 from .data_files import add_data_entry, share_code
+from .plain import PLAIN
 from .setup import add_item, quoted
 
 
 def install_for_cmake(cmake: CMake, name: str, path: str) -> tuple[Edit, ...]:
-    """Name a file in the rule for its folder, or in a rule of its own."""
+    """Name a file in the rule for its folder, or in a rule of its own; nothing where CMake would take it apart."""
+    if not PLAIN.fullmatch(path):
+        return ()
     folder = posixpath.dirname(path)
     place = posixpath.join(f"share/{name}", folder)
     lines = block(cmake.root, "FILES", path, posixpath.join(SHARE, folder))

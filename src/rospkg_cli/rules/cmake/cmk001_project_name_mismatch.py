@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...edits.cmake import literal
@@ -9,6 +10,9 @@ from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...model.cmake.package import CMakePackage
 from ...rule import rule
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+"""What both files can hold as it is, be it a good name or not."""
 
 
 @rule(
@@ -37,10 +41,12 @@ def project_name_mismatch(package: CMakePackage) -> Iterator[Hit]:
     if not package.ament or not name or word is None or not word.known or word.maybe or word.text == name:
         return
     span = literal(package.cmake.file(word.path).source, word.span, word.text)
-    fix = Fix(f"call the project `{name}`", (Edit(word.path, span, name),)) if span else None
+    valid = NAME.fullmatch(name)
+    fix = Fix(f"call the project `{name}`", (Edit(word.path, span, name),)) if span and valid else None
+    advice = f"write `project({name})`" if valid else "give both one name"
     message = (
         f"the project is called `{word.text}`, the package `{name}`: ament_package() stops the build with "
-        f"\"package name '{name}' in package.xml does not match current PROJECT_NAME\"; write `project({name})`"
+        f"\"package name '{name}' in package.xml does not match current PROJECT_NAME\"; {advice}"
     )
     related = Related(package.manifest.path, package.manifest.name_span, "the package's name")
     yield Hit(word.path, span or word.span, message, related=(related,), fix=fix)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake_install import install_executable, install_library
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.cmake.forgotten import Forgotten, ForgottenTargets
@@ -86,7 +87,7 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
         if near(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         level = Severity.ERROR if forgotten.stops else None
-        fix = Fix(f"install `{word.text}`", (edit(package, forgotten),))
+        fix = only_plain(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake_install import install_script
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.cmake.scripts import Scripts
@@ -46,5 +47,5 @@ def script_not_installed(scripts: Scripts) -> Iterator[Hit]:
             f"`{path}` is not installed as `{beside.source}` beside it is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"
         )
-        fix = Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),))
+        fix = only_plain(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
         yield Hit(beside.item.path, beside.item.span, message, fix=fix)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake_export import export_dependency
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.cmake.exported import ExportedDependencies
@@ -84,4 +85,4 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
         edit = export_dependency(package.cmake, each.package, first=number == 0)
         fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
         level = Severity.INFO if each.only_loaded else None
-        yield Hit(each.word.path, each.word.span, message, level, fix=fix)
+        yield Hit(each.word.path, each.word.span, message, level, fix=only_plain(fix, each.package))

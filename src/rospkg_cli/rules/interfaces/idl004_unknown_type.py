@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.plain import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.interface.declared import FieldType
@@ -60,7 +61,7 @@ def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
         fix = None
         if better:
             fix = Fix(f"write `{better}`", (Edit(path, kind.base_span, better),), Safety.UNSAFE)
-        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=fix)
+        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=only_plain(fix, better or ""))
 
 
 def absence(scope: InterfaceInWorkspace, kind: FieldType) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.interfaces import list_interface
+from ...edits.plain import only_plain
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...model.interface.generated import GeneratedInterfaces
@@ -53,4 +54,4 @@ def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
         message = f"`{interface.path}` is not in `rosidl_generate_interfaces`: nothing is generated of it"
         edit = list_interface(generated, interface)
         fix = Fix("list it in CMakeLists.txt", (edit,)) if edit else None
-        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=fix)
+        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=only_plain(fix, interface.path))

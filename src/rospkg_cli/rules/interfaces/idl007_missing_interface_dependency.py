@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...edits.cmake_find import find
 from ...edits.interfaces import list_need
+from ...edits.plain import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...model.interface.generated import GeneratedInterfaces
@@ -63,4 +64,11 @@ def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit
         call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
         level = None if need.certain else Severity.WARNING
         harm = "the generated code does not compile"
-        yield Hit(need.interface.path, need.kind.base_span, f"{message}: {harm}", level, related=(call,), fix=fix)
+        yield Hit(
+            need.interface.path,
+            need.kind.base_span,
+            f"{message}: {harm}",
+            level,
+            related=(call,),
+            fix=only_plain(fix, need.package),
+        )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...model.params.launched import LaunchedParameters
@@ -65,4 +66,4 @@ def unknown_parameter_node(launched: LaunchedParameters) -> Iterator[Hit]:
             fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
         where = (Related(given.launch.path, given.node.span, "the node"),)
         what = f"{message}, and it never reads the block"
-        yield Hit(file.path, block.key.span, what, related=where, fix=fix)
+        yield Hit(file.path, block.key.span, what, related=where, fix=only_plain(fix, name))

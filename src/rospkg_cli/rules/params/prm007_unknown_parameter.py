@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.plain import only_plain
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.params.owners import PackageParameters
@@ -79,7 +80,7 @@ def unknown_parameter(scope: PackageParameters) -> Iterator[Hit]:
             if parameter.key.text == parameter.name.rpartition(".")[2]:
                 edit = Edit(group.file.path, parameter.key.span, last)
                 fix = Fix(f"write `{last}`", (edit,), Safety.UNSAFE)
-            yield Hit(group.file.path, parameter.key.span, message, fix=fix)
+            yield Hit(group.file.path, parameter.key.span, message, fix=only_plain(fix, last))
     for read in scope.unknown_reads():
         message = f"nothing declares the parameter `{read.name}`; this file declares `{read.meant}` and never gets it"
         yield Hit(read.path, read.span, message)

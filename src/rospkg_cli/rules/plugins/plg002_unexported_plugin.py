@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake import add_before
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...model.plugins.description import PluginDescription
@@ -119,8 +120,9 @@ def unmade(package: PluginPackage, entry: Entry) -> Hit:
         f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same text "
         f"on both sides, so loading `{entry.plugin.called}` fails; write `{meant.type}`"
     )
+    related = (Related(meant.path, meant.span, "exported here"),)
     fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
-    return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)
+    return Hit(file, kind.value_span, message, related=related, fix=only_plain(fix, meant.type))
 
 
 def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
@@ -137,4 +139,5 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
     if before is not None and before.path == package.cmake.root.path and not before.inside:
         edit = add_before(package.cmake.root, before.command, call)
         fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
-    return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)
+    related = (Related(exported.path, exported.span, "this class"),)
+    return Hit(*where, message, related=related, fix=only_plain(fix, description.file, base))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...model.plugins.sought import Sought, Unknown
@@ -90,7 +91,7 @@ def at_use(unknown: Unknown) -> Hit:
     message = f"no plug-in is called `{use.name}`; `{owner.name}` has `{meant.name}`: write that"
     related = (Related(owner.at(meant.path), meant.span, "described here"),)
     fix = Fix(f"write `{meant.name}`", (Edit(path, use.span, meant.name),), Safety.UNSAFE)
-    return Hit(path, use.span, message, related=related, fix=fix)
+    return Hit(path, use.span, message, related=related, fix=only_plain(fix, meant.name))
 
 
 def at_description(unknown: Unknown) -> Hit:

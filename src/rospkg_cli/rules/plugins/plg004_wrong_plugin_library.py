@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake import add_before, indent_of
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.plugins.library import PluginLibraries, WrongLibrary
@@ -84,7 +85,7 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     """
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None
-        fix = fixed(libraries, wrong)
+        fix = only_plain(fixed(libraries, wrong), wrong.meant)
         yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake import literal
+from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...model.plugins.bases import Astray, Misnamed, Misplaced, PluginBases
@@ -90,7 +91,7 @@ def at_export(bases: PluginBases, found: Misplaced) -> Hit:
     if len(found.owners) > 1:
         return Hit(at.path, at.base_span, message)
     fix = written(bases, found)
-    return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=fix)
+    return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain(fix, found.owners[0]))
 
 
 def written(bases: PluginBases, found: Misplaced) -> Fix | None:
@@ -106,7 +107,7 @@ def at_class(found: Misnamed) -> Hit:
     base, file = found.plugin.base, found.description.file
     message = f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.meant}`"
     fix = Fix(f"write `{found.meant}`", (Edit(file, base.value_span, found.meant),))
-    return Hit(file, base.value_span, message, fix=fix)
+    return Hit(file, base.value_span, message, fix=only_plain(fix, found.meant))
 
 
 def at_loader(found: Astray) -> Hit:
@@ -116,4 +117,9 @@ def at_loader(found: Astray) -> Hit:
     if found.meant is None:
         return Hit(found.loader.path, argument.inner, message)
     fix = Fix(f"write `{found.meant}`", (Edit(found.loader.path, argument.inner, found.meant),), Safety.UNSAFE)
-    return Hit(found.loader.path, argument.inner, f"{message}; plug-ins of it are exported to `{found.meant}`", fix=fix)
+    return Hit(
+        found.loader.path,
+        argument.inner,
+        f"{message}; plug-ins of it are exported to `{found.meant}`",
+        fix=only_plain(fix, found.meant),
+    )

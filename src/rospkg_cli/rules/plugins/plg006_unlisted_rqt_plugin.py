@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.manifest import add_export
+from ...edits.plain import only_plain
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...model.manifest import Manifest
@@ -54,16 +55,21 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     for description, tag in plugins.hidden():
         line = export_of(description, tag)
         message = f"package.xml does not list `{description.file}`: rqt does not offer it; add `{line}` to `<export>`"
-        fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
+        fix = listing(plugins, description, line)
         yield Hit(description.file, description.document.root.open, message, fix=fix)
     for description, others in plugins.odd():
         at = next(each for each in description.exported if each.indexed)
         files = ", ".join(f"`{each.file}`" for each in others)
         message = f"package.xml lists {files}, and not `{description.file}`, which CMake exports as well"
         line = export_of(description)
-        fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
+        fix = listing(plugins, description, line)
         related = (listed_in(plugins.manifest, others[-1]),)
         yield Hit(at.path, at.span, f"{message}; add `{line}` to `<export>`", Severity.INFO, related, fix)
+
+
+def listing(plugins: RqtPlugins, description: PluginDescription, line: str) -> Fix | None:
+    fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
+    return only_plain(fix, description.file)
 
 
 def export_of(description: PluginDescription, tag: str = "rqt_gui") -> str:
