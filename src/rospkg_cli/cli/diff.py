@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ..engine.apply import Changes
 from ..tree import Entry, Tree
+from ..visible import no_command, visible, visible_lines
 
 
 def unified(tree: Tree, changes: Changes) -> Iterator[str]:
@@ -20,13 +21,23 @@ def unified(tree: Tree, changes: Changes) -> Iterator[str]:
 
 
 def diff(path: str, before: Entry | None, after: Entry | None) -> str:
-    """Return one file's diff; a change of mode alone is one line."""
-    old = before.text.text.splitlines(keepends=True) if before else []
-    new = after.text.text.splitlines(keepends=True) if after else []
+    """Return one file's diff, in which nothing is left that a terminal or a log would obey.
+
+    A change of mode alone is one line. Raises UnicodeError where a file is no text.
+    """
+    path = visible(path)
+    old = lines_of(before.text.text) if before else []
+    new = lines_of(after.text.text) if after else []
     if before and after and old == new:
         return f"mode {before.mode & 0o777:o} => {after.mode & 0o777:o} {path}\n"
     names = f"a/{path}" if before else "/dev/null", f"b/{path}" if after else "/dev/null"
     lines = list(difflib.unified_diff(old, new, *names))
     if not lines:
         return f"--- {names[0]}\n+++ {names[1]}\n"
-    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
+    shown = (line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
+    return no_command(visible_lines("".join(shown)))
+
+
+def lines_of(text: str) -> list[str]:
+    """Return the lines of a text, each with its end: at line feeds alone, as diff and patch count them."""
+    return [f"{line}\n" for line in text.split("\n")[:-1]] + [last for last in [text.rpartition("\n")[2]] if last]

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import importlib
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
 from ..engine.session import Results
 from ..finding import Finding, Severity
+from ..visible import no_command, visible
+from .shown import shown
 
 FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
+EXACT = frozenset({"json", "sarif", "gitlab", "rdjson"})
+"""The formats whose own syntax can hold every character: they are handed what stands in the files, and write it with
+`dump`. All others are handed text in which nothing is left that a terminal or a log would obey."""
 
 
 @dataclass(frozen=True)
@@ -28,10 +33,13 @@ class Report:
     fixed: int = 0
     """How many findings `--fix` mended."""
     width: int = 80
+    exact: bool = False
+    """Whether paths are given as they are, not as they can be shown."""
 
     def path(self, path: str) -> str:
         """Return a finding's path as the user should see it, with `/`."""
-        return Path(os.path.relpath(self.root / path, self.cwd)).as_posix()
+        found = Path(os.path.relpath(self.root / path, self.cwd)).as_posix()
+        return found if self.exact else no_command(visible(found))
 
     def count(self, severity: Severity) -> int:
         return sum(finding.severity is severity for finding in self.results.findings)
@@ -43,4 +51,9 @@ class Report:
 
 def render(name: str, report: Report, stream: IO[str]) -> None:
     """Write a report in a format of FORMATS."""
+    if name in EXACT:
+        report = replace(report, exact=True)
+    else:
+        findings = tuple(shown(finding) for finding in report.results.findings)
+        report = replace(report, results=replace(report.results, findings=findings))
     importlib.import_module(f".{name}", __name__).render(report, stream)

@@ -16,4 +16,4 @@ def fingerprints(report: Report, findings: Iterable[Finding]) -> Iterator[tuple[
     for finding in findings:
         key = (finding.code, report.path(finding.place.path), finding.message)
         seen[key] += 1
-        yield finding, hashlib.sha256("\0".join((*key, str(seen[key]))).encode()).hexdigest()
+        yield finding, hashlib.sha256("\0".join((*key, str(seen[key]))).encode("utf-8", "surrogatepass")).hexdigest()

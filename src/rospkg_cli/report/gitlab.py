@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import IO
 
 from ..finding import Severity
 from . import Report
+from .dump import dump
 from .fingerprint import fingerprints
 
 LEVELS = {Severity.ERROR: "critical", Severity.WARNING: "major", Severity.INFO: "info"}
@@ -29,5 +29,4 @@ def render(report: Report, stream: IO[str]) -> None:
         }
         for finding, mark in fingerprints(report, report.results.findings)
     ]
-    json.dump(entries, stream, indent=2, ensure_ascii=False)
-    stream.write("\n")
+    dump(entries, stream)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import json
 from typing import IO, Any
 
 from .. import __version__
 from ..finding import Chmod, Create, Delete, Edit, Finding, Move, Place, Severity
 from . import Report
+from .dump import dump
 
 SCHEMA = 1
 
 
 def render(report: Report, stream: IO[str]) -> None:
-    json.dump(document(report), stream, indent=2, ensure_ascii=False)
-    stream.write("\n")
+    dump(document(report), stream)
 
 
 def document(report: Report) -> dict[str, Any]:

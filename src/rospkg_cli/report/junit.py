@@ -5,22 +5,30 @@ A finding below warning is shown in the output of its suite and fails nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import IO
 from xml.sax.saxutils import escape, quoteattr
 
 from ..finding import Finding, Severity
+from ..visible import no_command, visible_lines
 from . import Report
+from .dump import is_unicode
 
 
 def render(report: Report, stream: IO[str]) -> None:
+    text = "".join(document(report))
+    stream.write(text if is_unicode(stream) else text.encode("ascii", "xmlcharrefreplace").decode())
+
+
+def document(report: Report) -> Iterator[str]:
     findings = report.results.findings
     packages = sorted({finding.package for finding in findings}) or ["rospkg"]
     counted = [f for f in findings if f.severity is not Severity.INFO]
-    stream.write('<?xml version="1.0" encoding="utf-8"?>\n')
-    stream.write(f'<testsuites name="rospkg" tests="{max(1, len(counted))}" failures="{len(counted)}" errors="0">\n')
+    yield '<?xml version="1.0" encoding="utf-8"?>\n'
+    yield f'<testsuites name="rospkg" tests="{max(1, len(counted))}" failures="{len(counted)}" errors="0">\n'
     for package in packages:
-        stream.writelines(suite(report, package, [f for f in findings if f.package == package]))
-    stream.write("</testsuites>\n")
+        yield from suite(report, package, [f for f in findings if f.package == package])
+    yield "</testsuites>\n"
 
 
 def suite(report: Report, package: str, findings: list[Finding]) -> list[str]:
@@ -47,9 +55,9 @@ def suite(report: Report, package: str, findings: list[Finding]) -> list[str]:
 
 
 def text(value: str) -> str:
-    """Escape, and leave out what XML can't hold."""
-    return escape("".join(c if c in "\t\n" or c >= " " else "�" for c in value))
+    """Escape; what XML can't hold is shown."""
+    return escape(no_command(visible_lines(value)), {"\r": "&#13;"})
 
 
 def attribute(value: str) -> str:
-    return quoteattr(text(value).replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
+    return quoteattr(visible_lines(value))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import IO
 
 from ..finding import Finding
@@ -9,6 +10,10 @@ from . import Report
 from .text import summary
 
 MOST = 200
+SPAN = re.compile(r"`([^`]+)`")
+BREAKS = re.compile(r"[`|\\]")
+MARKUP = re.compile(r"[\\`*\[\]<>&|!~$]|(?<![^\W_])_|_(?![^\W_])|[@#](?=\w)|:(?=//)|\bwww(?=\.)")
+LINKED = ("@", "#", ":", "www")
 
 
 def render(report: Report, stream: IO[str]) -> None:
@@ -22,5 +27,31 @@ def render(report: Report, stream: IO[str]) -> None:
 
 
 def row(report: Report, finding: Finding) -> str:
-    cells = (finding.severity.value, f"{finding.code} {finding.name}", f"`{report.where(finding)}`", finding.message)
-    return "| " + " | ".join(" ".join(cell.split()).replace("|", "\\|") for cell in cells) + " |\n"
+    cells = (
+        finding.severity.value,
+        f"{finding.code} {finding.name}",
+        code(report.where(finding)),
+        said(finding.message),
+    )
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def said(message: str) -> str:
+    """Return a message whose `code` is code, and nothing else is markup: no HTML, no link, no name that is notified."""
+    *pairs, last = SPAN.split(" ".join(message.split()))
+    return "".join(code(part) if number % 2 else plain(part) for number, part in enumerate(pairs)) + plain(last)
+
+
+def code(text: str) -> str:
+    """Return a code span for a cell of a table; one that ends neither at a backtick nor at a `|` of its own."""
+    return f"`{text}`" if text.strip() and not BREAKS.search(text) else f"<code>{plain(text)}</code>"
+
+
+def plain(text: str) -> str:
+    """Return a text in which nothing is markup; what GitHub would link is parted by a blank of no width."""
+    return MARKUP.sub(entity, text)
+
+
+def entity(found: re.Match[str]) -> str:
+    text = found.group()
+    return f"{text}&#8203;" if text in LINKED else f"&#{ord(text)};"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import IO, Any
 
 from ..finding import Edit, Finding, Place, Safety, Severity
 from . import Report
+from .dump import dump
 
 LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
 
@@ -16,8 +16,7 @@ def render(report: Report, stream: IO[str]) -> None:
         "source": {"name": "rospkg"},
         "diagnostics": [diagnostic(report, finding) for finding in report.results.findings],
     }
-    json.dump(document, stream, indent=2, ensure_ascii=False)
-    stream.write("\n")
+    dump(document, stream)
 
 
 def diagnostic(report: Report, finding: Finding) -> dict[str, Any]:

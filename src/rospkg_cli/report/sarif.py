@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from itertools import groupby
 from typing import IO, Any
 from urllib.parse import quote
@@ -12,6 +11,7 @@ from ..docs import explain, summary
 from ..finding import Create, Delete, Edit, Finding, Place, Severity
 from ..rule import Rule, all_rules
 from . import Report
+from .dump import dump
 from .fingerprint import fingerprints
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -35,8 +35,7 @@ def render(report: Report, stream: IO[str]) -> None:
         "originalUriBaseIds": {"ROOT": {"uri": report.cwd.as_uri().rstrip("/") + "/"}},
         "results": [result(report, f, mark, index[f.code]) for f, mark in fingerprints(report, findings)],
     }
-    json.dump({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, stream, indent=2, ensure_ascii=False)
-    stream.write("\n")
+    dump({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, stream)
 
 
 def descriptor(rule: Rule[Any]) -> dict[str, Any]:
@@ -71,7 +70,15 @@ def result(report: Report, finding: Finding, mark: str, rule: int) -> dict[str, 
 
 
 def artifact(report: Report, path: str) -> dict[str, Any]:
-    return {"uri": quote(report.path(path)), "uriBaseId": "ROOT"}
+    return {"uri": quote(bytes_of(report.path(path))), "uriBaseId": "ROOT"}
+
+
+def bytes_of(path: str) -> bytes:
+    """Return the bytes of a name on disk, for a name that is no text too."""
+    try:
+        return path.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:  # half a surrogate pair, as Windows has them
+        return path.encode("utf-8", "surrogatepass")
 
 
 def region(at: Place) -> dict[str, int]:

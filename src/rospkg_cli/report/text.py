@@ -6,6 +6,7 @@ import textwrap
 from typing import IO
 
 from ..finding import Finding, Safety, Severity
+from ..visible import no_command, visible_lines
 from .style import OF_SEVERITY, paint
 
 from . import Report  # isort: skip
@@ -35,19 +36,21 @@ def block(report: Report, finding: Finding) -> list[str]:
 
 
 def wrapped(text: str, width: int) -> list[str]:
-    return textwrap.wrap(
+    lines = textwrap.wrap(
         text, width, initial_indent="  ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
     )
+    return [no_command(line) for line in lines]
 
 
 def excerpt(report: Report, finding: Finding) -> list[str]:
     """Return the source line with a number, and a line of carets below it; nothing for a file without text."""
-    if not finding.excerpt.strip():
+    line = finding.excerpt.removesuffix("\r")
+    if not line.strip():
         return []
-    place, tabs = finding.place, finding.excerpt.expandtabs(4)
-    start = len(finding.excerpt[: place.column - 1].expandtabs(4))
-    end = place.end_column - 1 if place.end_line == place.line else len(finding.excerpt.rstrip())
-    length = max(1, len(finding.excerpt[:end].expandtabs(4)) - start)
+    place, tabs = finding.place, drawn(line)
+    start = len(drawn(line[: place.column - 1]))
+    end = place.end_column - 1 if place.end_line == place.line else len(line.rstrip())
+    length = max(1, len(drawn(line[:end])) - start)
     skipped = max(0, min(start - 20, len(tabs) - MAX_EXCERPT)) if len(tabs) > MAX_EXCERPT else 0
     shown = tabs[skipped : skipped + MAX_EXCERPT].rstrip()
     start -= skipped
@@ -59,6 +62,11 @@ def excerpt(report: Report, finding: Finding) -> list[str]:
         + " " * start
         + paint(marks, OF_SEVERITY[finding.severity], report.color),
     ]
+
+
+def drawn(line: str) -> str:
+    """Return a line of source as it is shown: what a terminal would obey is seen, tabs are blanks."""
+    return visible_lines(line).expandtabs(4)
 
 
 def summary(report: Report) -> str:

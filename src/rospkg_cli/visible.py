@@ -1,0 +1,63 @@
+r"""How a character that nobody can see, or that a terminal or a log would obey, is shown: as Python writes it.
+
+`\x1b` for a control character, `\u202e` for one that turns the direction of writing, `\udcff` for a byte of a file name
+that is no text. Every report, diff, table and sentence that shows a user's text asks here.
+"""
+
+from __future__ import annotations
+
+import re
+
+OBEYED = (
+    r"\x00-\x08\x0b-\x1f\x7f-\x9f"  # C0, DEL, C1: what moves cursors, sets titles, answers as if it were typed
+    r"\u061c\u200e\u200f\u202a-\u202e\u2066-\u206f"  # the direction of writing: https://trojansource.codes
+    r"\u2028\u2029\ufeff\ufff9-\ufffb\ufffe\uffff"  # ends of lines, marks of encodings, no characters
+    r"\ud800-\udfff\U000e0000-\U000e007f"  # bytes that are no text; letters that are never drawn
+)
+BRACKET = r"(?<=##)\[|(?<=##vso)\["
+"""`##[…]` and `##vso[…]` are commands to the runners of GitHub and Azure, wherever they stand in a line."""
+
+IN_LINES = re.compile(f"[{OBEYED}]|{BRACKET}")
+IN_ONE_LINE = re.compile(rf"[{OBEYED}\t\n]|{BRACKET}")
+SURROGATE = re.compile(r"[\ud800-\udfff]")
+NO_ASCII = re.compile(r"[^\x00-\x7f]")
+COMMAND = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
+"""`::…` begins a command to GitHub's runner, at the start of a line or behind blanks."""
+
+
+def visible(text: str) -> str:
+    """Return a text as one line in which every character is seen and none is obeyed.
+
+    A prefix of a text becomes a prefix of what is returned, so that a column can be found again.
+    """
+    return IN_ONE_LINE.sub(escape, text)
+
+
+def visible_lines(text: str) -> str:
+    """Return a text as `visible` does, but keep its line ends (also `\\r\\n`) and tabs."""
+    if "\r\n" not in text:
+        return IN_LINES.sub(escape, text)
+    return "\r\n".join(IN_LINES.sub(escape, line) for line in text.split("\r\n"))
+
+
+def no_command(text: str) -> str:
+    """Return lines of which none begins with `::`; for what has been laid out."""
+    return COMMAND.sub(r"\1\\x3a", text) if "::" in text else text
+
+
+def escape(found: re.Match[str]) -> str:
+    code = ord(found.group())
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def in_json(text: str, only_ascii: bool = False) -> str:
+    """Return a JSON document with the escapes of JSON for these characters, or for all that are not ASCII."""
+    return (NO_ASCII if only_ascii else IN_LINES).sub(json_escape, IN_LINES.sub(json_escape, text))
+
+
+def json_escape(found: re.Match[str]) -> str:
+    code = ord(found.group())
+    if code < 0x10000:
+        return f"\\u{code:04x}"
+    high, low = divmod(code - 0x10000, 0x400)
+    return f"\\u{0xD800 + high:04x}\\u{0xDC00 + low:04x}"
