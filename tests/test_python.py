@@ -122,12 +122,3 @@ def test_what_is_no_python(text: str, at: str, grammar: bool) -> None:
     found = caught.value.unreadable
     assert text[found.span.start :].startswith(at)
     assert found.grammar is grammar
-
-
-def test_a_newer_grammar_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As an older interpreter sees it: what it can't parse looks like what a newer one can."""
-    monkeypatch.setattr("rospkg_cli.model.syntax.RUNNING", (3, 10))
-    for text in ("except* ValueError:", "type X = int ?", "def f[T](): ?", "x = t'{a}' ?"):
-        with pytest.raises(UnreadableError) as caught:
-            read(text)
-        assert caught.value.unreadable.grammar, text

@@ -8,25 +8,19 @@ from __future__ import annotations
 
 import ast
 import re
-import sys
 import warnings
+from array import array
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
 from ..source import Source, Span
+from .char_table import char_table
+from .newer_syntax import needs_newer
+from .python_size import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 from .unreadable import UnreadableError
 
-RUNNING = sys.version_info[:2]
-
 LINE_END = re.compile(r"\r\n|\r|\n")
-
-NEWER = (
-    ((3, 11), re.compile(r"except\s*\*|\[\s*\*\w|:\s*\*\w")),
-    ((3, 12), re.compile(r"^\s*type\s+\w+|^\s*(async\s+)?(def|class)\s+\w+\s*\[|\b[rR]?[fF][rR]?[\"']")),
-    ((3, 14), re.compile(r"\b[rR]?[tT][rR]?[\"']|^\s*except\b[^(:]*,|^\s*(break|continue|return)\b")),
-)
-"""What the grammar gained, by version: PEP 654 and 646; PEP 695 and 701; PEP 750, 758 and 765."""
 
 
 class Node(Protocol):
@@ -59,15 +53,21 @@ class Syntax:
         """Whether a byte is a character throughout."""
         return self.source.text.isascii()
 
+    @cached_property
+    def columns(self) -> dict[int, array[int] | None]:
+        """By line, for each byte the character that it belongs to; None for a line of which each byte is one."""
+        return {}
+
     def offset(self, line: int, byte: int) -> int:
         """Return the character at a line (from 1) and a column in bytes (from 0), as `ast` counts."""
         start = self.lines[line - 1]
         if self.plain:
             return start + byte
-        end = self.lines[line] if line < len(self.lines) else len(self.source.text)
-        return start + len(
-            self.source.text[start:end].encode("utf-8", "surrogatepass")[:byte].decode("utf-8", "ignore")
-        )
+        if line not in self.columns:
+            text = self.source.text[start : self.lines[line] if line < len(self.lines) else len(self.source.text)]
+            self.columns[line] = None if text.isascii() else char_table(text)
+        columns = self.columns[line]
+        return start + (byte if columns is None else columns[min(byte, len(columns) - 1)])
 
     def span(self, node: Node) -> Span:
         start = self.offset(node.lineno, node.col_offset)
@@ -81,17 +81,29 @@ class Syntax:
 
 
 def parse(source: Source) -> ast.Module:
-    """Parse a file; raises UnreadableError, with `grammar` where a newer Python may well understand it."""
+    """Parse a file; raises UnreadableError, with `grammar` where a newer Python will understand it.
+
+    With `skipped` where it is too large, or nested too deeply, for what visits the tree.
+    """
+    if is_too_large(source.text):
+        raise skipped(source, f"it has more than {MAX_TOKENS:,} tokens; leave generated files out with `exclude`")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return ast.parse(source.text, source.path)
+            tree = ast.parse(source.text, source.path)
     except SyntaxError as error:
         raise not_python(source, error) from None
     except (RecursionError, MemoryError):
         raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is nested too deeply to be read") from None
     except ValueError as error:
         raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is not Python: {error}") from None
+    if is_too_deep(tree):
+        raise skipped(source, f"its code is nested deeper than {MAX_DEPTH} levels; spread it over several statements")
+    return tree
+
+
+def skipped(source: Source, why: str) -> UnreadableError:
+    return UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
 
 
 def not_python(source: Source, error: SyntaxError) -> UnreadableError:
@@ -99,7 +111,7 @@ def not_python(source: Source, error: SyntaxError) -> UnreadableError:
     starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
     line = min(max(error.lineno or 1, 1), len(starts))
     start = min(starts[line - 1] + max((error.offset or 1) - 1, 0), len(source.text))
-    shown = source.text[starts[line - 1] :].split("\n", 1)[0]
-    newer = any(version > RUNNING and pattern.search(shown) for version, pattern in NEWER)
     message = f"`{source.path}` is not valid Python: {error.msg}"
-    return UnreadableError(source.path, Span(start, min(start + 1, len(source.text))), message, grammar=newer)
+    return UnreadableError(
+        source.path, Span(start, min(start + 1, len(source.text))), message, grammar=needs_newer(source.text)
+    )

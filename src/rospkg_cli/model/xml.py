@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from array import array
 from xml.parsers import expat
 
 from ..source import Source, Span
+from .char_table import char_table
 from .unreadable import UnreadableError
 from .xml_error import complaint
 from .xml_tree import Attribute as Attribute
@@ -127,12 +127,3 @@ def start_tag(text: str, at: int, values: dict[str, str]) -> tuple[dict[str, Att
         found[name] = Attribute(name, values[name], *spans)
         at = match.end()
     return found, text.index(">", at) + 1
-
-
-def char_table(text: str) -> array[int]:
-    """Return, for each byte of the UTF-8 text and its end, the index of the character it belongs to."""
-    table = array("I")
-    for index, char in enumerate(text):
-        table.extend([index] * len(char.encode("utf-8", "surrogatepass")))
-    table.append(len(text))
-    return table

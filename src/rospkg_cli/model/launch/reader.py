@@ -61,5 +61,7 @@ class Reader:
             self.folder = Folder(self.files)
         parsed = self.modules.read(path)
         if isinstance(parsed, Unreadable):
-            raise UnreadableError(parsed.path, parsed.span, parsed.message, grammar=parsed.grammar)
+            raise UnreadableError(
+                parsed.path, parsed.span, parsed.message, grammar=parsed.grammar, skipped=parsed.skipped
+            )
         return read_python_launch(parsed, self.folder)
