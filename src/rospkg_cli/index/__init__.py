@@ -1,5 +1,11 @@
 """The index of names: fetched from rosdistro, kept in the user's cache, read by whoever asks what a name stands for."""
 
+from ..sentence import sentence
+
 
 class NamesError(Exception):
     """An index that can't be fetched, kept or read; the message is one sentence that says what to do."""
+
+    def __str__(self) -> str:
+        """The sentence on one line, whatever of a stranger's file it quotes."""
+        return sentence(super().__str__())

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from ..engine.write import WriteError, write_text
 from ..ros.index import BrokenIndexError, Index, check, dump, parse
 from ..ros.names import BUILT_IN, FetchedNames, Names
 from . import NamesError
+
+STRAY_SECONDS = 600
+"""A temporary file of that age is nobody's: writing an index takes less than one second."""
 
 
 def cache_file(environment: Mapping[str, str]) -> Path:
@@ -60,7 +65,16 @@ def keep(index: Index, environment: Mapping[str, str]) -> Path:
     """Put an index in the place of the one before; return its file. Raises NamesError, and the old one stays."""
     path = cache_file(environment)
     try:
+        remove_strays(path)
         write_text(path, dump(index))
     except WriteError as error:
         raise NamesError(f"{error}; what was there is left as it was") from None
     return path
+
+
+def remove_strays(path: Path) -> None:
+    """Remove what runs that were killed while they wrote have left beside the index."""
+    for stray in path.parent.glob(f".{path.name}.*"):
+        with suppress(OSError):
+            if time.time() - stray.lstat().st_mtime > STRAY_SECONDS:
+                stray.unlink()

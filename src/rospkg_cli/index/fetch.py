@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from http.client import HTTPException
+from pathlib import Path
 from typing import Any
 from urllib.error import HTTPError, URLError
 from urllib.request import Request, urlopen
 
 from .. import __version__
 from . import NamesError
-from .place import Place
+from .place import Place, path_of
 
 TIMEOUT = 20.0
 """Seconds in which nothing comes."""
@@ -26,6 +27,7 @@ class NotThereError(NamesError):
 
 def fetch(place: Place, timeout: float = TIMEOUT) -> bytes:
     """Return the bytes of a place; raises NotThereError, and NamesError where they do not come whole."""
+    refuse_no_file(place)
     try:
         request = Request(place.url, headers={"User-Agent": f"rospkg/{__version__}"})
         with urlopen(request, timeout=timeout) as answer:
@@ -44,6 +46,13 @@ def fetch(place: Place, timeout: float = TIMEOUT) -> bytes:
     if promised.isdecimal() and len(data) != int(promised):
         raise NamesError(f"{place} can't be read: {len(data)} of {promised} bytes came; try again")
     return data
+
+
+def refuse_no_file(place: Place) -> None:
+    """Raise NamesError for a FIFO, a device or a folder of this machine, which could be waited for without end."""
+    path = Path(path_of(place.url)) if place.url.startswith("file:") else None
+    if path is not None and path.exists() and not path.is_file():
+        raise NamesError(f"{place} can't be read: it is no file")
 
 
 def reason(error: Any) -> str:

@@ -14,6 +14,9 @@ from . import NamesError
 from .fetch import NotThereError, fetch
 from .place import Place
 
+MAX_LISTS = 100
+"""ros/rosdistro has four; each of them is a file that is fetched."""
+
 OWN = ("base.yaml", "python.yaml", "ruby.yaml")
 DEFAULT_LISTS = "rosdep/sources.list.d/20-default.list"
 OF_THE_MACHINE = "/etc/ros/rosdep/sources.list.d"
@@ -51,6 +54,8 @@ def key_lists(source: Place, environment: Mapping[str, str]) -> list[KeyList]:
         own = list(parsed(fetch(source.beside(DEFAULT_LISTS)).decode("utf-8", "replace"), source, DEFAULT_LISTS))
     except NotThereError:
         own = [KeyList(source.beside(f"rosdep/{name}")) for name in OWN]
+    if len(found) + len(own) > MAX_LISTS:
+        raise NamesError(f"{source} and this machine name {len(found) + len(own)} lists; at most {MAX_LISTS} are read")
     return [*found, *(each for each in own if each.place not in {other.place for other in found})]
 
 

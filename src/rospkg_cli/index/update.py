@@ -13,7 +13,7 @@ from . import NamesError
 from .fetch import NotThereError
 from .lists import KeyList, key_lists
 from .place import Place, shortened
-from .read import Entries, distribution_files, document, released
+from .read import Entries, distribution_files, document, is_name, released
 
 Progress = Callable[[str, int, int], None]
 """Is told what is read next, how many files were read, and how many there are."""
@@ -84,7 +84,7 @@ def entries_of(listed: KeyList, told: Callable[[Place], Place]) -> Entries:
 
 def tables(lists: Lists) -> tuple[Named, Named, Named]:
     """Return the keys of some lists, and the names on PyPI and in Ubuntu that they stand for."""
-    known = {key for _, entries in lists for key in entries if isinstance(key, str)}
+    known = {key for _, entries in lists for key in entries if is_name(key)}
     ways: dict[str, list[str]] = {key: [] for key in known}
     pip: dict[str, set[str]] = defaultdict(set)
     apt: dict[str, set[str]] = defaultdict(set)
@@ -92,12 +92,13 @@ def tables(lists: Lists) -> tuple[Named, Named, Named]:
         found = merged(entries for codenames, entries in lists if codename in codenames)
         for key in known:
             ways[key].append(installer(found.get(key), codename))
-        for key, entry in found.items():
+        for key in known & found.keys():
+            entry = found[key]
             for name in pip_names(entry, codename):
-                if not called_alike(name, key):
+                if is_name(name) and not called_alike(name, key):
                     pip[name].add(key)
             one = apt_name(entry, codename)
-            if one is not None and one not in known:
+            if is_name(one) and one is not None and one not in known:
                 apt[one].add(key)
     return {key: tuple(each) for key, each in ways.items()}, in_order(pip), in_order(apt)
 
