@@ -1,8 +1,14 @@
 """Writing packages: from what was asked for to files that are right."""
 
+from ..sentence import sentence
+
 
 class ScaffoldError(Exception):
     """What can't be written as asked; the message is one sentence that says why and what to do."""
+
+    def __str__(self) -> str:
+        """The sentence on one line, whatever it quotes."""
+        return sentence(super().__str__())
 
 
 class OwnFaultError(Exception):

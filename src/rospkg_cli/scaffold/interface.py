@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -56,6 +57,7 @@ def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
         hint = f"; try `{better}`" if INTERFACE_NAME.fullmatch(better) else ""
         raise ScaffoldError(f"`{name}` can't be the name of a {form}: letters and digits, a capital first{hint}")
     text = text_of(form, name, fields if colon else UNASKED[form])
+    refuse_hidden(form, name, text)
     parsed = parse_interface(Source(f"{form}/{name}.{form}", text), form)
     for problem in parsed.problems:
         line = text.splitlines()[parsed.source.position(problem.span.start)[0] - 1]
@@ -65,6 +67,13 @@ def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
         if not type.primitive and not type.package and type.base not in messages:
             raise ScaffoldError(f"--{form} {name}: there is no message `{type.base}` here; {whose(type.base)}")
     return Interface(form, name, text, tuple(dict.fromkeys(type.package for type in types if type.package)))
+
+
+def refuse_hidden(form: str, name: str, text: str) -> None:
+    """Raise ScaffoldError for a character that no text file should hold."""
+    for char in text:
+        if char != "\n" and unicodedata.category(char) in ("Cc", "Cs"):
+            raise ScaffoldError(f"--{form} {name}: a field or a comment holds {char!a}; leave it out")
 
 
 def whose(message: str) -> str:
