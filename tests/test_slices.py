@@ -1,0 +1,72 @@
+"""What a rule is given: slices by type, and none where a part is absent or can't be read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rospkg_cli.engine.slices import Slices
+from rospkg_cli.example import Example
+from rospkg_cli.model.cmake.project import CMake
+from rospkg_cli.model.facts import PackageFacts
+from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.launch.file import LaunchFile
+from rospkg_cli.model.manifest import Manifest
+from rospkg_cli.model.package import Package
+from rospkg_cli.model.settings import Settings
+from rospkg_cli.model.workspace import Workspace
+from rospkg_cli.ros.distros import Targets
+from rospkg_cli.tree import MemoryTree
+
+BROKEN = "find_package(rclcpp REQUIRED\n"
+
+
+@dataclass(frozen=True)
+class Both:
+    manifest: Manifest
+    cmake: CMake
+
+
+@dataclass(frozen=True)
+class Perhaps:
+    manifest: Manifest
+    cmake: CMake | None
+
+
+@dataclass(frozen=True)
+class Every:
+    manifest: Manifest
+    launch_files: tuple[LaunchFile, ...]
+
+
+def slices(changed: dict[str, str], on: str = "ament_cmake") -> Slices:
+    package = Package(PackageFiles(MemoryTree.of(Example(bad=changed, good={}, on=on).bad_files()), ""))
+    return Slices(package, Workspace((PackageFacts("my_pkg", ""),)), Targets(), Settings())
+
+
+def test_a_slice_is_put_together_by_the_types_of_its_fields() -> None:
+    [both] = slices({}).of(Both)
+    assert isinstance(both.manifest, Manifest)
+    assert isinstance(both.cmake, CMake)
+
+
+def test_a_slice_with_a_broken_part_is_not_built() -> None:
+    """Law 7."""
+    found = slices({"CMakeLists.txt": BROKEN})
+    assert found.of(Manifest)
+    assert [found.of(kind) for kind in (CMake, Both, Perhaps)] == [[], [], []]
+    assert [each.path for each in found.package.unreadable()] == ["CMakeLists.txt"]
+
+
+def test_a_part_may_be_absent_only_where_the_type_says_so() -> None:
+    found = slices({}, "ament_python")
+    assert found.of(Both) == []
+    assert [each.cmake for each in found.of(Perhaps)] == [None]
+
+
+def test_of_many_files_there_is_one_slice_each_or_all_in_one_or_none_where_one_is_broken() -> None:
+    launch = {f"launch/{name}.launch.xml": "<launch/>\n" for name in "ab"}
+    assert len(slices(launch).of(LaunchFile)) == 2
+    assert [len(each.launch_files) for each in slices(launch).of(Every)] == [2]
+    broken = slices({**launch, "launch/c.launch.xml": "<launch>\n"})
+    assert len(broken.of(LaunchFile)) == 2
+    assert broken.of(Every) == []
