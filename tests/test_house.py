@@ -22,7 +22,7 @@ from rospkg_cli.testing import lint_files
 
 RULES = [name for name in modules() if name.startswith("rules.") and name.count(".") == 2]
 FLOORS = (
-    {"", "source", "text", "suggest", "ros", "resources"},
+    {"", "source", "text", "visible", "sentence", "suggest", "ros", "resources", "search_path"},
     {"tree", "finding"},
     {"model"},
     {"edits", "example"},

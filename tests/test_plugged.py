@@ -34,6 +34,11 @@ def package(tmp_path, write, clean) -> Path:
     return write(tmp_path / "my_pkg", clean)
 
 
+@pytest.fixture
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("elsewhere")
+
+
 def install(folder: Path, module: str, name: str = "our-house") -> None:
     """Write what pip would: a module, and the metadata of its distribution."""
     info = folder / "our_house-1.0.dist-info"
@@ -49,23 +54,23 @@ def rospkg(site: Path, *arguments: str, cwd: Path) -> subprocess.CompletedProces
 
 
 @pytest.mark.parametrize("jobs", ["1", "2"])
-def test_they_run_where_the_config_names_them(package: Path, tmp_path: Path, write, clean, jobs: str) -> None:
-    install(tmp_path / "site", MODULE.format(code="OUR001"))
+def test_they_run_where_the_config_names_them(package: Path, site: Path, write, clean, jobs: str) -> None:
+    install(site, MODULE.format(code="OUR001"))
     write(package.parent / "other", {path: text.replace("my_pkg", "other") for path, text in clean.items()})
-    done = rospkg(tmp_path / "site", "lint", "--jobs", jobs, "--format", "json", cwd=package.parent)
+    done = rospkg(site, "lint", "--jobs", jobs, "--format", "json", cwd=package.parent)
     found = json.loads(done.stdout)["findings"]
     assert {(each["code"], each["package"]) for each in found if each["code"] == "OUR001"} >= {("OUR001", "my_pkg")}
     assert done.returncode == 1
     (package.parent / "rospkg.toml").unlink()
-    assert "OUR001" not in rospkg(tmp_path / "site", "lint", cwd=package.parent).stdout
+    assert "OUR001" not in rospkg(site, "lint", cwd=package.parent).stdout
 
 
-def test_they_can_be_ignored_listed_and_explained(package: Path, tmp_path: Path) -> None:
-    install(tmp_path / "site", MODULE.format(code="OUR001"))
-    assert rospkg(tmp_path / "site", "lint", "--ignore", "our-name", cwd=package).returncode == 0
-    assert "OUR001  our-name" in rospkg(tmp_path / "site", "rules", cwd=package).stdout
-    assert "Wants the names of our house" in rospkg(tmp_path / "site", "explain", "OUR001", cwd=package).stdout
-    sarif = rospkg(tmp_path / "site", "lint", "--format", "sarif", cwd=package)
+def test_they_can_be_ignored_listed_and_explained(package: Path, site: Path) -> None:
+    install(site, MODULE.format(code="OUR001"))
+    assert rospkg(site, "lint", "--ignore", "our-name", cwd=package).returncode == 0
+    assert "OUR001  our-name" in rospkg(site, "rules", cwd=package).stdout
+    assert "Wants the names of our house" in rospkg(site, "explain", "OUR001", cwd=package).stdout
+    sarif = rospkg(site, "lint", "--format", "sarif", cwd=package)
     assert json.loads(sarif.stdout)["runs"][0]["results"][0]["ruleId"] == "OUR001"
 
 
@@ -79,8 +84,19 @@ def test_they_can_be_ignored_listed_and_explained(package: Path, tmp_path: Path)
         ("import nowhere_at_all\n", "our-house", "can't be loaded: ModuleNotFoundError"),
     ],
 )
-def test_what_cannot_be_used_is_one_sentence(package: Path, tmp_path: Path, module: str, name: str, says: str) -> None:
-    install(tmp_path / "site", module, name)
-    done = rospkg(tmp_path / "site", "lint", cwd=package)
+def test_what_cannot_be_used_is_one_sentence(package: Path, site: Path, module: str, name: str, says: str) -> None:
+    install(site, module, name)
+    done = rospkg(site, "lint", cwd=package)
     assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
     assert says in done.stderr
+
+
+@pytest.mark.parametrize("of_root", [False, True])
+def test_what_lies_in_a_linted_folder_is_not_run(package: Path, tmp_path: Path, site: Path, of_root: bool) -> None:
+    place = package if of_root else tmp_path / "deep/down"
+    install(place, f"open({str(site / 'ran')!r}, 'w')\n" + MODULE.format(code="OUR001"))
+    done = rospkg(place, "lint", str(package), cwd=site if of_root else tmp_path)
+    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
+    assert f"`our-house` lies in `{place}`, below `" in done.stderr
+    assert "and nothing of what is linted is run: install it beside rospkg, or take it out of PYTHONPATH" in done.stderr
+    assert not (site / "ran").exists()

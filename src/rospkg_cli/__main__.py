@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 
 from . import __version__
+from .search_path import leave_out_current_folder
 
 
 def main() -> int:
     """Run the command line; return the exit status."""
+    leave_out_current_folder()
     if sys.argv[1:] in (["--version"], ["-V"]):
         print(f"rospkg {__version__}")
         return 0

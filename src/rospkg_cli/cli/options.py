@@ -62,7 +62,7 @@ class LintOptions:
 def make_session(options: LintOptions, config: Config, located: Located) -> Session:
     """Return the run that the options and the config ask for; raises UsageError."""
     require_version(config)
-    plug_in(config.plugins)
+    plug_in(config.plugins, located.root, config.folder)
     for name in (*options.select, *options.ignore, *options.extend_select):
         if not codes_named(name):
             hint = did_you_mean(name, rule_names())
