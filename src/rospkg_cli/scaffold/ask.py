@@ -18,6 +18,9 @@ from .template import Template
 KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
 """Names of ROS packages and of rosdep keys."""
 
+LONGEST_KEY = 100
+"""The longest of rosdep's has 56 characters."""
+
 TEST_ONLY = re.compile(
     r"ament_(lint_.*|copyright|cpplint|flake8|mypy|pep257|xmllint)|launch_testing.*|python3-pytest.*"
 )
@@ -42,7 +45,7 @@ def depends_of(asked: tuple[str, ...], package: str) -> tuple[tuple[str, ...], t
             raise ScaffoldError(f"`{key}` can't depend on itself; leave it out of --depends")
         if key == "ament_python":
             raise ScaffoldError("`ament_python` is the build type and no package; leave it out of --depends")
-        if not KEY.fullmatch(key):
+        if not KEY.fullmatch(key) or len(key) > LONGEST_KEY:
             raise ScaffoldError(f"`{key}` is neither the name of a ROS package nor a rosdep key; --depends wants those")
     keys = sorted(set(asked))
     tests = tuple(key for key in keys if TEST_ONLY.fullmatch(key))

@@ -1,0 +1,59 @@
+"""What `new` makes of odd and hostile texts: one line that says why not, or files that are right."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from planned import plan, texts
+
+from rospkg_cli.scaffold import ScaffoldError
+from rospkg_cli.scaffold.template import template_names
+from rospkg_cli.sentence import LONGEST, sentence
+
+HOSTILE = ("\r\n::error::x", "\x1b[31m", "a\tb", "\u202e", "\udcff", "\u2028", "x" * 100_000, "\t" * 100_000)
+FIELDS = ("template", "license", "version", "distro", "launch", "tests", "email", "nodes", "depends", "msgs", "extras")
+
+
+@pytest.mark.parametrize("field", FIELDS)
+@pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:9]))
+def test_a_refusal_is_one_line_whatever_it_quotes(field: str, text: str) -> None:
+    lists = ("nodes", "depends", "msgs", "extras")
+    asked = {"template": "interfaces"} if field == "msgs" else {}
+    with pytest.raises(ScaffoldError) as refused:
+        plan(**{**asked, field: (text,) if field in lists else text})
+    said = str(refused.value)
+    assert said.isprintable()
+    assert len(said) <= LONGEST + 3
+
+
+def test_a_name_of_a_package_is_quoted_on_one_line() -> None:
+    with pytest.raises(ScaffoldError, match=r"^`a\\nb` can't be the name"):
+        plan("a\nb")
+
+
+def test_sentences_lose_their_middle_alone() -> None:
+    assert sentence("Ünïcode, 机器人 and all") == "Ünïcode, 机器人 and all"
+    said = sentence("begin" + "\0" * 10**6 + "end")
+    assert said.startswith("begin\\x00")
+    assert said.endswith("\\x00end")
+    assert len(said) <= LONGEST + 3
+
+
+@pytest.mark.parametrize("text", ["S:string a, # é\0é", "S:string a '\x1b[2J'", "S:# \udcff"], ids=ascii)
+def test_fields_hold_no_control_characters(text: str) -> None:
+    with pytest.raises(ScaffoldError, match=r"--msg S: a field or a comment holds '\\\S+'; leave it out"):
+        plan(template="interfaces", msgs=(text,))
+
+
+def test_no_node_is_taken_for_what_pytest_sets_up() -> None:
+    with pytest.raises(ScaffoldError, match="pytest takes a module `conftest` for its own setup"):
+        plan(nodes=("conftest",))
+
+
+@pytest.mark.parametrize("template", template_names())
+def test_what_a_template_needs_may_be_asked_for_too(template: str) -> None:
+    manifest = texts(plan(template=template))["package.xml"]
+    for key in sorted(set(re.findall(r"depend>([\w-]+)</", manifest)) - {"ament_python"}):
+        planned = plan(template=template, depends=(key,))
+        assert [(each.code, each.message) for each in planned.findings] == []
