@@ -19,6 +19,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import sys
 import tempfile
 import time
@@ -100,9 +101,16 @@ def summary(rows: Iterable[Row]) -> Iterable[str]:
     causes: dict[tuple[str, str], list[str]] = defaultdict(list)
     for row in rows:
         for fault in row["faults"]:
-            causes[" ".join(fault["what"].split()[:4])[:70], fault["where"]].append(f"{row['case']} ({fault['step']})")
+            causes[sort_of(fault["what"]), fault["where"]].append(f"{row['case']} ({fault['step']})")
     for (what, where), cases in sorted(causes.items(), key=lambda each: -len(each[1])):
-        yield f"{len(cases):>5}  {what}  {where or '-'}  {', '.join(cases[:6])}"
+        yield f"{len(cases):>5}  {what}  {where or '-'}  {', '.join(list(dict.fromkeys(cases))[:6])}"
+
+
+def sort_of(what: str) -> str:
+    """Return what is common to faults of one cause: without names, numbers and what follows a colon."""
+    first, _, rest = what.partition(": ")
+    kept = first if "Error" in first or not rest else f"{first}: {rest}"
+    return re.sub(r"\d+", "N", " ".join(kept.split()[:5]))[:70]
 
 
 if __name__ == "__main__":

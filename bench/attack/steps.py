@@ -74,7 +74,8 @@ class Attempt:
     outcome: Outcome = field(default_factory=Outcome)
 
     def blame(self, step: str, what: str, where: str = "", detail: str = "") -> None:
-        self.outcome.faults.append(Fault(step, what, where, detail))
+        room = str(self.folder)
+        self.outcome.faults.append(Fault(step, what.replace(room, "ROOM"), where, detail.replace(room, "ROOM")))
 
     def step(self, name: str, command: Callable[[], int]) -> str:
         """Run one command within its limits, and return what it printed."""
@@ -100,7 +101,7 @@ class Attempt:
     def blame_crashes(self, step: str, said: str) -> None:
         for text in said.split("Traceback (most recent call last)")[1:]:
             last = [line for line in text.splitlines() if line and not line.startswith(" ")]
-            self.blame(step, f"RPK005 {(last or ['?'])[-1][:200]}", place_of(text))
+            self.blame(step, f"RPK005 {(last or ['?'])[-1][:300]}", place_of(text))
 
     def run(self) -> Outcome:
         """Run everything; returns what went wrong."""
