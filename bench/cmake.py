@@ -21,6 +21,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.model.cmake.blocks import nest
 from rospkg_cli.model.cmake.lexer import tokens
 from rospkg_cli.model.cmake.project import CMake
@@ -29,7 +30,6 @@ from rospkg_cli.model.discover import packages_below
 from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.package import Package
 from rospkg_cli.source import Source
-from rospkg_cli.tree import DiskTree
 
 from .mutate import mutate
 

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.model.cmake.call import flags_and_values
 from rospkg_cli.model.cmake.project import CMake
 from rospkg_cli.model.cmake.words import Word
@@ -24,7 +25,6 @@ from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.install import InstallTable
 from rospkg_cli.model.manifest import Manifest
 from rospkg_cli.model.package import Package
-from rospkg_cli.tree import DiskTree
 
 PROVIDER = Path(__file__).with_suffix(".cmake")
 REAL_PREFIX = Path("/usr/share")

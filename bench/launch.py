@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from itertools import islice, zip_longest
 from pathlib import Path
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.model.discover import packages_below
 from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.launch.entity import from_xml, from_yaml
@@ -27,7 +28,6 @@ from rospkg_cli.model.package import Package
 from rospkg_cli.report.launched import launch_lines
 from rospkg_cli.ros.launch import ACTIONS, PARTS, SUBSTITUTIONS
 from rospkg_cli.source import Span
-from rospkg_cli.tree import DiskTree
 
 Found = tuple[Path, LaunchFile]
 

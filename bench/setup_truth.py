@@ -24,11 +24,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.model.discover import packages_below
 from rospkg_cli.model.files import PackageFiles
 from rospkg_cli.model.package import Package
 from rospkg_cli.model.setup.setup_py import SetupPy
-from rospkg_cli.tree import DiskTree
 
 RECORDER = Path(__file__).with_name("record_setup.py")
 SECONDS = 60

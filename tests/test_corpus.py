@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.report import Report, render
-from rospkg_cli.tree import DiskTree
 
 CORPUS = Path(__file__).parent / "corpus"
 PACKAGES = sorted(p.name for p in CORPUS.iterdir() if p.is_dir())

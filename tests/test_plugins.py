@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.locate import locate
 from rospkg_cli.engine.session import Session
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
-from rospkg_cli.tree import DiskTree
 
 HEAD = "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\nfind_package(ament_cmake REQUIRED)\n"
 LIBRARY = "add_library(planner SHARED src/planner.cpp)\ninstall(TARGETS planner DESTINATION lib)\n"

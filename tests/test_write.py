@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.write import WriteError, write_changes
-from rospkg_cli.tree import DiskTree, Entry
+from rospkg_cli.tree import Entry
 
 
 def test_content_changes_and_the_mode_stays(tmp_path: Path) -> None:

@@ -1,30 +1,40 @@
-"""A folder of files, on disk or in memory: path to entry, listing, and a view of a sub-folder.
+"""Files below one folder as a path → entry mapping, on disk or in memory.
 
 Text is decoded once; what is needed to write it back as it was (encoding, byte order mark, line ends) stays with it.
+`disk` holds the tree of a real folder.
 """
 
 from __future__ import annotations
 
-import os
-import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Literal, Protocol
 
 from .text import Text, decode
 
-Kind = Literal["file", "dir", "link"]
+Kind = Literal["file", "link", "outside", "dir", "linked-dir", "linked-package", "other"]
+"""What stands at a path: a regular file; a link to one that may be read; a link to one out of the package and its
+repository; an empty folder; a link to a folder, or to one with an `__init__.py`; anything else (a dead link, a FIFO, a
+socket, a device)."""
 
-SKIPPED = frozenset({".git", ".hg", ".svn", ".venv", "venv", "node_modules", "__pycache__", ".tox", ".mypy_cache"})
-"""Folders that are never a package's own files."""
+LINKED: frozenset[Kind] = frozenset({"linked-dir", "linked-package"})
 
-BUILT = frozenset({"build", "install", "log"})
-"""colcon's output folders; left out where colcon left its mark in them."""
+READABLE: frozenset[Kind] = frozenset({"file", "link"})
 
-MAX_BYTES = 4_000_000
-"""Larger files are listed, not read."""
+FILES: frozenset[Kind] = READABLE | {"outside"}
+"""What counts as a file of the package; one that leads outside is never read."""
+
+EXISTING: frozenset[Kind] = FILES | LINKED | {"dir"}
+"""What a build finds; a dead link or a FIFO is nothing that it could install."""
+
+
+class SkippedError(OSError):
+    """A file that is there and is not read on purpose; the message is a whole sentence."""
+
+
+class LeadsOutError(SkippedError):
+    """A link that leads out of the package and its repository."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +44,14 @@ class Entry:
     kind: Kind
     data: bytes
     mode: int = 0o644
+    skipped: str = ""
+    """Why `data` was not read, as a sentence; "" where it was."""
 
     @cached_property
     def text(self) -> Text:
-        """The decoded text; raises UnicodeError where the bytes are none."""
+        """The decoded text; raises UnicodeError where the bytes are none, SkippedError where they were not read."""
+        if self.skipped:
+            raise SkippedError(self.skipped)
         return decode(self.data)
 
     @property
@@ -49,10 +63,10 @@ class Tree(Protocol):
     """Files below one folder. Paths are relative to it, with `/`."""
 
     def files(self) -> Mapping[str, Kind]:
-        """Return every file and link below the folder, with its kind; folders only where they are empty."""
+        """Return everything below the folder with its kind; folders only where they are empty."""
 
     def entry(self, path: str) -> Entry:
-        """Return one entry; raises FileNotFoundError."""
+        """Return one file; raises FileNotFoundError where there is none, SkippedError where it may not be read."""
 
     def sub(self, folder: str) -> Tree:
         """Return the view of a folder."""
@@ -72,10 +86,10 @@ class MemoryTree:
         return {path: entry.kind for path, entry in self.content.items()}
 
     def entry(self, path: str) -> Entry:
-        try:
-            return self.content[path]
-        except KeyError:
-            raise FileNotFoundError(path) from None
+        found = self.content.get(path)
+        if found is None or found.kind not in FILES:
+            raise FileNotFoundError(path)
+        return found
 
     def sub(self, folder: str) -> MemoryTree:
         if not folder:
@@ -90,58 +104,3 @@ def as_entry(value: str | bytes | Entry) -> Entry:
     if isinstance(value, bytes):
         return Entry("file", value)
     return Entry("file", value.encode(), 0o755 if value.startswith("#!") else 0o644)
-
-
-@dataclass
-class DiskTree:
-    """A folder on disk. Nothing is read before it is asked for, and nothing is read twice."""
-
-    root: Path
-
-    def __post_init__(self) -> None:
-        self._entries: dict[str, Entry] = {}
-
-    @cached_property
-    def _files(self) -> dict[str, Kind]:
-        return dict(sorted(walk(self.root, "")))
-
-    def files(self) -> Mapping[str, Kind]:
-        return self._files
-
-    def entry(self, path: str) -> Entry:
-        if path not in self._entries:
-            self._entries[path] = read_entry(self.root / path)
-        return self._entries[path]
-
-    def sub(self, folder: str) -> DiskTree:
-        return DiskTree(self.root / folder) if folder else self
-
-
-def read_entry(path: Path) -> Entry:
-    """Read one file; raises OSError."""
-    found = path.stat()
-    if not stat.S_ISREG(found.st_mode):
-        raise FileNotFoundError(str(path))
-    data = path.read_bytes() if found.st_size <= MAX_BYTES else b""
-    return Entry("link" if path.is_symlink() else "file", data, stat.S_IMODE(found.st_mode))
-
-
-def walk(root: Path, prefix: str) -> Iterator[tuple[str, Kind]]:
-    """Yield the files below a folder; neither colcon's output nor links to folders are followed."""
-    try:
-        entries = sorted(os.scandir(root / prefix), key=lambda e: e.name)
-    except OSError:
-        return
-    if not entries and prefix:
-        yield prefix.rstrip("/"), "dir"
-    for entry in entries:
-        path = prefix + entry.name
-        if entry.is_dir(follow_symlinks=False):
-            if entry.name not in SKIPPED and not is_built(entry):
-                yield from walk(root, path + "/")
-        else:
-            yield path, "link" if entry.is_symlink() else "file"
-
-
-def is_built(entry: os.DirEntry[str]) -> bool:
-    return entry.name in BUILT and os.path.exists(os.path.join(entry.path, "COLCON_IGNORE"))  # noqa: PTH110, PTH118

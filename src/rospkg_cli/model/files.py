@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Generic, Protocol, TypeVar
 
 from ..source import Source, Span
-from ..tree import Tree
+from ..tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
 from .unreadable import Unreadable, UnreadableError
 
 T = TypeVar("T")
@@ -31,7 +31,7 @@ class PackageFiles:
     @cached_property
     def every(self) -> tuple[str, ...]:
         """Every file in the package's folder, sorted; those of packages below it too."""
-        return tuple(sorted(self.tree.files()))
+        return tuple(sorted(path for path, kind in self.tree.files().items() if kind in FILES))
 
     @cached_property
     def paths(self) -> tuple[str, ...]:
@@ -46,8 +46,9 @@ class PackageFiles:
 
     @cached_property
     def places(self) -> frozenset[str]:
-        """Every file and every folder that holds one, in packages below too."""
-        return folders_of(self.every).union(self.every)
+        """Every file and every folder, an empty one too, in packages below too; a dead link is neither."""
+        found = self.tree.files()
+        return folders_of(found).union(path for path, kind in found.items() if kind in EXISTING)
 
     def holds(self, path: str) -> bool:
         """Return whether a file stands there, be it in a package below."""
@@ -57,7 +58,7 @@ class PackageFiles:
         """Return whether a file or folder stands there, be it in a package below or behind a link."""
         parts = path.split("/")
         links = ("/".join(parts[:end]) for end in range(1, len(parts)))
-        return path in self.places or any(self.tree.files().get(link) == "link" for link in links)
+        return path in self.places or any(self.tree.files().get(link) in LINKED for link in links)
 
     @cached_property
     def _every(self) -> frozenset[str]:
@@ -80,7 +81,11 @@ class PackageFiles:
         return None
 
     def executable(self, path: str) -> bool:
-        return self.tree.entry(path).executable
+        """Return whether a file may be executed; one that is not there or may not be looked at is not."""
+        try:
+            return self.tree.entry(path).executable
+        except OSError:
+            return False
 
     def below(self, folder: str) -> tuple[str, ...]:
         """Return the files at any depth below a folder ("" for all)."""
@@ -98,6 +103,9 @@ class PackageFiles:
                 text = self.tree.entry(path).text.text
             except UnicodeError as error:
                 raise UnreadableError(path, Span(0, 0), unreadable_bytes(path, error)) from None
+            except SkippedError as error:
+                outside = isinstance(error, LeadsOutError)
+                raise UnreadableError(path, Span(0, 0), str(error), skipped=True, outside=outside) from None
             except OSError as error:
                 raise UnreadableError(path, Span(0, 0), f"`{path}` can't be read: {error.strerror or error}") from None
             self._sources[path] = Source(path, text)

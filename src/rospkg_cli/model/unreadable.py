@@ -16,11 +16,22 @@ class Unreadable:
     """The text may be right for a Python newer than the one that runs us."""
     skipped: bool = False
     """The file is there and is not read on purpose: it is too large, or a link that leads out."""
+    outside: bool = False
+    """It is skipped because it is a link that leads out of the package and its repository."""
 
 
 class UnreadableError(Exception):
     """Raised by readers; the engine makes one finding of it."""
 
-    def __init__(self, path: str, span: Span, message: str, *, grammar: bool = False, skipped: bool = False) -> None:
+    def __init__(
+        self,
+        path: str,
+        span: Span,
+        message: str,
+        *,
+        grammar: bool = False,
+        skipped: bool = False,
+        outside: bool = False,
+    ) -> None:
         super().__init__(message)
-        self.unreadable = Unreadable(path, span, message, grammar, skipped)
+        self.unreadable = Unreadable(path, span, message, grammar, skipped, outside)

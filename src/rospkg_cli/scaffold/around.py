@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
+from ..disk import DiskTree
 from ..engine.elsewhere import lists_others
 from ..engine.prefixes import prefix_names
 from ..index import NamesError
@@ -22,7 +23,7 @@ from ..model.package import Package
 from ..model.unreadable import UnreadableError
 from ..ros.distros import Targets
 from ..ros.names import BUILT_IN, Names
-from ..tree import DiskTree, MemoryTree, Tree
+from ..tree import MemoryTree, Tree
 
 
 @dataclass(frozen=True)

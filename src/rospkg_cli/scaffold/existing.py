@@ -8,8 +8,9 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..disk import read_entry
 from ..engine.signals import stopped_by_signals, undisturbed
-from ..tree import Entry, read_entry
+from ..tree import Entry
 from . import ScaffoldError
 from .render import Written
 from .write import hidden_beside, is_there, write

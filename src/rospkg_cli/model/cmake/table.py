@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...source import Span
+from ...tree import LINKED
 from ..install import PYTHON, Installed, InstallTable, NotKnown, What
 from .artifacts import Artifacts
 from .call import Call, located
@@ -131,7 +132,7 @@ class Table:
     def is_link(self, word: Word, rule: InstallRule) -> bool:
         """Return whether a folder is a link, behind which we do not look."""
         path = located(word.text, rule.call.folder) or ""
-        return self.cmake.package.tree.files().get(path.rstrip("/")) == "link"
+        return self.cmake.package.tree.files().get(path.rstrip("/")) in LINKED
 
     def may_install(self, call: Call) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions

@@ -16,7 +16,13 @@ ROOT = "/<package>"
 
 MAGIC = re.compile(r"[*?\[]")
 
+MAX_DEPTH = 100
+"""How many folders deep a search for modules or a `**` goes."""
+
 Kind = Literal["file", "dir", "unknown"]
+
+SEEN_AS: dict[str, Kind] = {"dir": "dir", "linked-dir": "unknown", "linked-package": "unknown"}
+"""How a folder of the tree is seen; the rest are files. A dead link or a FIFO is nothing that setup.py could copy."""
 
 
 class OutsideError(Exception):
@@ -31,20 +37,13 @@ class Folder:
         self.children: dict[str, dict[str, Kind]] = {"": {}}
         for path, kind in files.tree.files().items():
             head, _, name = path.rpartition("/")
-            self.children.setdefault(head, {})[name] = self.entry_kind(path, kind)
+            inside = self.children.setdefault(head, {})
+            if kind != "other":
+                inside[name] = SEEN_AS.get(kind, "file")
             while head and head not in self.children.get(posixpath.dirname(head), {}):
                 above = posixpath.dirname(head)
                 self.children.setdefault(above, {})[posixpath.basename(head)] = "dir"
                 head = above
-
-    def entry_kind(self, path: str, kind: str) -> Kind:
-        if kind != "link":
-            return "dir" if kind == "dir" else "file"
-        try:
-            self.files.tree.entry(path)
-        except OSError:
-            return "unknown"
-        return "file"
 
     def inside(self, path: str, cwd: str = ROOT) -> str:
         """Return a path relative to the package; raises OutsideError."""
@@ -66,6 +65,10 @@ class Folder:
             return None
         return self.children[head].get(name)
 
+    def may_hold_modules(self, path: str) -> bool:
+        """Return whether what is not known at a path may be a package of Python: a link to a folder without is none."""
+        return self.files.tree.files().get(path) != "linked-dir"
+
     def names(self, path: str) -> list[str]:
         """Return the names in a folder, sorted; none where there is no such folder; raises OutsideError at a link."""
         if self.kind(path) == "unknown":
@@ -74,11 +77,13 @@ class Folder:
 
     def walk(self, path: str) -> Iterator[tuple[str, list[str], list[str]]]:
         """Yield folder, names of folders and names of files, from the top, as os.walk does."""
-        names = self.children.get(path, {})
-        folders = sorted(name for name, kind in names.items() if kind == "dir")
-        yield path, folders, sorted(name for name, kind in names.items() if kind != "dir")
-        for name in folders:
-            yield from self.walk(posixpath.join(path, name))
+        waiting = [path]
+        while waiting:
+            path = waiting.pop()
+            names = self.children.get(path, {})
+            folders = sorted(name for name, kind in names.items() if kind == "dir")
+            yield path, folders, sorted(name for name, kind in names.items() if kind != "dir")
+            waiting += [posixpath.join(path, name) for name in reversed(folders)]
 
     def glob(self, pattern: str, *, recursive: bool = False, cwd: str = ROOT) -> list[str]:
         """Return what glob.glob returns, sorted; raises OutsideError."""
@@ -103,6 +108,8 @@ class Folder:
 
     def below(self, shown: str, inside: str) -> list[str]:
         """Return what `**` matches: the folder itself, and all that is not hidden below it."""
+        if inside.count("/") > MAX_DEPTH:
+            raise OutsideError(f"`{inside[:80]}…` lies too deep")
         found = [posixpath.join(shown, "")] if self.kind(inside) == "dir" else []
         for name in self.names(inside):
             if not name.startswith("."):

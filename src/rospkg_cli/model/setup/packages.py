@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from ...source import Span
-from ..evaluate.folder import Folder, OutsideError
+from ..evaluate.folder import MAX_DEPTH, Folder, OutsideError
 from ..evaluate.machine import Intrinsic, Machine
 from ..evaluate.plain import NotPlainError, plain
 from ..evaluate.values import Call, Text, Value
@@ -83,10 +83,12 @@ def find(
 def below(
     folder: Folder, at: str, dotted: str, include: tuple[str, ...], exclude: tuple[str, ...], namespace: bool
 ) -> Iterator[str]:
+    if dotted.count(".") > MAX_DEPTH:
+        raise OutsideError(f"`{at[:80]}…` lies too deep")
     for name in folder.names(at):
         path = posixpath.join(at, name)
         kind = folder.kind(path)
-        if kind == "unknown" and "." not in name:
+        if kind == "unknown" and "." not in name and (namespace or folder.may_hold_modules(path)):
             raise OutsideError(f"`{path}` is a link to a folder")
         if kind != "dir" or "." in name or not (namespace or folder.kind(f"{path}/__init__.py")):
             continue

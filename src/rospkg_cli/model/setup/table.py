@@ -67,7 +67,7 @@ def script_folder(setup: SetupPy) -> str | None:
 
 def data_rows(setup: SetupPy) -> Iterator[Installed]:
     for file in setup.data_files:
-        if file.source is None or not file.destination or setup.folder.kind(file.source) != "file":
+        if file.source is None or not file.destination or setup.kind(file.source) != "file":
             continue
         what: What = "share" if file.destination.startswith("share/") else "other"
         if re.fullmatch(r"lib/[^/]+/[^/]+|bin/[^/]+", file.destination):
@@ -116,7 +116,7 @@ def package_data(setup: SetupPy, package: str, patterns: tuple[str, ...], at: Sp
         except OutsideError:
             continue
         for path in found:
-            if setup.folder.kind(path) == "file" and not path.endswith(".py"):
+            if setup.kind(path) == "file" and not path.endswith(".py"):
                 inside = posixpath.relpath(path, folder or ".")
                 destination = posixpath.join(PYTHON, package.replace(".", "/"), inside)
                 yield Installed("module", destination, path, "", setup.path, at)

@@ -48,5 +48,5 @@ def unreadable_file(file: Unreadable) -> Iterator[Hit]:
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a
     warning, and `ros2 run` doesn't find it.
     """
-    if not file.grammar:
+    if not (file.grammar or file.skipped):
         yield Hit(file.path, file.span, file.message)

@@ -1,0 +1,107 @@
+"""A folder on disk as a tree: what lies in a working tree, links and FIFOs and half-built leftovers included."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from .fence import Fence
+from .leftovers import is_left_out, is_no_source
+from .tree import Entry, Kind, SkippedError
+
+MAX_BYTES = 4_000_000
+"""Larger files are listed, not read."""
+
+
+@dataclass
+class DiskTree:
+    """A folder on disk. Nothing is read before it is asked for, and nothing is read twice."""
+
+    root: Path
+    packages: Sequence[str] = ()
+    """Folders of packages below the root, each with a fence of its own: one may be a link to another disk."""
+    _entries: dict[str, Entry] = field(default_factory=dict, init=False, repr=False)
+
+    @cached_property
+    def _files(self) -> dict[str, Kind]:
+        return dict(sorted(walk(self.root, self.fence)))
+
+    @cached_property
+    def fence(self) -> Fence:
+        return Fence(self.root, self.packages)
+
+    def files(self) -> Mapping[str, Kind]:
+        return self._files
+
+    def entry(self, path: str) -> Entry:
+        if path not in self._entries:
+            self._entries[path] = self.read(path)
+        return self._entries[path]
+
+    def read(self, path: str) -> Entry:
+        """Read one file; raises OSError, SkippedError where a link leads too far."""
+        if "_files" not in self.__dict__ or self._files.get(path) != "file":
+            self.fence.check(path)
+        return read_entry(self.root / path)
+
+    def sub(self, folder: str) -> DiskTree:
+        return DiskTree(self.root / folder) if folder else self
+
+
+def read_entry(path: Path) -> Entry:
+    """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes."""
+    found = path.stat()
+    if not stat.S_ISREG(found.st_mode):
+        raise FileNotFoundError(str(path))
+    kind: Kind = "link" if path.is_symlink() else "file"
+    mode = stat.S_IMODE(found.st_mode)
+    if found.st_size > MAX_BYTES:
+        size = f"{found.st_size / 1_000_000:.1f} MB"
+        return Entry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than {MAX_BYTES // 1_000_000}")
+    return Entry(kind, path.read_bytes(), mode)
+
+
+def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
+    """Yield what lies below a folder; neither what a build leaves nor links to folders are followed.
+
+    Folders wait in a list of their own, so that no depth of them is too deep; one that can't be listed is left out.
+    """
+    waiting = [""]
+    while waiting:
+        prefix = waiting.pop()
+        try:
+            with os.scandir(os.path.join(root, prefix)) as found:  # noqa: PTH118
+                entries = [entry for entry in found if not is_no_source(entry.name)]
+        except OSError:
+            continue
+        if prefix and is_left_out(prefix, {entry.name for entry in entries}):
+            continue
+        if not entries and prefix:
+            yield prefix.rstrip("/"), "dir"
+        for entry in entries:
+            if entry.is_dir(follow_symlinks=False):
+                waiting.append(f"{prefix}{entry.name}/")
+            else:
+                yield prefix + entry.name, kind_of(entry, prefix + entry.name, fence)
+
+
+def kind_of(entry: os.DirEntry[str], path: str, fence: Fence) -> Kind:
+    """Return what something is that is no folder."""
+    if entry.is_file(follow_symlinks=False):
+        return "file"
+    try:
+        if entry.is_dir():
+            inner = os.path.join(entry.path, "__init__.py")  # noqa: PTH118
+            return "linked-package" if os.path.isfile(inner) else "linked-dir"  # noqa: PTH113
+        if not entry.is_symlink() or not entry.is_file():
+            return "other"
+        fence.check(path)
+    except SkippedError:
+        return "outside"
+    except OSError:
+        return "other"
+    return "link"

@@ -1,0 +1,40 @@
+"""What tools leave in a working tree that is none of the package's source: builds, environments, caches, swap files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Set
+
+SKIPPED = frozenset(
+    ".git .hg .svn .venv venv node_modules __pycache__ .tox .nox .eggs .mypy_cache .pytest_cache .ruff_cache".split()
+)
+"""Folders that are never a package's own files."""
+
+MARKED = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
+"""A folder that holds one of them is a virtual environment, or where CMake builds, whatever its name."""
+
+BUILT = {
+    "build": re.compile(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
+    "install": re.compile(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
+    "log": re.compile(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
+}
+"""Output folders of colcon and setuptools, with what stands in one; a folder of that name without is the package's."""
+
+STRAY = re.compile(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
+"""A file of ours that was being written when the process was killed."""
+
+NO_SOURCE = re.compile(rf"\._.*|{STRAY.pattern}", re.DOTALL)
+"""Resource forks of macOS (`._setup.py` is no Python), and our own temporary files."""
+
+
+def is_no_source(name: str) -> bool:
+    """Return whether a file or folder is never a package's own, by its name alone."""
+    return name in SKIPPED or (name[:1] == "." and NO_SOURCE.fullmatch(name) is not None)
+
+
+def is_left_out(folder: str, names: Set[str]) -> bool:
+    """Return whether a folder with these names in it is output of a build, or a virtual environment."""
+    if not MARKED.isdisjoint(names):
+        return True
+    marks = BUILT.get(folder.rstrip("/").rpartition("/")[2])
+    return marks is not None and any(marks.fullmatch(name) for name in names)

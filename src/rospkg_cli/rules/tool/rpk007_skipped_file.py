@@ -1,0 +1,31 @@
+"""RPK007 skipped-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...finding import Hit, Severity
+from ...model.unreadable import Unreadable
+from ...rule import rule
+
+
+@rule(
+    "RPK007",
+    "skipped-file",
+    over=Unreadable,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "a link that leads out of the package and its repository: the build reads what is there"},
+    examples=(),
+)
+def skipped_file(file: Unreadable) -> Iterator[Hit]:
+    """
+    ## What it does
+    Reports a file that is there and is not read: one that is larger than 4 MB or nested too deeply, or a link to a
+    file that lies neither in the package nor in the git repository around it. Rules that need the file keep quiet.
+
+    ## Why is this bad?
+    What is not read is not checked. A link that leads out is never followed, so that a repository can't make its
+    linter print or rewrite a file of the machine that lints it.
+    """
+    if file.skipped:
+        yield Hit(file.path, file.span, file.message, Severity.INFO if file.outside else None)
