@@ -11,6 +11,7 @@ from typing import Any
 
 from .configkeys import FORMS, place, read_section
 from .configkeys import ConfigError as ConfigError
+from .here import absolute, here
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -59,12 +60,12 @@ class Config:
     @property
     def folder(self) -> Path:
         """The folder that its patterns are relative to."""
-        return self.path.parent if self.path else Path.cwd()
+        return self.path.parent if self.path else here()
 
 
 def find_config(start: Path) -> Config:
     """Return the config that holds for a path; raises ConfigError with line and column for what is wrong in it."""
-    start = start.resolve()
+    start = absolute(start)
     for folder in (start, *start.parents):
         for path, table in candidates(folder):
             return load(path, table)

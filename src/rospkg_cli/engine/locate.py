@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
 from ..config import Config
+from ..fence import is_shared
+from ..here import absolute, here
 from ..model.discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
 from .elsewhere import lists_others
 from .hidden import ONLY_WHEN_GIVEN, hidden_below
@@ -16,7 +18,6 @@ from .prefixes import prefix_names
 from .session import Scope
 
 NO_CONFIG = Config()
-NOT_A_WORKSPACE = frozenset(map(Path, "/ /home /opt /root /srv /tmp /usr /usr/local /var".split()))
 
 
 class LocateError(Exception):
@@ -39,13 +40,13 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
     for path in paths:
         if not path.exists():
             raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
-        given += packages_at(path.resolve())
-    kept = [p for p in dict.fromkeys(given) if not is_excluded(p, exclude)]
-    around = workspace.resolve() if workspace else workspace_of(kept)
-    others = [p for p in packages_below(around) if not is_excluded(p, exclude)] if around else []
-    every = sorted({*kept, *others})
+        given += packages_at(absolute(path))
+    kept = [p for p in each_once(given) if not is_excluded(p, exclude)]
+    around = absolute(workspace) if workspace else workspace_of(kept)
+    others = packages_below(around) if around else siblings(kept)
+    every = sorted(each_once([*kept, *(p for p in others if not is_excluded(p, exclude))]))
     anchors = [*every, *([around] if around else []), *([config.folder] if config.path else [])]
-    root = Path(os.path.commonpath(anchors)) if every else Path.cwd()
+    root = Path(os.path.commonpath(anchors)) if every else here()
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
         given=frozenset(relative(p, root) for p in kept),
@@ -55,6 +56,21 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )
     return Located(root, scope, "" if kept else "the config excludes them" if given else hidden_below(paths))
+
+
+def each_once(packages: Iterable[Path]) -> list[Path]:
+    """Return each package under the first of the paths that lead to it."""
+    found: dict[str, Path] = {}
+    for package in packages:
+        found.setdefault(os.path.realpath(package), package)
+    return list(found.values())
+
+
+def siblings(packages: Iterable[Path]) -> Iterator[Path]:
+    """Yield the packages that lie beside some others, where there is no workspace around them."""
+    for folder in dict.fromkeys(package.parent for package in packages):
+        if not is_shared(folder):
+            yield from (path.parent for path in sorted(folder.glob("*/package.xml")) if path.is_file())
 
 
 def is_repository(folder: Path) -> bool:
@@ -88,8 +104,7 @@ def workspace_of(packages: Sequence[Path]) -> Path | None:
     if not packages:
         return None
     common = Path(os.path.commonpath(packages))
-    never = NOT_A_WORKSPACE | {Path.home()}
-    found = [p for p in (common, *common.parents) if p not in never and looks_like_one(p, common)]
+    found = [p for p in (common, *common.parents) if not is_shared(p) and looks_like_one(p, common)]
     return found[-1] if found else None
 
 

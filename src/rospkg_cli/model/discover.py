@@ -6,32 +6,71 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from ..tree import SKIPPED, Tree, is_built
+from ..fence import is_within
+from ..leftovers import is_left_out, is_no_source
+from ..tree import Tree
 
 REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
 """What stands in the root of a repository; in an export without its .git, what its host reads."""
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 
+MAX_LINKED_FOLDERS = 1_000
+"""How many links to folders are followed from one folder, so that links in circles end."""
+
 
 def packages_below(root: Path, *, given: bool = True, marked: bool = False) -> Iterator[Path]:
     """Yield the package folders below a folder, sorted; nothing inside a package, nothing below an ignore marker.
 
     A folder that is `given` is looked into even when it is marked; every folder is where `marked` ones count.
+    Links to folders are followed as colcon does, each package once, and under its own path where it has one here.
     """
+    found: dict[str, Path] = {}
+    links = list(crawl(root, found, given, marked))
+    top = os.path.realpath(root)
+    seen = {top}
+    for _ in range(MAX_LINKED_FOLDERS):
+        if not links:
+            break
+        link = links.pop(0)
+        real = os.path.realpath(link)
+        if real not in seen and not is_within(top, real):
+            seen.add(real)
+            links += crawl(link, found, False, marked)
+    yield from sorted(found.values())
+
+
+def crawl(root: Path, found: dict[str, Path], given: bool, marked: bool) -> Iterator[Path]:
+    """Add the packages below a folder to `found`, by where they really lie; yield the links to folders met."""
+    waiting = [root]
+    while waiting:
+        folder = waiting.pop()
+        try:
+            with os.scandir(folder) as listing:
+                entries = {entry.name: entry for entry in listing if not is_no_source(entry.name)}
+        except OSError:
+            continue
+        if not (marked or (given and folder == root)) and not entries.keys().isdisjoint(IGNORE_MARKERS):
+            continue
+        if "package.xml" in entries and is_there(entries["package.xml"]):
+            found.setdefault(os.path.realpath(folder), folder)
+        elif folder == root or not is_left_out(folder.name, entries.keys()):
+            waiting += [Path(each.path) for each in entries.values() if each.is_dir(follow_symlinks=False)]
+            yield from sorted(Path(each.path) for each in entries.values() if each.is_symlink() and is_folder(each))
+
+
+def is_there(entry: os.DirEntry[str]) -> bool:
     try:
-        entries = sorted(os.scandir(root), key=lambda e: e.name)
+        return entry.is_file()
     except OSError:
-        return
-    names = {entry.name for entry in entries}
-    if not (given or marked) and names.intersection(IGNORE_MARKERS):
-        return
-    if "package.xml" in names:
-        yield root
-        return
-    for entry in entries:
-        if entry.is_dir(follow_symlinks=False) and entry.name not in SKIPPED and not is_built(entry):
-            yield from packages_below(Path(entry.path), given=False, marked=marked)
+        return False
+
+
+def is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
 
 
 def marker_above(package: Path, below: Path) -> Path | None:

@@ -1,0 +1,24 @@
+"""Where the user stands and what a typed path means: links stay in it, so that a linked package keeps its workspace."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+def here() -> Path:
+    """Return the current folder as the shell shows it, links and all, where $PWD tells it truly."""
+    shown = os.environ.get("PWD", "")
+    try:
+        if Path(shown).is_absolute() and os.path.samefile(shown, os.curdir):  # noqa: PTH121
+            return Path(shown)
+    except (OSError, ValueError):
+        pass
+    return Path.cwd()
+
+
+def absolute(path: Path) -> Path:
+    """Return a typed path as an absolute one; with `..` in it, links are resolved as the system does."""
+    if ".." in path.parts:
+        return path.resolve()
+    return Path(os.path.normpath(here() / path))
