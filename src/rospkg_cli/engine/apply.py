@@ -17,18 +17,18 @@ Changes = dict[str, Entry | None]
 class Round:
     """The operations that are applied together."""
 
-    chosen: list[Operation] = field(default_factory=list)
+    _chosen: set[Operation] = field(default_factory=set)
     edits: dict[str, list[Edit]] = field(default_factory=dict)
     whole: dict[str, Operation] = field(default_factory=dict)
     """Files that an operation other than an edit claims."""
 
     def take(self, fix: Fix) -> bool:
         """Add a fix if nothing in it touches what was taken before; equal operations count once."""
-        fresh = [operation for operation in fix.operations if operation not in self.chosen]
+        fresh = [operation for operation in fix.operations if operation not in self._chosen]
         if any(self.clashes(operation) for operation in fresh):
             return False
         for operation in fresh:
-            self.chosen.append(operation)
+            self._chosen.add(operation)
             if isinstance(operation, Edit):
                 self.edits.setdefault(operation.path, []).append(operation)
             else:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
 
 from ..model.facts import PackageFacts
+from ..model.gather import unknown_facts
+from ..model.happenings import RuleCrash
 from ..model.settings import Settings
 from ..model.workspace import Workspace
 from ..ros.distros import Targets
@@ -27,25 +30,49 @@ class ProcessPool(Pool):
     """One process a shard, so that the models a process has read are there when it checks."""
 
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings, jobs: int) -> None:
-        parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
+        self.name = scope.name
+        self.parts = parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
         self.workers = [
             ProcessPoolExecutor(1, initializer=start_shard, initargs=(tree, part, targets, settings, scope.name))
             for part in parts
         ]
 
-    def everywhere(self, call: Callable[..., list[T]], *arguments: object) -> list[T]:
-        futures: list[Future[list[T]]] = [worker.submit(call, *arguments) for worker in self.workers]
-        return [each for future in futures for each in future.result()]
+    def everywhere(self, call: Callable[..., list[T]], lost: Callable[[str], T], *arguments: object) -> list[T]:
+        """Call a function in every process; what it would have said of a package is made up where a process died."""
+        futures: list[Future[list[T]]] = []
+        for worker in self.workers:
+            try:
+                futures.append(worker.submit(call, *arguments))
+            except BrokenProcessPool as error:
+                futures.append(Future())
+                futures[-1].set_exception(error)
+        found: list[T] = []
+        for future, part in zip(futures, self.parts, strict=True):
+            try:
+                found += future.result()
+            except BrokenProcessPool:
+                found += map(lost, part)
+        return found
 
     def gather(self) -> list[PackageFacts]:
-        return self.everywhere(gather_shard)
+        return self.everywhere(gather_shard, lambda folder: unknown_facts(folder, self.name))
 
     def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
-        return self.everywhere(check_shard, workspace, codes)
+        found = self.everywhere(check_shard, lambda folder: lost_package(folder, workspace), workspace, codes)
+        return [each for each in found if each.folder in workspace.given]
 
     def close(self) -> None:
         for worker in self.workers:
             worker.shutdown()
+
+
+def lost_package(folder: str, workspace: Workspace) -> Checked:
+    """Return what is left of a package whose process died: a crash to tell."""
+    path = f"{folder}/package.xml" if folder else "package.xml"
+    error = "its process was ended by the system; try --jobs 1"
+    return Checked(
+        folder, crashes=(RuleCrash("the whole package", workspace.at(folder).name, path, error, "check of"),)
+    )
 
 
 def start_shard(tree: Tree, folders: Sequence[str], targets: Targets, settings: Settings, name: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..finding import Finding
@@ -17,6 +17,7 @@ from ..ros.names import BUILT_IN, Names
 from ..rule import Rule
 from ..tree import Tree
 from .check import check
+from .crashes import one_each
 from .shard import Checked, Shard
 from .slices import Slices
 from .stamp import Stamper, rule_by_code
@@ -114,6 +115,7 @@ class Session:
         crashes = [c for each in checked for c in each.crashes] + [r for r in over_all if isinstance(r, RuleCrash)]
         silence = Silence([s for each in checked for s in each.suppressions], self.codes)
         judged = silence.apply(findings)
+        crashes = one_each(crashes)
         happened: list[Any] = [*silence.unused(), *silence.unknown(), *crashes]
         judged += silence.apply(self.report(workspace, happened))
         judged.sort(key=lambda f: f.sort_key)
@@ -141,6 +143,12 @@ class Session:
             if isinstance(each, rule.over)
             for hit in rule.check(each)
         ]
+
+    def with_crashes(self, results: Results, crashes: Sequence[RuleCrash]) -> Results:
+        """Return the results with faults of ours that befell what came after the rules, each once."""
+        told = one_each(crashes)
+        findings = sorted((*results.findings, *self.report(None, told)), key=lambda f: f.sort_key)
+        return replace(results, findings=tuple(findings), crashes=(*results.crashes, *told))
 
     def stamper(self, workspace: Workspace) -> Stamper:
         files = PackageFiles(self.tree)

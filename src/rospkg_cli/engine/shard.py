@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from ..finding import Finding
 from ..model.facts import PackageFacts
 from ..model.files import PackageFiles
-from ..model.gather import gather
+from ..model.gather import gather, unknown_facts
 from ..model.happenings import HAPPENINGS, RuleCrash
 from ..model.package import Package
 from ..model.settings import Settings
@@ -17,6 +18,7 @@ from ..ros.distros import Targets
 from ..tree import Tree
 from .check import check
 from .comments import Suppression, suppressions_in
+from .crashes import reader_crashes
 from .slices import Slices
 from .stamp import Stamper, rule_by_code
 
@@ -48,7 +50,15 @@ class Shard:
         self.packages = {f: Package(PackageFiles(self.tree.sub(f), f, self.tree)) for f in self.folders}
 
     def gather(self) -> list[PackageFacts]:
-        return [gather(p, self.targets, folder, self.name) for folder, p in self.packages.items()]
+        return [self.facts(folder, package) for folder, package in self.packages.items()]
+
+    def facts(self, folder: str, package: Package) -> PackageFacts:
+        """Return a package's facts; of one that we fail on, nothing but its folder is known to the others."""
+        try:
+            return gather(package, self.targets, folder, self.name)
+        except Exception:
+            package.crashes["PackageFacts"] = traceback.format_exc()
+            return unknown_facts(folder, self.name)
 
     def check(self, workspace: Workspace, codes: Iterable[str]) -> list[Checked]:
         """Run the rules (without those over the whole workspace) over the given packages of this shard."""
@@ -61,6 +71,7 @@ class Shard:
             package = self.packages[folder]
             stamper = Stamper(package.files, whole, workspace.at(folder).name)
             results = list(check(Slices(package, workspace, self.targets, self.settings), rules, stamper))
+            results += reader_crashes(package, stamper.package, stamper.crash_path)
             found.append(
                 Checked(
                     folder,

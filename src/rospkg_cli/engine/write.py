@@ -5,60 +5,87 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from ..tree import Entry, Tree
+from ..fence import Fence
+from ..tree import Entry, LeadsOutError, Tree
 from .apply import Changes
 
 
 class WriteError(Exception):
-    """A file that was not written; the message says which and why. Files before it are written whole."""
+    """Files that were not written; the message says which and why. All others are written whole."""
 
 
-def write_changes(root: Path, tree: Tree, changes: Changes) -> list[str]:
-    """Write every change and return the paths written; raises WriteError at the first that can't be."""
+class ChangedError(OSError):
+    """The file on disk is not the one that was read."""
+
+
+def write_changes(root: Path, tree: Tree, changes: Changes, fence: Fence | None = None) -> list[str]:
+    """Write every change that can be written and return the paths; raises WriteError for those that can't.
+
+    `fence` says how far links may lead; without one, not out of `root` and its repository.
+    """
+    fence = fence or Fence(root)
     written: list[str] = []
+    faults: list[str] = []
     for path, entry in sorted(changes.items()):
-        check_unchanged(root / path, tree, path)
         try:
-            if entry is None:
-                (root / path).unlink()
-            else:
-                write_file(root / path, entry)
+            write_change(root / path, path, tree, entry, fence)
+        except (ChangedError, LeadsOutError) as error:
+            faults.append(str(error))
         except OSError as error:
-            done = f"; written before it: {', '.join(written)}" if written else "; nothing was written"
-            raise WriteError(f"`{path}` can't be written: {error.strerror or error}{done}") from error
-        written.append(path)
+            faults.append(f"`{path}` can't be written: {error.strerror or error}")
+        else:
+            written.append(path)
+    if faults:
+        others = f"; {len(written)} other{'s' * (len(written) > 1)} written" if written else "; nothing was written"
+        raise WriteError("; ".join(faults) + others)
     return written
 
 
-def check_unchanged(target: Path, tree: Tree, path: str) -> None:
-    """Raise WriteError where the file on disk is no longer the one that was read."""
+def write_change(target: Path, path: str, tree: Tree, entry: Entry | None, fence: Fence) -> None:
+    """Write one change; raises OSError."""
+    fence.check(path)
     try:
         before: bytes | None = tree.entry(path).data
-    except OSError:
+    except FileNotFoundError:
         before = None
-    now = target.read_bytes() if target.is_file() else None
-    if now != before:
-        raise WriteError(f"`{path}` was changed by someone else meanwhile; it was left alone: run again")
+
+    def check() -> None:
+        now = target.read_bytes() if target.is_file() else None
+        if now != before and not (entry and now == entry.data):
+            raise ChangedError(f"`{path}` was changed by someone else meanwhile; it was left alone: run again")
+
+    if entry is None:
+        check()
+        target.unlink()
+    else:
+        write_file(target, entry, check)
 
 
-def write_file(target: Path, entry: Entry) -> None:
-    """Replace a file in one step; a link stays a link to the file that is replaced. Raises OSError."""
+def write_file(target: Path, entry: Entry, check: Callable[[], None] = lambda: None) -> None:
+    """Replace a file in one step; a link stays a link to the file that is replaced. Raises OSError.
+
+    `check` may object at the last moment. A process that is killed leaves at most a file that
+    `leftovers.STRAY` knows, for `remove_strays`.
+    """
     target = target.resolve() if target.is_symlink() else target
     target.parent.mkdir(parents=True, exist_ok=True)
     mode = stat.S_IMODE(target.stat().st_mode) if target.exists() else 0o666 & ~current_umask()
     mode = mode | ((mode & 0o444) >> 2) if entry.executable else mode & ~0o111
     if not mode & 0o222:
         raise PermissionError(13, "the file is read-only")
-    descriptor, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    start = os.fsdecode(os.fsencode(target.name)[:128])
+    descriptor, name = tempfile.mkstemp(dir=target.parent, prefix=f".{start}.{os.getpid()}-", suffix=".rospkg-tmp")
     try:
         with os.fdopen(descriptor, "wb") as stream:
             stream.write(entry.data)
             stream.flush()
             os.fsync(stream.fileno())
         Path(name).chmod(mode)
+        check()
         Path(name).replace(target)
     except BaseException:
         with suppress(OSError):
@@ -69,7 +96,7 @@ def write_file(target: Path, entry: Entry) -> None:
 def write_text(target: Path, text: str) -> None:
     """Write a report or a baseline; raises WriteError."""
     try:
-        write_file(target, Entry("file", text.encode()))
+        write_file(target, Entry("file", text.encode("utf-8", "backslashreplace")))
     except OSError as error:
         raise WriteError(f"`{target}` can't be written: {error.strerror or error}") from error
 

@@ -27,8 +27,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
     """Return a package's facts; `fallback` is its name where package.xml can't be read."""
     manifest = reading.parts(Manifest).only
     if manifest is None:
-        name = PurePosixPath(folder).name or fallback
-        return PackageFacts(name, folder, unknown=frozenset(get_args(Unknown)))
+        return unknown_facts(folder, fallback)
     unknown: set[Unknown] = set()
     interfaces, complete = interface_names(reading)
     unknown |= set() if complete else {"interfaces"}
@@ -71,3 +70,8 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         metapackage=is_metapackage(reading.files, manifest),
         headers=header_folders(reading.files),
     )
+
+
+def unknown_facts(folder: str, fallback: str) -> PackageFacts:
+    """Return what is known of a package that can't be read: a name by its folder."""
+    return PackageFacts(PurePosixPath(folder).name or fallback, folder, unknown=frozenset(get_args(Unknown)))

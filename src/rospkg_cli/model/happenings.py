@@ -30,12 +30,14 @@ class UnknownRuleName:
 
 @dataclass(frozen=True, slots=True)
 class RuleCrash:
-    """A rule raised, or found more than it may."""
+    """A rule raised, or a reader, or a fix."""
 
     code: str
     package: str
     path: str
     error: str
+    what: str = "rule"
+    """What `code` names: "rule", "reader of" a model, or "fix of" a rule."""
 
 
 @dataclass(frozen=True, slots=True)

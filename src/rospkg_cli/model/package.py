@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import traceback
 from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
+from ..source import Span
 from .files import PackageFiles, Parts
 from .readers import READERS
 from .unreadable import Unreadable, UnreadableError
@@ -18,6 +20,8 @@ class Package:
 
     def __post_init__(self) -> None:
         self._parts: dict[type, Parts[Any]] = {}
+        self.crashes: dict[str, str] = {}
+        """The traceback of each reader that raised, by the name of its model."""
 
     @property
     def folder(self) -> str:
@@ -40,12 +44,16 @@ class Package:
                     good.append(part)
         except UnreadableError as error:
             broken.append(error.unreadable)
+        except Exception:  # a fault of ours in one reader leaves the package's other models as they are
+            self.crashes[kind.__name__] = traceback.format_exc()
+            return Parts((), (Unreadable("package.xml", Span(0, 0), f"the reader of {kind.__name__} failed"),))
         return Parts(tuple(good), tuple(broken))
 
     def unreadable(self) -> list[Unreadable]:
         """Read everything, and return what can't be read: once a file, the first complaint of each."""
         found: dict[str, Unreadable] = {}
         for kind in READERS:
-            for each in self.parts(kind).broken:
+            parts: Parts[Any] = self.parts(kind)
+            for each in parts.broken if kind.__name__ not in self.crashes else ():
                 found.setdefault(each.path, each)
         return [found[path] for path in sorted(found)]

@@ -14,11 +14,12 @@ from ...source import Span
 def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
     """
     ## What it does
-    Reports that a rule of ours raised, or found more than it may, on a package. The other rules go on; the exit
+    Reports that a rule, a reader or a fix of ours raised on a package. The other rules and packages go on; the exit
     status is 3 after everything has been printed.
 
     ## Why is this bad?
     That rule said nothing about the package. It is our fault, not yours: please report it with the output of `-v`.
     """
     last = crash.error.strip().splitlines()[-1]
-    yield Hit(crash.path, Span(0, 0), f"rule {crash.code} failed on `{crash.package}`: {last}; please report this")
+    what = f"{crash.what} {crash.code}"
+    yield Hit(crash.path, Span(0, 0), f"{what} failed on `{crash.package}`: {last}; please report this")
