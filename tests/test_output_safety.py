@@ -207,6 +207,6 @@ def test_a_prefix_stays_a_prefix() -> None:
 
 
 def test_lines_keep_their_ends_and_tabs() -> None:
-    assert visible_lines("a\tb\r\nc\rd\n") == "a\tb\r\nc\\x0dd\n"
+    assert visible_lines("a\tb\r\nc\rd\n") == "a\tb\r\nc\\rd\n"
     assert no_command("a\n ::b\n::c d::e") == "a\n \\x3a:b\n\\x3a:c d::e"
     assert in_json('"\u202e\U0001f600"', only_ascii=True) == '"\\u202e\\ud83d\\ude00"'

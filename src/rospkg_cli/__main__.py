@@ -12,8 +12,9 @@ def main() -> int:
     """Run the command line; return the exit status."""
     leave_out_current_folder()
     if sys.argv[1:] in (["--version"], ["-V"]):
-        print(f"rospkg {__version__}")
-        return 0
+        from .cli.streams import guarded
+
+        return guarded(lambda: print(f"rospkg {__version__}") or 0)
     from .cli.app import run
 
     return run()

@@ -20,6 +20,7 @@ BRACKET = r"(?<=##)\[|(?<=##vso)\["
 IN_LINES = re.compile(f"[{OBEYED}]|{BRACKET}")
 IN_ONE_LINE = re.compile(rf"[{OBEYED}\t\n]|{BRACKET}")
 SURROGATE = re.compile(r"[\ud800-\udfff]")
+SHORT = {"\t": "\\t", "\n": "\\n", "\r": "\\r"}
 NO_ASCII = re.compile(r"[^\x00-\x7f]")
 COMMAND = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
 """`::…` begins a command to GitHub's runner, at the start of a line or behind blanks."""
@@ -47,6 +48,8 @@ def no_command(text: str) -> str:
 
 def escape(found: re.Match[str]) -> str:
     code = ord(found.group())
+    if short := SHORT.get(found.group()):
+        return short
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 

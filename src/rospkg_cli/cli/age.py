@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from datetime import datetime, timezone
 
 from ..finding import Finding
 from ..ros.index import Index
 from ..ros.names import FetchedNames, Names
+from .streams import say
 
 OLD = 90
 """Days after which packages that were released meanwhile may be taken for unknown."""
@@ -32,6 +32,4 @@ def warn_of_age(names: Names, findings: Iterable[Finding]) -> None:
     if isinstance(names, FetchedNames) and any(finding.code == ASKS for finding in findings):
         days = age(names.index)
         if days > OLD:
-            print(
-                f"rospkg: the index of names is {days} days old; `rospkg index update` fetches it anew", file=sys.stderr
-            )
+            say(f"the index of names is {days} days old; `rospkg index update` fetches it anew")

@@ -10,6 +10,7 @@ import typer
 from .. import __version__
 from . import UsageError
 from .commands import explain, format, index, inspect, lint, new
+from .streams import OutputError, guarded, say
 
 CTRL_C = 130
 """What a shell calls the exit status of a command that SIGINT ended: 128 and the number of the signal."""
@@ -52,6 +53,11 @@ def main(
 
 def run() -> int:
     """Parse the command line and run the verb; return the exit status."""
+    return guarded(status)
+
+
+def status() -> int:
+    """Run the verb; return the exit status, of a fault too. Raises OutputError."""
     from ..configkeys import ConfigError
     from ..engine.baseline import BaselineError
     from ..engine.locate import LocateError
@@ -61,29 +67,28 @@ def run() -> int:
     from ..index import NamesError
 
     try:
-        status: Any = app(prog_name="rospkg", standalone_mode=False)
-        if status == CTRL_C:  # what typer makes of a KeyboardInterrupt
+        left: Any = app(prog_name="rospkg", standalone_mode=False)
+        if left == CTRL_C:  # what typer makes of a KeyboardInterrupt
             return interrupted(CTRL_C)
-        return status if isinstance(status, int) else 0
+        return left if isinstance(left, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
     except (UsageError, ConfigError, LocateError, PluginError, BaselineError, WriteError, NamesError) as error:
-        print(f"rospkg: {error}", file=sys.stderr)
+        say(str(error))
         return 2
     except KeyboardInterrupt:
         return interrupted(CTRL_C)
     except StoppedError as stopped:
         return interrupted(128 + stopped.number)
-    except BrokenPipeError:
-        sys.stderr.close()
-        return 141
+    except OutputError:
+        raise
     except Exception as error:
         return failed(error)
 
 
 def interrupted(status: int) -> int:
     """Say so, and return the status."""
-    print("rospkg: interrupted; nothing was written half", file=sys.stderr)
+    say("interrupted; nothing was written half")
     return status
 
 
@@ -94,10 +99,14 @@ def failed(error: Exception) -> int:
         context = getattr(error, "ctx", None)
         if message := shown():  # none where the help was shown instead
             command = context.command_path if context else "rospkg"
-            print(f"rospkg: {message} `{command} --help` shows how.", file=sys.stderr)
+            say(f"{message} `{command} --help` shows how.")
         return 2
     if "-v" in sys.argv or "--verbose" in sys.argv:
-        raise error
+        import traceback
+
+        from ..visible import visible_lines
+
+        print(visible_lines("".join(traceback.format_exception(error))), end="", file=sys.stderr)
     what = f"{type(error).__name__}: {error}"
-    print(f"rospkg: a fault of ours: {what}; please report it with the output of -v", file=sys.stderr)
+    say(f"a fault of ours: {what}; please report it with the output of -v")
     return 3

@@ -20,7 +20,9 @@ from ..scaffold.node import default_nodes
 from ..scaffold.plan import LAUNCH, LICENSE, TESTS, make_plan, template_of
 from ..scaffold.template import Template, template_names
 from ..scaffold.testing import TESTS as ALL_TESTS
+from ..visible import visible
 from . import UsageError
+from .streams import say
 
 OPTIONS = {
     "template": "--type", "nodes": "--node", "msgs": "--msg", "srvs": "--srv", "actions": "--action",
@@ -114,14 +116,14 @@ def answered(question: Question, request: Request, check: Callable[[Request], ob
         try:
             check(asked)
         except ScaffoldError as error:
-            print(f"rospkg: {error}", file=sys.stderr)
+            say(str(error))
             continue
         return asked
 
 
 def line(prompt: str, what: str) -> str:
     """Return one line of what is typed; the prompt goes where all talk goes."""
-    print(prompt, end="", file=sys.stderr, flush=True)
+    print(visible(prompt), end="", file=sys.stderr, flush=True)
     text = sys.stdin.readline()
     if not text:
         print(file=sys.stderr)

@@ -11,7 +11,8 @@ from ..scaffold.answers import Request
 from ..scaffold.family import plan_family, write_family
 from ..scaffold.place import hidden_by
 from . import UsageError
-from .new import defaults, said, shown_commands, shown_files, shown_tree
+from .new import NOTHING, defaults, said, shown_commands, shown_files, shown_tree
+from .streams import afterwards, say
 
 
 def new_family(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
@@ -27,14 +28,13 @@ def new_family(request: Request, into: Path = Path(), dry_run: bool = False, col
         raise UsageError(str(error)) from error
     notes = [note for plan in plans for note in (*plan.notes, *(said(finding) for finding in plan.findings))]
     for line in dict.fromkeys((*notes, *hidden_by(into))):
-        print(f"rospkg: {line}", file=sys.stderr)
+        say(line)
     painted = wants_color(color, sys.stdout)
-    for plan in plans:
-        print("\n".join(shown_tree(plan, painted)))
+    trees = [line for plan in plans for line in shown_tree(plan, painted)]
     if dry_run:
-        for plan in plans:
-            print("\n".join(line for line in shown_files(plan, painted) if line != "\nNothing was written."))
-        print("\nNothing was written.")
+        files = [line for plan in plans for line in shown_files(plan, painted)]
+        print("\n".join((*trees, *files, NOTHING)))
     else:
-        print("\n".join(shown_commands(plans[-1], into, painted)))
+        lines = (*trees, *shown_commands(plans[-1], into, painted))
+        afterwards(lambda: print("\n".join(lines)), "the packages are written")
     return 0

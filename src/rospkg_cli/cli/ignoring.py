@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 
 from ..engine.apply import Changes, apply_fixes
-from ..engine.fix import newly_broken
 from ..engine.ignores import ignores
 from ..engine.overlay import Overlay
+from ..engine.round import newly_broken
 from ..engine.session import Session
 from ..engine.write import write_changes
 from ..finding import Finding
 from ..report import Report
 from . import UsageError
+from .streams import say
 
 
 def add_ignores(reason: str, session: Session, report: Report) -> int:
@@ -23,12 +23,9 @@ def add_ignores(reason: str, session: Session, report: Report) -> int:
     changes, left = silenced(session, report.results.findings, reason)
     written = write_changes(report.root, session.tree, changes)
     count = len(report.results.findings) - len(left)
-    print(f"rospkg: findings that are ignored now: {count}, in files: {len(written)}", file=sys.stderr)
+    say(f"findings that are ignored now: {count}, in files: {len(written)}")
     for finding in left:
-        print(
-            f"rospkg: {report.where(finding)}: {finding.code} takes no comment; ignore it in rospkg.toml",
-            file=sys.stderr,
-        )
+        say(f"{report.where(finding)}: {finding.code} takes no comment; ignore it in rospkg.toml")
     return 1 if left else 0
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -16,9 +15,11 @@ from ..ros.distros import DISTROS, distro, fault_of_name
 from ..ros.index import Index
 from ..ros.names import BUILT_IN
 from ..ros.rosdep import CODENAMES, NOT_THERE
+from ..visible import visible
 from . import UsageError
 from .age import age, in_words
 from .progress import progress
+from .streams import afterwards
 
 
 def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -> int:
@@ -37,7 +38,7 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
         index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"reading {n} of {of}: {what}"))
     keep(index, os.environ)
     if not quiet:
-        print("\n".join(shown(index, path)))
+        afterwards(lambda: print("\n".join(shown(index, path))), "the names are kept")
     return 0
 
 
@@ -45,8 +46,7 @@ def status(format: str = "text") -> int:
     """Print what was fetched, as text or as JSON; return the exit status. Raises NamesError for a broken index."""
     index = kept(os.environ)
     if format == "json":
-        json.dump(None if index is None else document(index, cache_file(os.environ)), sys.stdout, indent=2)
-        print()
+        print(json.dumps(None if index is None else document(index, cache_file(os.environ)), indent=2))
     elif index is None:
         print(
             f"No index was fetched: {len(BUILT_IN.packages):,} packages and {len(BUILT_IN.keys):,} rosdep keys that "
@@ -59,10 +59,10 @@ def status(format: str = "text") -> int:
 
 def shown(index: Index, path: Path) -> Iterator[str]:
     """Yield the lines that tell of an index."""
-    yield f"source    {index.source}"
-    yield from (f"list      {each}" for each in index.lists)
-    yield f"fetched   {index.fetched.replace('T', ' ').replace('Z', ' UTC')} ({in_words(age(index))})"
-    yield f"kept in   {path}"
+    yield f"source    {visible(index.source)}"
+    yield from (f"list      {visible(each)}" for each in index.lists)
+    yield f"fetched   {visible(index.fetched).replace('T', ' ').replace('Z', ' UTC')} ({in_words(age(index))})"
+    yield f"kept in   {visible(str(path))}"
     for name in index.distros:
         keys = f"{keys_of(index, name):>5,} keys on Ubuntu {distro(name).ubuntu}"
         yield f"{name:<9} {index.count(name):>5,} packages, {keys}"

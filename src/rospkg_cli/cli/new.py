@@ -11,13 +11,17 @@ from ..finding import Finding
 from ..report.style import paint, wants_color
 from ..scaffold import ScaffoldError
 from ..scaffold.answers import Request
-from ..scaffold.drawing import Row, draw
+from ..scaffold.drawing import LINES, Row, draw, in_ascii
 from ..scaffold.existing import compare
 from ..scaffold.names import check_package_name
 from ..scaffold.place import check_place, hidden_by, workspace_of
 from ..scaffold.plan import Plan, make_plan
+from ..visible import no_command, visible, visible_lines
 from . import UsageError
 from .newly import show_difference, write_plan
+from .streams import afterwards, say, takes
+
+NOTHING = "\nNothing was written."
 
 
 def new(
@@ -46,10 +50,14 @@ def new(
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
     for line in (*filter(None, [done]), *plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
-        print(f"rospkg: {line}", file=sys.stderr)
+        say(line)
     painted = wants_color(color, sys.stdout)
-    print("\n".join(shown_tree(plan, painted)))
-    print("\n".join(shown_files(plan, painted) if dry_run else shown_commands(plan, into, painted)))
+    tree = shown_tree(plan, painted)
+    if dry_run:
+        print("\n".join((*tree, *shown_files(plan, painted), NOTHING)))
+    else:
+        lines = (*tree, *shown_commands(plan, into, painted))
+        afterwards(lambda: print("\n".join(lines)), "the package is written")
     return 0
 
 
@@ -63,7 +71,8 @@ def said(finding: Finding) -> str:
 
 
 def shown_tree(plan: Plan, color: bool) -> Iterable[str]:
-    rows = draw(plan.answers.name, {file.path: file.about for file in plan.files})
+    rows = draw(plan.answers.name, {visible(file.path): visible(file.about) for file in plan.files})
+    rows = rows if takes(sys.stdout, LINES) else in_ascii(rows)
     width = max(len(row.drawn) for row in rows)
     for row in rows:
         yield (
@@ -80,15 +89,15 @@ def bold_folder(row: Row, color: bool) -> str:
 def shown_commands(plan: Plan, into: Path, color: bool) -> Iterable[str]:
     workspace = workspace_of(into)
     here = workspace == Path.cwd()
-    yield "\nNext:" if here else f"\nNext, in {workspace}:"
+    yield "\nNext:" if here else f"\nNext, in {visible(str(workspace))}:"
     for command in plan.commands:
-        yield f"  {paint(command, 'cyan', color)}"
+        yield f"  {paint(visible(command), 'cyan', color)}"
 
 
 def shown_files(plan: Plan, color: bool) -> Iterable[str]:
+    line = "──" if takes(sys.stdout, LINES) else "--"
     for file in plan.files:
-        text = file.entry.text.text
-        yield paint(f"\n── {plan.answers.name}/{file.path}{'' if text else ' (empty)'}", "bold", color)
+        text = no_command(visible_lines(file.entry.text.text))
+        yield paint(f"\n{line} {plan.answers.name}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)
         if text:
             yield text.removesuffix("\n")
-    yield "\nNothing was written."

@@ -9,6 +9,7 @@ from ..scaffold.plan import Plan
 from ..scaffold.render import Written
 from ..scaffold.write import is_there, write_folder
 from ..tree import Entry
+from ..visible import visible
 from .diff import diff
 
 
@@ -36,5 +37,5 @@ def show_difference(plan: Plan, there: Difference, existing: str) -> int:
         try:
             print(diff(path, before, file.entry), end="")
         except UnicodeError:
-            print(f"Binary files a/{path} and b/{path} differ")
+            print(f"Binary files a/{visible(path)} and b/{visible(path)} differ")
     return 1 if changes else 0

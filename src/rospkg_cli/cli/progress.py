@@ -8,8 +8,11 @@ from contextlib import contextmanager
 from threading import Lock, Timer
 from typing import TYPE_CHECKING
 
+from ..visible import visible
+
 if TYPE_CHECKING:
     from rich.status import Status
+    from rich.text import Text
 
 DELAY = 1.0
 
@@ -27,7 +30,7 @@ class Line:
         with self.lock:
             self.text = text
             if self.shown:
-                self.shown.update(text)
+                self.shown.update(drawn(text))
 
     def show(self) -> None:
         from rich.console import Console
@@ -35,7 +38,7 @@ class Line:
 
         with self.lock:
             if not self.over:
-                self.shown = Status(self.text, console=Console(stderr=True))
+                self.shown = Status(drawn(self.text), console=Console(stderr=True))
                 self.shown.start()
 
     def stop(self) -> None:
@@ -43,6 +46,13 @@ class Line:
             self.over = True
             if self.shown:
                 self.shown.stop()
+
+
+def drawn(text: str) -> Text:
+    """Return what is told as a text in which rich finds no markup."""
+    from rich.text import Text
+
+    return Text(visible(text))
 
 
 @contextmanager

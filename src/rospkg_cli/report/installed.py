@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from pathlib import PurePosixPath
 from typing import IO, Any
@@ -10,6 +9,8 @@ from typing import IO, Any
 from .. import __version__
 from ..model.inspection import Inspection
 from ..model.install import PYTHON, Installed, What
+from ..visible import no_command, visible
+from .dump import dump
 from .launched import launch_document, launch_lines
 from .style import paint
 
@@ -37,38 +38,40 @@ def destination(row: Installed) -> str:
 def render_text(inspections: Sequence[Inspection], root: str, stream: IO[str], color: bool) -> None:
     """Write a list for each package; `root` is the way from the working directory to the root of the run."""
     for number, inspection in enumerate(inspections):
-        where = str(PurePosixPath(root, inspection.folder))
-        kind = f"{inspection.build_type}, {where}" if inspection.build_type else where
-        stream.write("\n" * bool(number) + f"{paint(inspection.name, 'bold', color)} ({kind})\n")
-        for line in lines(inspection, color):
-            stream.write(line.rstrip() + "\n")
+        where = visible(str(PurePosixPath(root, inspection.folder)))
+        kind = f"{visible(inspection.build_type)}, {where}" if inspection.build_type else where
+        title = f"{paint(visible(inspection.name), 'bold', color)} ({kind})"
+        stream.write("\n" * bool(number))
+        for line in (title, *lines(inspection, color)):
+            stream.write(no_command(line.rstrip()) + "\n")
 
 
 def lines(inspection: Inspection, color: bool) -> Iterator[str]:
     for what, title in TITLES.items():
         rows = sorted(inspection.table.of(what), key=destination)
-        if rows:
-            yield f"  {paint(title, 'cyan', color)}"
-        width = min(max((len(destination(row)) for row in rows), default=0), MAX_WIDTH)
-        for row in rows:
-            made = (row.entry or row.source or "made by the build") + under(row)
-            yield f"    {destination(row):<{width}}  {paint('<- ' + made, 'dim', color)}"
-    if inspection.components:
-        yield f"  {paint('components', 'cyan', color)}"
-        width = min(max(len(each.name) for each in inspection.components), MAX_WIDTH)
-        for each in inspection.components:
-            made = each.target + (f", run by {each.executable}" if each.executable else "")
-            yield f"    {each.name:<{width}}  {paint('<- ' + made, 'dim', color)}"
+        made = [(destination(row), (row.entry or row.source or "made by the build") + under(row)) for row in rows]
+        yield from table(title, made, color)
+    parts = [(e.name, e.target + (f", run by {e.executable}" if e.executable else "")) for e in inspection.components]
+    yield from table("components", parts, color)
     if inspection.interfaces:
         yield f"  {paint('interfaces', 'cyan', color)}"
-        yield from (f"    {name}" for name in inspection.interfaces)
+        yield from (f"    {visible(name)}" for name in inspection.interfaces)
     if inspection.launch:
         yield f"  {paint('launch files', 'cyan', color)}"
         for file in inspection.launch:
             yield from launch_lines(file, color)
     if inspection.table.unknown:
         yield f"  {paint('not known', 'yellow', color)}"
-        yield from (f"    {text}" for text in dict.fromkeys(not_known(inspection)))
+        yield from (f"    {visible(text)}" for text in dict.fromkeys(not_known(inspection)))
+
+
+def table(title: str, rows: Sequence[tuple[str, str]], color: bool) -> Iterator[str]:
+    """Yield a title, and a line for each thing with what it is made of; nothing where there is none."""
+    shown = [(visible(name), visible(made)) for name, made in rows]
+    if shown:
+        yield f"  {paint(title, 'cyan', color)}"
+    width = min(max((len(name) for name, _ in shown), default=0), MAX_WIDTH)
+    yield from (f"    {name:<{width}}  {paint('<- ' + made, 'dim', color)}" for name, made in shown)
 
 
 def under(row: Installed) -> str:
@@ -88,8 +91,7 @@ def render_json(inspections: Sequence[Inspection], root: str, stream: IO[str]) -
     """Write one document; paths are relative to the working directory, lines and columns count from 1."""
     packages = [document(inspection, root) for inspection in inspections]
     tool = {"name": "rospkg", "version": __version__}
-    json.dump({"schema": SCHEMA, "tool": tool, "packages": packages}, stream, indent=2, ensure_ascii=False)
-    stream.write("\n")
+    dump({"schema": SCHEMA, "tool": tool, "packages": packages}, stream)
 
 
 def document(inspection: Inspection, root: str) -> dict[str, Any]:

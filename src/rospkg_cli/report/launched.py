@@ -7,6 +7,7 @@ from typing import Any
 
 from ..model.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
 from ..model.launch.text import LaunchText
+from ..visible import visible
 from .style import paint
 
 At = Callable[[str, int], dict[str, Any]]
@@ -14,17 +15,17 @@ At = Callable[[str, int], dict[str, Any]]
 
 def launch_lines(file: LaunchFile, color: bool) -> Iterator[str]:
     """Yield the lines of one launch file: its arguments, and what it starts, each with its parameter files."""
-    arguments = ", ".join(argument_text(argument) for argument in file.arguments)
-    yield f"    {file.path}" + (paint(f"  ({arguments})", "dim", color) if arguments else "")
+    arguments = visible(", ".join(argument_text(argument) for argument in file.arguments))
+    yield f"    {visible(file.path)}" + (paint(f"  ({arguments})", "dim", color) if arguments else "")
     for node in file.nodes:
-        given = ", ".join(parameter_files(node))
+        given = visible(", ".join(parameter_files(node)))
         maybe = "" if node.certain else paint("  (perhaps)", "dim", color)
-        yield f"      {node_text(node)}" + (paint(f"  <- {given}", "dim", color) if given else "") + maybe
+        yield f"      {visible(node_text(node))}" + (paint(f"  <- {given}", "dim", color) if given else "") + maybe
     for include in file.includes:
-        passed = ", ".join(f"{name.shown}:={value.shown}" for name, value in include.arguments)
-        yield f"      includes {include.file.shown}" + (paint(f"  ({passed})", "dim", color) if passed else "")
+        passed = visible(", ".join(f"{name.shown}:={value.shown}" for name, value in include.arguments))
+        yield f"      includes {visible(include.file.shown)}" + (paint(f"  ({passed})", "dim", color) if passed else "")
     for command in file.commands:
-        yield f"      runs {' '.join(word.shown for word in command.words)}"
+        yield f"      runs {visible(' '.join(word.shown for word in command.words))}"
     if not file.told:
         yield paint("      … and what can't be told", "yellow", color)
 

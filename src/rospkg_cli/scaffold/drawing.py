@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
+
+LINES = "├└│─"
+"""The signs that a tree is drawn with."""
+ASCII = str.maketrans(LINES, "|`|-")
 
 
 @dataclass(frozen=True)
@@ -18,6 +22,11 @@ class Row:
     @property
     def drawn(self) -> str:
         return self.lines + self.name
+
+
+def in_ascii(rows: Iterable[Row]) -> list[Row]:
+    """Return rows drawn with the signs that every encoding has."""
+    return [replace(row, lines=row.lines.translate(ASCII)) for row in rows]
 
 
 def draw(root: str, about: Mapping[str, str]) -> list[Row]:

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-from typer import Argument, Option, echo
+from typer import Argument, Option
 
 from . import one_of
 
@@ -16,16 +16,18 @@ RULES_EPILOG = "Example:  rospkg rules --format json"
 
 def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
     """What a rule finds, why, a bad and a good example, and its fix."""
+    from ...visible import visible_lines
     from ..explain import explain as text
 
     load_plugins()
+    shown = visible_lines(text(rule))
     if sys.stdout.isatty():
         from rich.console import Console
         from rich.markdown import Markdown
 
-        Console().print(Markdown(text(rule)))
+        Console().print(Markdown(shown))
     else:
-        echo(text(rule), nl=False)
+        sys.stdout.write(shown)
 
 
 def load_plugins() -> None:
@@ -39,7 +41,8 @@ def load_plugins() -> None:
 def rules(format: Annotated[str, Option("--format", metavar="FORMAT", help="text or json.")] = "text") -> None:
     """List all rules."""
     from ...docs import rules_json, rules_text
+    from ...visible import visible_lines
 
     one_of("--format", format, ("text", "json"))
     load_plugins()
-    echo(rules_json() if format == "json" else rules_text(), nl=False)
+    sys.stdout.write(rules_json() if format == "json" else visible_lines(rules_text()))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -119,9 +118,10 @@ def new(
     if interactive:
         from ..asking import ask, command_of
         from ..new import defaults
+        from ..streams import say
 
         request = ask(request, into, defaults(into))
-        print(f"rospkg: the same without questions: {command_of(request)}", file=sys.stderr)
+        say(f"the same without questions: {command_of(request)}")
     elif not name:
         raise UsageError("the package wants a name: `rospkg new my_robot_nav`; `rospkg new -i` asks for everything")
     if family:
