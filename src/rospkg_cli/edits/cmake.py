@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import groupby
 
 from ..finding import Edit
 from ..model.cmake.read import CMakeFile
 from ..model.cmake.syntax import Command
 from ..source import Source, Span
+
+MAX_RUN = 200
+"""So many neighbouring commands are put into one block: each of their findings carries the whole text."""
 
 
 def add_at_end(file: CMakeFile, lines: str) -> Edit:
@@ -57,29 +61,30 @@ def add_argument(file: CMakeFile, command: Command, text: str, after: Span | Non
     return Edit(file.path, Span(last.end, last.end), glue + text)
 
 
-def guard(file: CMakeFile, commands: Sequence[Command], wanted: Command) -> tuple[Edit, ...]:
-    """Put the run of neighbouring commands that holds `wanted` into `if(BUILD_TESTING)`; nothing where it is no run."""
-    top = [each for each in file.body if isinstance(each, Command)]
-    if wanted not in top or any(not stands_alone(file.source, each) for each in commands if each in top):
-        return ()
-    run = [wanted]
-    body = list(file.body)
-    at = body.index(wanted)
-    for each in body[at + 1 :]:
-        if not (isinstance(each, Command) and each in commands):
-            break
-        run.append(each)
-    for each in reversed(body[:at]):
-        if not (isinstance(each, Command) and each in commands):
-            break
-        run.insert(0, each)
-    start = file.source.line_span(file.source.position(run[0].span.start)[0]).start
-    end = file.source.line_span(file.source.position(run[-1].span.end)[0]).end
-    indent = indent_of(file)
+def guard(file: CMakeFile, commands: Sequence[Command]) -> dict[int, tuple[Edit, ...]]:
+    """Return, by the id of each command, the edit that puts it and its neighbours among them into `if(BUILD_TESTING)`.
+
+    None of them has one where something else stands in their lines, nor one in a run that only a generator writes.
+    """
+    wanted = {id(each) for each in commands}
+    if not all(stands_alone(file.source, each) for each in file.top if id(each) in wanted):
+        return {}
+    found: dict[int, tuple[Edit, ...]] = {}
+    for inside, run in groupby(file.body, lambda each: isinstance(each, Command) and id(each) in wanted):
+        members = [each for each in run if isinstance(each, Command)] if inside else []
+        if 0 < len(members) <= MAX_RUN:
+            found |= dict.fromkeys(map(id, members), (guarded(file, members[0], members[-1]),))
+    return found
+
+
+def guarded(file: CMakeFile, first: Command, last: Command) -> Edit:
+    """Put the lines from one command to another into `if(BUILD_TESTING)`."""
+    start = file.source.line_span(file.source.position(first.span.start)[0]).start
+    end = file.source.line_span(file.source.position(last.span.end)[0]).end
     lines = file.source.text[start:end].split("\n")
-    inside = "\n".join(f"{indent}{line}" if line.strip() else line for line in lines)
+    inside = "\n".join(f"{file.indent}{line}" if line.strip() else line for line in lines)
     names = in_case_of(file, "if(BUILD_TESTING)\nendif()").split("\n")
-    return (Edit(file.path, Span(start, end), f"{names[0]}\n{inside}\n{names[1]}"),)
+    return Edit(file.path, Span(start, end), f"{names[0]}\n{inside}\n{names[1]}")
 
 
 def stands_alone(source: Source, command: Command) -> bool:
@@ -92,24 +97,9 @@ def stands_alone(source: Source, command: Command) -> bool:
 
 def in_case_of(file: CMakeFile, lines: str) -> str:
     """Return commands with their names in the case that the file has."""
-    if not is_upper(file):
+    if not file.is_upper:
         return lines
     return re.sub(r"^([ \t]*)([a-z_]\w*)(?=\()", lambda match: match[1] + match[2].upper(), lines, flags=re.MULTILINE)
-
-
-def is_upper(file: CMakeFile) -> bool:
-    names = [file.source.slice(command.name_span) for command in file.syntax.commands]
-    return sum(map(is_upper_name, names)) * 2 > len(names)
-
-
-def is_upper_name(name: str) -> bool:
-    return name.isupper()
-
-
-def indent_of(file: CMakeFile) -> str:
-    """Return what the file's arguments and bodies are indented by; two blanks where it has none."""
-    found = re.findall(r"^([ \t]+)\S", file.source.text, re.MULTILINE)
-    return min(found, key=len) if found else "  "
 
 
 def beginning(source: Source, command: Command) -> int:

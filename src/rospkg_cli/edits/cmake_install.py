@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ..finding import Edit
-from ..model.cmake.blocks import Block
 from ..model.cmake.call import Call
 from ..model.cmake.installs import InstallRule
 from ..model.cmake.project import CMake
@@ -13,11 +12,10 @@ from ..model.cmake.read import CMakeFile
 from ..model.cmake.syntax import Command
 from ..model.cmake.targets import Target
 from ..source import Span
-from .cmake import add_after, add_argument, add_at_end, add_before, indent_of
+from .cmake import add_after, add_argument, add_at_end, add_before
 
 SHARE = "share/${PROJECT_NAME}"
 LIBEXEC = "lib/${PROJECT_NAME}"
-ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 
 
 def install_folder(cmake: CMake, folder: str) -> Edit:
@@ -35,12 +33,12 @@ def install_folder(cmake: CMake, folder: str) -> Edit:
 
 def to_share(cmake: CMake, command: Command, folder: str) -> Edit | None:
     """Name a folder behind INSTALL_TO_SHARE of ament_auto_package, where that stands in CMakeLists.txt itself."""
-    if command not in cmake.root.body:
+    if not cmake.root.is_top(command):
         return None
     texts = [argument.text for argument in command.arguments]
     if "INSTALL_TO_SHARE" not in texts:
         behind = command.arguments[-1].span.end if command.arguments else command.inner.start
-        indent = indent_of(cmake.root)
+        indent = cmake.root.indent
         return Edit(
             cmake.root.path, Span(behind, command.inner.end), f"\n{indent}INSTALL_TO_SHARE\n{indent * 2}{folder}\n"
         )
@@ -64,7 +62,7 @@ def install_executable(cmake: CMake, target: Target) -> Edit:
 def said(cmake: CMake, target: Target) -> str:
     """Return what CMakeLists.txt calls a target: as it is written, where that means the same everywhere in it."""
     raw = cmake.raw(target.word)
-    everywhere = target.call.path == cmake.root.path and target.call.command in cmake.root.body
+    everywhere = target.call.path == cmake.root.path and cmake.root.is_top(target.call.command)
     return raw if everywhere or "$" not in raw.replace("${PROJECT_NAME}", "") else target.name
 
 
@@ -95,7 +93,7 @@ def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
         same = rule.export.text == export if rule.export is not None else not export
         return rule.kind == "TARGETS" and same and all(each is not None and each.library for each in targets)
 
-    indent = indent_of(cmake.root)
+    indent = cmake.root.indent
     places = [f"EXPORT {export}"] if export else []
     places += ["ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin"]
     lines = "".join(f"\n{indent}{place}" for place in places)
@@ -111,13 +109,13 @@ def extend_or_add(
     `made` is the call that makes the item, where it is a target: CMake wants it first.
     """
     if made is not None and made.maybe:
-        inside = "\n".join(f"{indent_of(cmake.root)}{line}" for line in lines.split("\n"))
+        inside = "\n".join(f"{cmake.root.indent}{line}" for line in lines.split("\n"))
         return add_rule(cmake, f"if(TARGET {item})\n{inside}\nendif()", made)
     for rule in reversed(cmake.installs):
         command = rule.call.command
         near = rule.call.path in (cmake.root.path, made.path if made else "")
         file = cmake.file(rule.call.path)
-        if near and command in file.body and follows(cmake, command, made) and not rule.call.maybe and fits(rule):
+        if near and file.is_top(command) and follows(cmake, command, made) and not rule.call.maybe and fits(rule):
             last = rule.items[-1:]
             written = [argument for argument, words in rule.call.by_argument() if last and words[-1:] == last]
             if written:
@@ -129,26 +127,21 @@ def follows(cmake: CMake, command: Command, made: Call | None) -> bool:
     """Return whether a command runs after a call."""
     if made is None:
         return True
-    places = {id(call.command): place for place, call in enumerate(cmake.calls)}
-    return places.get(id(command), -1) > places.get(id(made.command), -1)
+    return cmake.place(command) > cmake.place(made.command)
 
 
 def add_rule(cmake: CMake, lines: str, made: Call | None = None) -> Edit:
     """Put a rule below the last one, else before the tests and ament_package()."""
     root = cmake.root
-    installs = [each for each in root.body if isinstance(each, Command) and each.name == "install"]
-    if installs and follows(cmake, installs[-1], made):
-        return add_after(root, installs[-1], f"\n{lines}")
-    for each in root.body:
-        first = each.command if isinstance(each, Block) else each
-        tests = isinstance(each, Block) and any("BUILD_TESTING" in a.text for a in first.arguments)
-        if tests or first.name in ENDS:
-            return add_before(root, first, f"{lines}\n")
-    return add_at_end(root, lines)
+    last = root.last_install
+    if last is not None and follows(cmake, last, made):
+        return add_after(root, last, f"\n{lines}")
+    end = root.end
+    return add_at_end(root, lines) if end is None else add_before(root, end, f"{lines}\n")
 
 
 def block(file: CMakeFile, kind: str, item: str, destination: str) -> str:
-    indent = indent_of(file)
+    indent = file.indent
     return f"install({kind} {item}\n{indent}DESTINATION {destination}\n)"
 
 

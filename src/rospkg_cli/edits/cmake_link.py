@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..finding import Edit
 from ..model.cmake.linking import Part, Removed, Replacement
 from ..source import Span
-from .cmake import is_upper_name, remove
+from .cmake import remove
 
 
 def link_instead(removed: Removed, replacement: Replacement) -> tuple[Edit, ...]:
@@ -13,7 +13,7 @@ def link_instead(removed: Removed, replacement: Replacement) -> tuple[Edit, ...]
     file, command = removed.file, removed.command
     if not any(part.texts for part in replacement.parts):
         return (remove(file, command),)
-    upper = is_upper_name(file.source.slice(command.name_span))
+    upper = file.source.slice(command.name_span).isupper()
     name = "TARGET_LINK_LIBRARIES" if upper else "target_link_libraries"
     edits = [Edit(file.path, command.name_span, name)]
     first = command.arguments[0].span.end

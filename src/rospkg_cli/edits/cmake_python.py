@@ -16,7 +16,7 @@ def install_python_package(cmake: CMake, name: str) -> tuple[Edit, ...]:
     call = add_rule(cmake, f"ament_python_install_package({shown})")
     if any(each.name == FINDER for each in cmake.packages):
         return (call,)
-    found = [each.call for each in cmake.packages if each.call.command in cmake.root.body and not each.call.maybe]
+    found = [each.call for each in cmake.packages if cmake.root.is_top(each.call.command) and not each.call.maybe]
     anchor = next((call for call in found if call.texts[0] == "ament_cmake"), found[-1] if found else None)
     if anchor is None:
         return (call,)

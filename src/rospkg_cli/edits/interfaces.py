@@ -11,7 +11,7 @@ from ..model.cmake.words import Word
 from ..model.interface.declared import Interface
 from ..model.interface.generated import GeneratedInterfaces, UnlistedNeed
 from ..source import Span
-from .cmake import add_argument, indent_of
+from .cmake import add_argument
 
 
 def list_interface(generated: GeneratedInterfaces, interface: Interface) -> Edit | None:
@@ -39,7 +39,7 @@ def list_need(generated: GeneratedInterfaces, need: UnlistedNeed) -> Edit | None
     last = command.arguments[-1].span
     line = file.source.line_span(file.source.position(last.start)[0])
     if file.source.text[line.start : last.start].strip():
-        return Edit(file.path, Span(last.end, last.end), f"\n{indent_of(file)}DEPENDENCIES {need.package}")
+        return Edit(file.path, Span(last.end, last.end), f"\n{file.indent}DEPENDENCIES {need.package}")
     return add_argument(file, command, f"DEPENDENCIES {need.package}")
 
 

@@ -12,10 +12,13 @@ from pathlib import PurePosixPath
 from ..model.files import PackageFiles
 from ..model.unreadable import UnreadableError
 from ..source import Source, Span
+from .head import Head
 
 COMMENT = re.compile(
-    r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]*)\](?P<reason>[^\n]*)"
+    r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]{0,1000})\](?P<reason>[^\n]*)"
 )
+MAX_REASON = 4_000
+"""A comment of XML may go on for so many characters."""
 NAME = re.compile(r"[^\s,]+")
 KINDS = "py xml cfg txt cmake yaml yml launch urdf xacro sdf world msg srv action c cc cpp cxx h hh hpp hxx"
 SUFFIXES = frozenset(f".{kind}" for kind in KINDS.split())
@@ -52,6 +55,7 @@ def suppressions_in(files: PackageFiles) -> Iterator[Suppression]:
 
 def in_source(source: Source, path: str) -> Iterator[Suppression]:
     real = python_comments(source) if path.endswith(".py") else None
+    head = Head(source)
     for match in COMMENT.finditer(source.text):
         line = source.position(match.start())[0]
         if real is not None and line not in real:
@@ -60,7 +64,7 @@ def in_source(source: Source, path: str) -> Iterator[Suppression]:
         whole = source.line_span(line)
         alone = not (source.text[whole.start : span.start] + source.text[span.end : whole.end]).strip()
         lines: tuple[int, ...] = (line, line + 1) if alone else (line,)
-        if match.group("kind") == "ignore-file" and in_head(source, match.start()):
+        if match.group("kind") == "ignore-file" and head.holds(match.start()):
             lines = ()
         names = list(NAME.finditer(source.text, *match.span("codes")))
         yield Suppression(
@@ -78,9 +82,10 @@ def extent(source: Source, match: re.Match[str]) -> tuple[Span, str]:
     """Return the span of the whole comment, and its reason."""
     if match.group("open") != "<!--":
         return Span(*match.span()), match.group("reason").strip()
-    end = source.text.find("-->", match.end("codes"))
-    end = len(source.text) if end < 0 else end + 3
-    return Span(match.start(), end), source.text[match.end("codes") + 1 : end - 3].strip()
+    end = source.text.find("-->", match.end("codes"), match.end("codes") + MAX_REASON)
+    if end < 0:
+        return Span(*match.span()), match.group("reason").strip()
+    return Span(match.start(), end + 3), source.text[match.end("codes") + 1 : end].strip()
 
 
 def removal(source: Source, span: Span, alone: bool) -> Span:
@@ -91,12 +96,6 @@ def removal(source: Source, span: Span, alone: bool) -> Span:
     if alone and text[end : end + 1] == "\n":
         return Span(start, end + 1)
     return Span(start, end)
-
-
-def in_head(source: Source, at: int) -> bool:
-    """Return whether nothing but comments, instructions and blanks stands before."""
-    before = re.sub(r"<!--.*?-->|<\?.*?\?>|^\s*(#|//)[^\n]*$", "", source.text[:at], flags=re.DOTALL | re.MULTILINE)
-    return not before.replace("<!--", "").strip("\ufeff \t\n\r")
 
 
 def python_comments(source: Source) -> set[int] | None:

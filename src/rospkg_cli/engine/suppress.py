@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
 from ..finding import Finding
 from ..model.happenings import UnknownRuleName, UnusedSuppression
@@ -12,6 +13,9 @@ from ..source import Span
 from ..suggest import nearest
 from .comments import Suppression
 from .selection import codes_named, rule_names
+
+MAX_GUESSES = 100
+"""For so many names that name no rule the near one is sought: that takes its time."""
 
 
 @dataclass
@@ -24,33 +28,47 @@ class Silence:
     """Which code of which comment silenced something."""
 
     def __post_init__(self) -> None:
-        self.by_path: dict[str, list[int]] = defaultdict(list)
+        self.by_place: dict[tuple[str, int], list[int]] = defaultdict(list)
+        """Path and line (0 for the whole file) → the comments there."""
+        self.by_code: dict[tuple[str, int], dict[str, tuple[int, int]]] = {}
         for index, comment in enumerate(self.comments):
-            self.by_path[comment.path].append(index)
+            for line in comment.lines or (0,):
+                self.by_place[comment.path, line].append(index)
 
     def apply(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the findings, those that are silenced with the reason."""
         return [self.judge(finding) for finding in findings]
 
     def judge(self, finding: Finding) -> Finding:
-        for index in self.by_path.get(finding.place.path, ()):
-            comment = self.comments[index]
-            if comment.lines and finding.place.line not in comment.lines:
-                continue
-            for at, name in enumerate(comment.codes):
-                if finding.code in codes_named(name):
-                    self.used.add((index, at))
-                    return replace(finding, suppressed=comment.reason or "no reason given")
-        return finding
+        places = ((finding.place.path, 0), (finding.place.path, finding.place.line))
+        found = [found for place in places if (found := self.codes_at(place).get(finding.code)) is not None]
+        if not found:
+            return finding
+        self.used.add(first := min(found))
+        return replace(finding, suppressed=self.comments[first[0]].reason or "no reason given")
+
+    def codes_at(self, place: tuple[str, int]) -> dict[str, tuple[int, int]]:
+        """Return, for each code that is silenced at a place, the first comment that does so, and its name there."""
+        if place not in self.by_code:
+            found = self.by_code[place] = {}
+            for index in self.by_place.get(place, ()):
+                for at, name in enumerate(self.comments[index].codes):
+                    for code in codes_named(name):
+                        found.setdefault(code, (index, at))
+        return self.by_code[place]
 
     def unknown(self) -> list[UnknownRuleName]:
         """Return the names in comments that name no rule."""
-        return [
-            UnknownRuleName(comment.path, span, name, nearest(name, rule_names()))
+        names = rule_names()
+        found = [
+            (comment.path, span, name)
             for comment in self.comments
             for name, span in zip(comment.codes, comment.code_spans, strict=True)
             if not codes_named(name)
         ]
+        different = dict.fromkeys(name for _, _, name in found)
+        meant = {name: nearest(name, names) for name in islice(different, MAX_GUESSES)}
+        return [UnknownRuleName(path, span, name, meant.get(name)) for path, span, name in found]
 
     def unused(self) -> list[UnusedSuppression]:
         """Return the codes in comments that silenced nothing although all of their rules ran."""

@@ -19,6 +19,9 @@ TITLE = re.compile(
 )
 """The one form of a title that counts; catkin_pkg passes over all others, `Forthcoming` among them."""
 
+MAX_DIGITS = 100
+"""Of a number, so that it can be compared; Python reads none of thousands."""
+
 Number = tuple[int, ...]
 
 
@@ -54,7 +57,7 @@ class Released:
 
 def number_of(version: str) -> Number:
     """Return a version of three numbers as numbers; raises ValueError."""
-    return tuple(int(part) for part in version.split("."))
+    return tuple(int(part[:MAX_DIGITS]) for part in version.split("."))
 
 
 def read_changelog(reading: Reading) -> Iterator[Changelog]:

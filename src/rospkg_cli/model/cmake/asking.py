@@ -13,13 +13,14 @@ ASKS = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake
 
 
 def guarded(body: Iterable[Command | Block], inside: bool = False) -> Iterator[Command]:
-    """Yield the commands that stand in an `if` that asks for the distribution, or whether a command is there."""
-    for each in body:
+    """Yield, in no order, the commands that stand in an `if` that asks for the distribution or for a command."""
+    waiting = [(each, inside) for each in body]
+    while waiting:
+        each, inside = waiting.pop()
         if isinstance(each, Command):
             if inside:
                 yield each
         else:
             asked = (argument.text for branch in each.branches for argument in branch.command.arguments)
             asks = each.command.name == "if" and any(ASKS.search(text) for text in asked)
-            for branch in each.branches:
-                yield from guarded(branch.body, inside or asks)
+            waiting += [(below, inside or asks) for branch in each.branches for below in branch.body]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from .pattern import search
+from .pattern import search, steps
 from .words import HOLE, Value, Word, joined
 
 Truth = bool | None
@@ -17,7 +17,7 @@ FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
 NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
 NUMBER_FIRST = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
 """What EQUAL and LESS read of a text: sscanf stops where the number does."""
-VERSION = re.compile(r"\d+(\.\d+)*")
+VERSION = re.compile(r"\d{1,9}(\.\d{1,9})*")
 
 NUMBERS: Mapping[str, Callable[[float, float], bool]] = {
     "EQUAL": lambda a, b: a == b,
@@ -51,6 +51,9 @@ class World(Protocol):
 
     def holds(self, test: str, name: str) -> Truth:
         """Answer EXISTS, COMMAND, TARGET and the like."""
+
+    def spend(self, cost: int) -> None:
+        """Count what a comparison costs."""
 
 
 def both(a: Truth, b: Truth) -> Truth:
@@ -137,6 +140,7 @@ class Condition:
         if operator in STRINGS:
             return STRINGS[operator](a, b)
         if operator == "MATCHES":
+            self.world.spend(steps(b, a) >> 6)
             return search(b, a)
         if operator in NUMBERS:
             numbers = [float(match.group(1)) for text in (a, b) if (match := NUMBER_FIRST.match(text))]

@@ -21,7 +21,7 @@ Reached = tuple[Truth, Truth]
 def run_if(machine: Machine, block: Block) -> None:
     """Run the branches that may be taken, each on its own, and unite what they leave behind."""
     live: Reached = (True, not machine.frame.testing)
-    before = machine.scope.save()
+    before = machine.save()
     ends: list[Snapshot] = []
     left: list[Reached] = []
     for branch in block.branches:
@@ -36,13 +36,13 @@ def run_if(machine: Machine, block: Block) -> None:
         if how == "return":
             left.append(reached)
         elif how != "fatal":
-            ends.append(machine.scope.save())
+            ends.append(machine.save())
     if live != (False, False):
         ends.append(before)
     machine.scope.restore(before)
     if not ends:
         raise LeaveError("return" if left else "fatal")
-    machine.scope.unite(ends)
+    machine.unite(ends)
     for reached in left:
         machine.frame = after_leaving(machine.frame, reached)
 

@@ -20,6 +20,9 @@ SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "ros
            "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
 """Commands that name a target without using what is built of it."""
 
+MAX_PARTS = 5
+"""Behind the first `:` of `$<TARGET_FILE:ns::talker>` there are three, parted by `:`."""
+
 
 @dataclass(frozen=True)
 class Forgotten:
@@ -67,25 +70,46 @@ class ForgottenTargets:
         """Return whether an executable serves the build or a test, or is aside."""
         if is_aside(target):
             return True
-        return any(names(call, target.name) for call in self.cmake.calls if call is not target.call)
+        return any(call is not target.call for call in self.users.get(target.name, ()))
+
+    @cached_property
+    def users(self) -> dict[str, list[Call]]:
+        """Name → the calls that use what is built of a target of that name."""
+        found: dict[str, list[Call]] = {}
+        for call in self.cmake.calls:
+            for name in dict.fromkeys(used_by(call)):
+                found.setdefault(name, []).append(call)
+        return found
 
     def has_code(self, target: Target) -> bool:
         """Return whether there may be more in a library than headers: the linker leaves an empty one out."""
         only = bool(target.sources) and all(word.known and word.text.endswith(HEADERS) for word in target.sources)
-        return not only or any(target.name in call.texts[:1] for call in self.cmake.named("target_sources"))
+        return not only or target.name in self.added_to
+
+    @cached_property
+    def added_to(self) -> frozenset[str]:
+        """The targets that get sources of target_sources."""
+        return frozenset(text for call in self.cmake.named("target_sources") for text in call.texts[:1])
 
     def needed_by(self, target: Target) -> str:
         """Return what does not work without a library."""
-        for component in self.cmake.components:
-            if component.target.text == target.name:
-                return f"the component `{component.plugin.text}`"
-        for call in self.cmake.named("ament_export_libraries"):
-            if target.name in call.texts:
-                return "those who use the package, as `ament_export_libraries` promises it,"
-        for link in self.links.all:
-            if link.target in self.links.installed and not link.package and link.word.text == target.name:
+        if (plugin := self.plugins.get(target.name)) is not None:
+            return f"the component `{plugin}`"
+        if target.name in self.promised:
+            return "those who use the package, as `ament_export_libraries` promises it,"
+        for link in self.links.with_word(target.name):
+            if link.target in self.links.installed and not link.package:
                 return f"`{link.target}`, which is linked with it and is installed,"
         return ""
+
+    @cached_property
+    def plugins(self) -> dict[str, str]:
+        """Target → the first component that is registered of it."""
+        return {each.target.text: each.plugin.text for each in reversed(self.cmake.components)}
+
+    @cached_property
+    def promised(self) -> frozenset[str]:
+        return frozenset(text for call in self.cmake.named("ament_export_libraries") for text in call.texts)
 
     def unexported(self) -> Iterator[Forgotten]:
         """Yield what an exported target is linked with, and what no export holds: `install(EXPORT)` refuses that."""
@@ -128,8 +152,14 @@ def is_aside(target: Target) -> bool:
     return bool(folders & ASIDE)
 
 
-def names(call: Call, name: str) -> bool:
-    """Return whether a call uses what is built of a target."""
-    if call.name.startswith(SETTERS):
-        return call.name == "install" and any(f":{name}>" in text for text in call.texts)
-    return any(text == name or f":{name}>" in text for text in call.texts)
+def used_by(call: Call) -> Iterator[str]:
+    """Yield the names of targets of which a call uses what is built, if they are targets."""
+    setter = call.name.startswith(SETTERS)
+    if setter and call.name != "install":
+        return
+    for text in call.texts:
+        if not setter:
+            yield text
+        for piece in text.split(">")[:-1]:
+            parts = piece.rpartition("<")[2].split(":")
+            yield from (":".join(parts[-count:]) for count in range(1, min(len(parts), MAX_PARTS + 1)))

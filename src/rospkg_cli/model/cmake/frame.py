@@ -15,6 +15,8 @@ from .words import BINARY, HOLE, PREFIX, SOURCE, Value
 
 MAX_STEPS = 20_000
 MAX_DEPTH = 40
+MAX_COST = 1_000_000
+"""So many words (and sixteens of characters) are looked at and built in all: a hundred MiB at most."""
 
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 OFF = ("WIN32", "MSVC", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "BORLAND", "CMAKE_CROSSCOMPILING")

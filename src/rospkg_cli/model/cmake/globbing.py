@@ -6,7 +6,6 @@ import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from ..files import PackageFiles
 from .call import Call
 from .machine import Machine
 from .pattern import glob
@@ -55,19 +54,21 @@ def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> li
     path = machine.path(pattern.text)
     if path is None:
         return None
-    candidates: Sequence[str] = sorted(machine.files.places) if folders else machine.files.every
+    candidates: Sequence[str] = machine.places if folders else machine.files.every
+    machine.spend(len(candidates) >> 1)
     if not recurse:
         return glob(path, candidates)
     folder, last = posixpath.split(path)
-    return deep(machine.files, folder, last, candidates)
+    return deep(machine, folder, last, candidates)
 
 
-def deep(files: PackageFiles, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
+def deep(machine: Machine, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
     """Return what fits the last part of a pattern anywhere below what fits its folder."""
-    roots = [""] if not folder else glob(folder, sorted(files.places))
+    roots = [""] if not folder else glob(folder, machine.places)
     names = glob(last, {posixpath.basename(path) for path in candidates})
     if roots is None or names is None:
         return None
+    machine.spend(len(roots) * len(candidates) >> 3)
     wanted = set(names)
     return list(dict.fromkeys(p for p in below(roots, candidates) if posixpath.basename(p) in wanted))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -51,8 +51,26 @@ class Links:
                     package = call.name == "ament_target_dependencies"
                     yield Link(call.texts[0], word, scope, package, call)
 
-    def of(self, target: str) -> Iterator[Link]:
-        return (link for link in self.all if link.target == target)
+    def of(self, target: str) -> Sequence[Link]:
+        return self._by_target.get(target, ())
+
+    def with_word(self, text: str) -> Sequence[Link]:
+        """Return the links to what a word stands for."""
+        return self._by_word.get(text, ())
+
+    @cached_property
+    def _by_target(self) -> dict[str, list[Link]]:
+        found: dict[str, list[Link]] = {}
+        for link in self.all:
+            found.setdefault(link.target, []).append(link)
+        return found
+
+    @cached_property
+    def _by_word(self) -> dict[str, list[Link]]:
+        found: dict[str, list[Link]] = {}
+        for link in self.all:
+            found.setdefault(link.word.text, []).append(link)
+        return found
 
     @cached_property
     def installed(self) -> frozenset[str]:

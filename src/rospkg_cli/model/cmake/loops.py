@@ -52,7 +52,7 @@ def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]
 
 def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) -> None:
     """Run a body that may run any number of times, and unite what it leaves behind with what was."""
-    before = machine.scope.save()
+    before = machine.save()
     for name, value in variables.items():
         machine.scope.set(name, value)
     try:
@@ -62,7 +62,7 @@ def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) ->
         if leave.how == "fatal":
             machine.scope.restore(before)
             return
-    machine.scope.unite([before, machine.scope.save()])
+    machine.unite([before, machine.save()])
 
 
 def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
@@ -89,7 +89,7 @@ def number_range(texts: list[str], machine: Machine) -> list[Word] | None:
     numbers = [int(text) for text in texts]
     start, stop = (0, numbers[0]) if len(numbers) == 1 else (numbers[0], numbers[1])
     step = numbers[2] if len(numbers) == 3 else 1
-    return [machine.word(str(n)) for n in range(start, stop + 1, step)][:MAX_ROUNDS] if step else None
+    return [machine.word(str(n)) for n in range(start, stop + 1, step)[:MAX_ROUNDS]] if step else None
 
 
 def run_while(machine: Machine, block: Block) -> None:

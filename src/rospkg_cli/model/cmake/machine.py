@@ -9,16 +9,28 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from ..files import PackageFiles
 from ..unreadable import Unreadable, UnreadableError
 from .blocks import Block
 from .call import Call, located
-from .frame import MAX_DEPTH, MAX_STEPS, NOWHERE, ExhaustedError, Frame, Function, LeaveError, built_in, environment
+from .frame import (
+    MAX_COST,
+    MAX_DEPTH,
+    MAX_STEPS,
+    NOWHERE,
+    ExhaustedError,
+    Frame,
+    Function,
+    LeaveError,
+    built_in,
+    environment,
+)
 from .read import ROOT, CMakeFile, names_set, read_file
-from .scope import Scope
+from .scope import Scope, Snapshot
 from .syntax import Command
-from .words import HOLE, Value, Word, as_value, words_of
+from .words import HOLE, Value, Word, as_value, cost, words_of
 
 
 @dataclass
@@ -50,6 +62,8 @@ class Machine:
     clouded: bool = False
     """Something was read that we can't see: it may have set any variable, and made any target."""
     steps: int = 0
+    spent: int = 0
+    """The cost of all words that were looked at or built so far."""
     stopped: str = ""
     """Why the run did not come to its end."""
 
@@ -115,6 +129,12 @@ class Machine:
         if self.steps > MAX_STEPS:
             raise ExhaustedError
 
+    def spend(self, cost: int) -> None:
+        """Count what something costs; raises ExhaustedError where the whole run costs too much."""
+        self.spent += cost
+        if self.spent > MAX_COST:
+            raise ExhaustedError
+
     def command(self, command: Command) -> None:
         self.step()
         call = self.call(command)
@@ -128,6 +148,7 @@ class Machine:
         frame = self.frame
         found = self.by_argument(command)
         words, counts = tuple(word for each in found for word in each), tuple(map(len, found))
+        self.spend(cost(words))
         return Call(command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside, counts)
 
     def words(self, command: Command) -> list[Word]:
@@ -139,7 +160,7 @@ class Machine:
 
     def try_out(self, body: Sequence[Command | Block]) -> None:
         """Run what is never run, only to see its commands: nothing of what it does stays."""
-        saved, functions, targets = self.scope.save(), dict(self.functions), dict(self.targets)
+        saved, functions, targets = self.save(), dict(self.functions), dict(self.targets)
         try:
             with self.framed(replace(self.frame, idle=True, depth=self.frame.depth + 1)):
                 self.body(body)
@@ -150,6 +171,21 @@ class Machine:
             self.functions, self.targets = functions, targets
 
     # ---- variables
+
+    @cached_property
+    def places(self) -> tuple[str, ...]:
+        """All files and folders of the package, sorted."""
+        return tuple(sorted(self.files.places))
+
+    def save(self) -> Snapshot:
+        """Return all variables as they are."""
+        saved = self.scope.save()
+        self.spend(sum(map(len, saved)) >> 3)
+        return saved
+
+    def unite(self, ends: Sequence[Snapshot]) -> None:
+        """Take over what is common to the ends of several branches."""
+        self.spend(self.scope.unite(ends))
 
     def value(self, name: str) -> Value:
         """Return what `${name}` stands for: nothing, where the package itself has yet to set it; else a hole."""
@@ -166,9 +202,11 @@ class Machine:
 
     def known(self, name: str) -> Value | None:
         """Return the value of a variable that was set, or that CMake itself sets."""
-        if name in self.frame.bindings:
-            return self.frame.bindings[name]
-        if (found := self.scope.get(name)) is not None:
+        found = self.frame.bindings.get(name)
+        if found is None:
+            found = self.scope.get(name)
+        if found is not None:
+            self.spend(cost(found))
             return found
         if (text := built_in(name, self.frame, self.assume)) is not None:
             return as_value([self.word(text)])
@@ -182,6 +220,7 @@ class Machine:
         return (self.word(HOLE),)
 
     def set(self, name: str, value: Value) -> None:
+        self.spend(cost(value))
         if HOLE not in name:
             self.scope.set(name, value)
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
@@ -72,7 +73,7 @@ class NamedPaths:
         path = named.path
         if not path or files.is_there(path):
             return True
-        if named.use == "source" and any(each.startswith(f"{path}.") for each in files.paths):
+        if named.use == "source" and begins_one(f"{path}.", files.paths):
             return True
         return path in self.made or posixpath.basename(path) in self.made_names
 
@@ -97,6 +98,12 @@ INSTALLERS = frozenset({
     "install", "ament_auto_package", "autoware_ament_auto_package", "ament_python_install_package",
     "ament_python_install_module", "pluginlib_export_plugin_description_file",
 })  # fmt: skip
+
+
+def begins_one(start: str, paths: Sequence[str]) -> bool:
+    """Return whether one of some sorted paths begins with a text."""
+    at = bisect_left(paths, start)
+    return at < len(paths) and paths[at].startswith(start)
 
 
 def sources_in(call: Call) -> list[Word]:

@@ -26,6 +26,13 @@ def compiled(pattern: str) -> tuple[re.Pattern[str], int] | None:
         return None
 
 
+def steps(pattern: str, subject: str) -> int:
+    """Return how many steps a search may take at most, 0 where it is not tried."""
+    found = compiled(pattern)
+    most = 0 if found is None else (len(subject) + 1) ** found[1]
+    return most if most <= MAX_STEPS else 0
+
+
 def usable(pattern: str, subject: str) -> re.Pattern[str] | None:
     found = compiled(pattern)
     if found is None or (len(subject) + 1) ** found[1] > MAX_STEPS:

@@ -19,6 +19,7 @@ from .installs import InstallRule
 from .machine import Machine
 from .packages import FoundPackage, found_packages
 from .read import ROOT, CMakeFile, is_built_with_cmake
+from .syntax import Command
 from .targets import MAKERS, Target, by_name, targets_of
 from .words import HOLE, Word
 
@@ -46,8 +47,20 @@ class CMake:
         return self.files[0]
 
     def file(self, path: str) -> CMakeFile:
-        """Return the file with a path; raises StopIteration."""
-        return next(file for file in self.files if file.path == path)
+        """Return the file with a path; raises KeyError."""
+        return self._files[path]
+
+    @cached_property
+    def _files(self) -> dict[str, CMakeFile]:
+        return {file.path: file for file in self.files}
+
+    def place(self, command: Command) -> int:
+        """Return which of the calls is the last one of a command, -1 where it is never run."""
+        return self._places.get(id(command), -1)
+
+    @cached_property
+    def _places(self) -> dict[int, int]:
+        return {id(call.command): place for place, call in enumerate(self.calls)}
 
     @cached_property
     def functions(self) -> frozenset[str]:

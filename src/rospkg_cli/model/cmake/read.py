@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 from ...ros.distros import Targets
-from ...source import Source
+from ...source import Source, Span
 from ..files import PackageFiles, Reading
 from ..manifest import Manifest
 from ..unreadable import UnreadableError
@@ -14,6 +16,10 @@ from .blocks import Block, nest
 from .syntax import Command, Fault, Syntax, parse
 
 ROOT = "CMakeLists.txt"
+MAX_LENGTH = 500_000
+"""In characters; what people write has a hundredth of that."""
+ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
+INDENT = re.compile(r"^([ \t]+)(?=\S)", re.MULTILINE)
 SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
 """Where in their arguments commands name a variable that they set."""
 
@@ -36,6 +42,45 @@ class CMakeFile:
     def path(self) -> str:
         return self.syntax.source.path
 
+    @cached_property
+    def top(self) -> tuple[Command, ...]:
+        """The commands that stand in no block, in order."""
+        return tuple(each for each in self.body if isinstance(each, Command))
+
+    @cached_property
+    def _top(self) -> frozenset[int]:
+        return frozenset(map(id, self.top))
+
+    def is_top(self, command: Command) -> bool:
+        """Return whether a command is one of this file's, and stands in no block."""
+        return id(command) in self._top
+
+    @cached_property
+    def last_install(self) -> Command | None:
+        """The last `install` that stands in no block."""
+        return next((each for each in reversed(self.top) if each.name == "install"), None)
+
+    @cached_property
+    def end(self) -> Command | None:
+        """The command that opens the block of the tests, or ends the package, whichever comes first."""
+        for each in self.body:
+            first = each.command if isinstance(each, Block) else each
+            tests = isinstance(each, Block) and any("BUILD_TESTING" in a.text for a in first.arguments)
+            if tests or first.name in ENDS:
+                return first
+        return None
+
+    @cached_property
+    def indent(self) -> str:
+        """What arguments and bodies are indented by; two blanks where none is."""
+        return min(INDENT.findall(self.source.text), key=len, default="  ")
+
+    @cached_property
+    def is_upper(self) -> bool:
+        """Whether most commands are written in upper case."""
+        names = [self.source.slice(command.name_span) for command in self.syntax.commands]
+        return sum(map(str.isupper, names)) * 2 > len(names)
+
 
 def is_built_with_cmake(reading: Reading) -> bool:
     """Return whether the build reads a CMakeLists.txt of the package."""
@@ -46,8 +91,12 @@ def is_built_with_cmake(reading: Reading) -> bool:
 
 
 def read_file(files: PackageFiles, path: str) -> CMakeFile:
-    """Read one file; raises UnreadableError at the first place that CMake would refuse."""
-    syntax = parse(files.source(path))
+    """Read one file; raises UnreadableError at the first place that CMake would refuse, and for one too large."""
+    source = files.source(path)
+    if len(source.text) > MAX_LENGTH:
+        message = f"`{path}` is not read: it has more than {MAX_LENGTH:,} characters; split what is generated in it off"
+        raise UnreadableError(path, Span(0, 0), message, skipped=True)
+    syntax = parse(source)
     body, faults = nest(syntax.commands)
     refuse(path, syntax.faults or tuple(faults))
     return CMakeFile(syntax, body)

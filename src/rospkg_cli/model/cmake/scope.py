@@ -40,9 +40,19 @@ class Scope:
         for scope, variables in zip(self.chain(), saved, strict=True):
             scope.variables = dict(variables)
 
-    def unite(self, ends: Sequence[Snapshot]) -> None:
-        """Take over what is common to the ends of several branches; what differs becomes `maybe` or unknown."""
+    def unite(self, ends: Sequence[Snapshot]) -> int:
+        """Take over what is common to the ends of several branches; what differs becomes `maybe` or unknown.
+
+        Return how many words were compared for that.
+        """
+        compared = 0
         for depth, scope in enumerate(self.chain()):
             levels = [end[depth] for end in ends]
-            names = dict.fromkeys(name for level in levels for name in level)
-            scope.variables = {name: merge([level.get(name, ()) for level in levels]) for name in names}
+            compared += sum(map(len, levels)) >> 1
+            scope.variables = {}
+            for name in dict.fromkeys(name for level in levels for name in level):
+                values = [level.get(name, ()) for level in levels]
+                same = all(value is values[0] for value in values)
+                compared += 0 if same else sum(map(len, values))
+                scope.variables[name] = values[0] if same else merge(values)
+        return compared

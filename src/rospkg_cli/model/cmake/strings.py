@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from .call import Call, located
 from .machine import Machine
-from .pattern import find_all, replace_all
+from .pattern import find_all, replace_all, steps
 from .words import HOLE, MAX_TEXT, SOURCE, joined
 
 
@@ -24,6 +24,8 @@ def run_string(machine: Machine, call: Call) -> None:
         return
     name = rest.pop(output)
     unknown = any(HOLE in text for text in rest)
+    if not unknown and operation.startswith("REGEX"):
+        machine.spend(steps(rest[0], "".join(rest[1:])) >> 6)
     found = None if unknown else result(operation, rest)
     machine.set_text(name, None if found is None or len(found) > MAX_TEXT else found)
 
@@ -64,7 +66,7 @@ def result(operation: str, rest: Sequence[str]) -> str | None:
             return "".join(texts)
         case "JOIN", [glue, *texts]:
             return glue.join(texts)
-        case "SUBSTRING", [text, begin, length] if begin.isdecimal() and length.removeprefix("-").isdecimal():
+        case "SUBSTRING", [text, begin, length] if is_count(begin) and is_count(length.removeprefix("-")):
             return text[int(begin) :][: None if length.startswith("-") else int(length)]
         case "FIND", [text, part, *_]:
             return str(text.find(part))
@@ -73,6 +75,10 @@ def result(operation: str, rest: Sequence[str]) -> str | None:
             return f"_{made}" if made[:1].isdigit() else made
         case _:
             return None
+
+
+def is_count(text: str) -> bool:
+    return text.isdecimal() and len(text) < 10
 
 
 def run_get_filename_component(machine: Machine, call: Call) -> None:

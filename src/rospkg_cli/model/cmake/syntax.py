@@ -78,13 +78,16 @@ def parse(source: Source) -> Syntax:
 class Parser:
     source: Source
     begin: int = 0
+    read_to: int = 0
+    reread: int = 0
+    """How many characters were read before it showed that they are to be read again."""
     commands: list[Command] = field(default_factory=list)
     comments: list[Span] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
     def run(self) -> None:
         at, text = 0, self.source.text
-        while at < len(text) and len(self.faults) < MAX_FAULTS:
+        while at < len(text) and len(self.faults) < MAX_FAULTS and self.reread <= len(text):
             at = self.file(at)
 
     def file(self, at: int) -> int:
@@ -92,6 +95,7 @@ class Parser:
         self.stream, self.begin = tokens(self.source.text, at), at
         fresh = True
         for token in self.stream:
+            self.read_to = token.end
             match token.kind:
                 case "newline":
                     fresh = True
@@ -120,6 +124,7 @@ class Parser:
         arguments: list[Argument] = []
         depth, before = 0, "space"
         for token in self.stream:
+            self.read_to = token.end
             if token.kind == ")" and not depth:
                 span, inner = Span(name.start, token.end), Span(opened.end, token.start)
                 self.commands.append(Command(name.text.lower(), name.span, span, tuple(arguments), inner))
@@ -145,7 +150,9 @@ class Parser:
         length = len(token.text.split("\n", 1)[0]) if start == token.start else 1
         self.faults.append(Fault(Span(start, start + max(length, 1)), message))
         again = COMMAND_LINE.search(self.source.text, self.source.text.find("\n", start) + 1 or len(self.source.text))
-        return again.start() if again else len(self.source.text)
+        resume = again.start() if again else len(self.source.text)
+        self.reread += max(0, self.read_to - resume)
+        return resume
 
     def swallowing(self, before: int) -> int | None:
         """Return the opening quote of the first string that holds a line which looks like a command.

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from .call import Call, flags_and_values
 from .machine import Machine
-from .pattern import replace_all, search
-from .words import HOLE, Value, Word, as_value, joined, texts
+from .pattern import replace_all, search, steps
+from .words import HOLE, Value, Word, as_value, bounded, joined, texts
 
 NUMBER = re.compile(r"-?\d{1,9}")
 PRODUCT = re.compile(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
@@ -27,6 +27,7 @@ def run_set(machine: Machine, call: Call) -> None:
             machine.set(name, machine.hole() if is_switch else as_value(words[:at]))
     elif keywords[-1:] == ["PARENT_SCOPE"]:
         if machine.scope.around is not None:
+            machine.spend(len(words))
             machine.scope.around.set(name, as_value(words[:-1]))
     else:
         machine.set(name, as_value(words))
@@ -47,9 +48,11 @@ def run_list(machine: Machine, call: Call) -> None:
     if len(call.words) < 2:
         return
     operation, name = call.texts[0].upper(), call.texts[1]
+    if operation in ("FILTER", "TRANSFORM"):
+        machine.spend(sum(steps(each.text, word.text) for each in call.words[3:5] for word in machine.value(name)) >> 6)
     if operation in CHANGES:
         changed = CHANGES[operation](machine.value(name), call.words[2:])
-        machine.set(name, machine.hole() if changed is None else changed)
+        machine.set(name, machine.hole() if changed is None else bounded(changed))
     elif operation in ("LENGTH", "GET", "FIND", "JOIN", "SUBLIST"):
         machine.set(call.texts[-1], derived(machine, operation, machine.value(name), call.words[2:-1]))
     elif operation in ("POP_BACK", "POP_FRONT"):
@@ -187,7 +190,7 @@ def run_parse_arguments(machine: Machine, call: Call) -> None:
     """`cmake_parse_arguments(prefix "flags" "single" "many" …)` and its form with PARSE_ARGV."""
     words = list(call.words)
     if words and words[0].text == "PARSE_ARGV":
-        if len(words) < 6 or not words[1].text.isdecimal():
+        if len(words) < 6 or not (words[1].text.isdecimal() and len(words[1].text) < 6):
             return
         passed = list(machine.value("ARGV"))[int(words[1].text) :]
         words = [*words[2:6], *passed]

@@ -49,11 +49,19 @@ class Word:
 Value = tuple[Word, ...]
 
 
+def cost(words: Sequence[Word]) -> int:
+    """Return what it costs to go over some words: one for each, and one for every sixteen characters."""
+    return len(words) + (sum(len(word.text) for word in words) >> 4)
+
+
 def joined(value: Sequence[Word]) -> str:
     """Return a list as the string that it is in CMake, a hole where that can't be told."""
     if any(word.maybe for word in value):
         return HOLE
-    return ";".join(map(escaped, (word.text for word in value)))[:MAX_TEXT]
+    if cost(value) > MAX_TEXT:
+        return HOLE
+    text = ";".join(map(escaped, (word.text for word in value)))
+    return text if len(text) <= MAX_TEXT else HOLE
 
 
 def escaped(text: str) -> str:
@@ -80,7 +88,7 @@ def split(text: str) -> Iterator[str]:
 def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
     """Resolve references and escapes in one pass; `value_of` gets ("", "ENV" or "CACHE") and a name.
 
-    A reference that is never closed makes the whole a hole.
+    A reference that is never closed makes the whole a hole, and so does a text that is too long.
     """
     levels: list[list[str]] = [[]]
     kinds: list[str] = []
@@ -100,7 +108,8 @@ def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
             levels[-1].append("}")
     if kinds:
         return HOLE
-    return "".join([*levels[0], text[at:]])[:MAX_TEXT]
+    pieces = [*levels[0], text[at:]]
+    return "".join(pieces) if sum(map(len, pieces)) <= MAX_TEXT else HOLE
 
 
 def words_of(argument: Argument, path: str, variable: Callable[[str], Value], env: Callable[[str], str]) -> list[Word]:
@@ -138,7 +147,12 @@ def as_value(words: Iterable[Word]) -> Value:
             found += [replace(word, text=each) for each in split(word.text)]
         else:
             found.append(word)
-    return () if len(found) == 1 and not found[0].text else tuple(found[:MAX_WORDS])
+    return () if len(found) == 1 and not found[0].text else bounded(tuple(found))
+
+
+def bounded(value: Value) -> Value:
+    """Return a list, a hole where it is too long to be kept."""
+    return value if len(value) <= MAX_WORDS else (replace(value[0], text=HOLE, maybe=False),)
 
 
 def merge(values: Sequence[Value]) -> Value:

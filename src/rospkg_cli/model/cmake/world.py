@@ -35,6 +35,9 @@ class World:
         found = self.machine.known(name)
         return self.variable(name) if found is None and FROM_OUTSIDE.fullmatch(name) else found
 
+    def spend(self, cost: int) -> None:
+        self.machine.spend(cost)
+
     def holds(self, test: str, name: str) -> Truth:
         match test:
             case "EXISTS" | "IS_DIRECTORY":

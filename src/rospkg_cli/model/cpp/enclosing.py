@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .call import PIECE
 
-WORD = re.compile(r"(\w+)\s*$")
 CONTROL = frozenset({"if", "for", "while", "switch", "catch", "else", "do", "constexpr"})
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+MAX_STATEMENT = 4_000
+"""A statement that goes on for longer is no plain one."""
 HEADER = re.compile(r"\b(?:if|else|for|while|case|default|catch|do)\b|\?|&&|\|\|")
 
 
@@ -25,35 +26,66 @@ class Level:
     """What a parenthesis stands behind: the last word, or `]` for a lambda."""
 
 
+@dataclass(slots=True)
+class Levels:
+    """The open brackets, innermost last."""
+
+    all: list[Level] = field(default_factory=list)
+    blocks: int = 0
+    conditions: int = 0
+    """How many of the blocks belong to a condition, a loop or a lambda."""
+
+    def open(self, level: Level) -> None:
+        self.all.append(level)
+        self.count(level, 1)
+
+    def close(self) -> Level:
+        level = self.all.pop()
+        self.count(level, -1)
+        return level
+
+    def count(self, level: Level, by: int) -> None:
+        self.blocks += by * level.brace
+        self.conditions += by * (level.brace and level.control)
+
+
 def unconditional(text: str, places: Iterable[int]) -> set[int]:
     """Return those of the offsets that stand directly in the body of a function, in one pass over the text."""
     waiting, found = sorted(places, reverse=True), set()
-    levels: list[Level] = []
+    levels = Levels()
     statement, closed = 0, Level(False, False)
     for match in PIECE.finditer(text):
         while waiting and waiting[-1] < match.start():
             at = waiting.pop()
-            if is_plain(levels, text[max(statement, text.rfind(";", statement, at) + 1) : at]):
+            if levels.blocks and not levels.conditions and is_plain(text, statement, at):
                 found.add(at)
         if not waiting:
             break
         kind, char = match.lastgroup, match.group()
         if kind == "open":
             before = text[max(0, match.start() - 60) : match.start()].rstrip()
-            head = "]" if before.endswith("]") else (word.group(1) if (word := WORD.search(before)) else "")
+            head = "]" if before.endswith("]") else last_word(before)
             if char == "{":
                 behind = closed.head if before.endswith(")") else head
-                levels.append(Level(True, behind in CONTROL or behind == "]"))
+                levels.open(Level(True, behind in CONTROL or behind == "]"))
                 statement = match.end()
             else:
-                levels.append(Level(False, False, head))
-        elif kind == "close" and levels:
-            closed = levels.pop()
+                levels.open(Level(False, False, head))
+        elif kind == "close" and levels.all:
+            closed = levels.close()
             statement = match.end() if char == "}" else statement
     return found
 
 
-def is_plain(levels: list[Level], before: str) -> bool:
-    """Return whether neither a block around a place nor its own statement is conditional."""
-    blocks = [level for level in levels if level.brace]
-    return bool(blocks) and not any(level.control for level in blocks) and not HEADER.search(COMMENT.sub("", before))
+def last_word(before: str) -> str:
+    """Return the word that a text ends with, "" where it ends with something else."""
+    start = len(before)
+    while start and (before[start - 1].isalnum() or before[start - 1] == "_"):
+        start -= 1
+    return before[start:]
+
+
+def is_plain(text: str, start: int, at: int) -> bool:
+    """Return whether the statement of a place, which begins behind an offset, is not conditional before it."""
+    begin = max(start, text.rfind(";", start, at) + 1)
+    return at - begin < MAX_STATEMENT and not HEADER.search(COMMENT.sub("", text[begin:at]))

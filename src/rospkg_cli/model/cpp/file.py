@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...source import Source, Span
-from .call import Argument, Call, arguments, template
+from .call import MAX_LENGTH, Argument, Call, arguments, template
 from .lexer import Token, tokens
 
 INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
@@ -17,6 +17,9 @@ VARIABLE = re.compile(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
 WANTED = re.compile(
     r"\w*(REGISTER|EXPORT)\w*|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?"
 )
+MAX_FOLLOWED = 500_000
+FOLLOWED_AGAIN = 10
+"""Calls are followed over so many characters, and over so many times the length of their file: they may hold others."""
 BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
 
 
@@ -66,6 +69,7 @@ def read_cpp(source: Source) -> CppFile:
     includes: list[Include] = []
     defines: list[Define] = []
     calls: list[Call] = []
+    room = MAX_FOLLOWED + FOLLOWED_AGAIN * len(source.text)
     for token in tokens(source.text):
         if token.kind == "directive":
             if token.word == "include":
@@ -73,8 +77,10 @@ def read_cpp(source: Source) -> CppFile:
             else:
                 defines += defined(source.text, token)
         elif token.kind == "name":
-            if WANTED.fullmatch(source.text, token.start, token.end):
-                calls += called(source, token)
+            if room > 0 and WANTED.fullmatch(source.text, token.start, token.end):
+                found = list(called(source, token))
+                room -= sum(call.span.end - call.span.start for call in found) if found else MAX_LENGTH
+                calls += found
         elif "::" in source.text[token.start : token.end]:
             calls += initialised(source, token)
     return CppFile(source, tuple(includes), tuple(defines), tuple(calls))

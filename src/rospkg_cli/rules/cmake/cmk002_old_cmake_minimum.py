@@ -13,7 +13,7 @@ from ...ros.distros import Targets
 from ...rule import rule
 
 WANTED = "3.10"
-VERSION = re.compile(r"(?:[\d.]+?\.\.\.)?(\d+)\.(\d+)(?:\.\d+)*")
+VERSION = re.compile(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
 
 
 @rule(

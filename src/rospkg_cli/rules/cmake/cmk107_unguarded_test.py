@@ -53,8 +53,9 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     if not package.ament:
         return
     found = list(unguarded(package))
+    guards = guard(package.cmake.root, [each.call.command for each in found])
     for each in found:
-        edits = guard(package.cmake.root, [other.call.command for other in found], each.call.command)
+        edits = guards.get(id(each.call.command))
         fix = Fix("put it into `if(BUILD_TESTING)`", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.call.path, each.call.command.span, message(each), fix=fix)
 

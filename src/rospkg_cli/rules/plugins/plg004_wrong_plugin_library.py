@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.cmake import add_before, indent_of
+from ...edits.cmake import add_before
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -114,7 +114,7 @@ def fixed(libraries: PluginLibraries, wrong: WrongLibrary) -> Fix | None:
     before = next(iter(libraries.cmake.named("ament_package", "ament_auto_package")), None)
     if wrong.fault == "absent" and before is not None and before.path == root.path and not before.inside:
         places = ("ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin")
-        lines = "".join(f"\n{indent_of(root)}{place}" for place in places)
+        lines = "".join(f"\n{root.indent}{place}" for place in places)
         edit = add_before(root, before.command, f"install(TARGETS {wrong.meant}{lines}\n)")
         return Fix(f"install `{wrong.meant}`", (edit,))
     return None
