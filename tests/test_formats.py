@@ -12,6 +12,7 @@ import pytest
 from junitparser import JUnitXml
 
 from rospkg_cli.report import FORMATS, Report, render
+from rospkg_cli.report.fingerprint import fingerprints
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
 
@@ -132,3 +133,13 @@ def test_text_fits_80_columns_and_underlines_the_spot(report: Report) -> None:
 def test_the_sample_is_what_it_says(report: Report) -> None:
     assert [f.code for f in report.results.findings] == ["XML104"]
     assert [f.suppressed for f in report.results.suppressed] == ["it will come"]
+
+
+def test_equal_findings_have_fingerprints_of_their_own(clean) -> None:
+    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    [finding] = lint_files({**clean, "package.xml": text}, ["XML104"]).findings
+    report = Report(lint_files(clean), Path("/ws"), Path("/ws"))
+    (_, alone), *_ = fingerprints(report, [finding])
+    marks = [mark for _, mark in fingerprints(report, [finding, finding, finding])]
+    assert marks[0] == alone
+    assert len(set(marks)) == 3

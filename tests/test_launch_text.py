@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.model.launch.substitution import SubstitutionError, parse_text
+from rospkg_cli.model.launch.substitution import MAX_DEPTH, SubstitutionError, parse_text
 from rospkg_cli.model.launch.text import LaunchText, Literal
 from rospkg_cli.model.written import Written
 from rospkg_cli.source import Span
@@ -85,3 +85,19 @@ def test_any_text_is_read_or_refused_and_the_spans_tile_it(text: str) -> None:
         assert 0 <= at <= len(text)
     else:
         assert "".join(text[p.span.start : p.span.end] for p in found.parts) == text
+
+
+def nested(times: int) -> str:
+    return "$(a " * times + "x" + ")" * times
+
+
+def test_substitutions_inside_of_each_other_have_a_bound() -> None:
+    deepest = MAX_DEPTH + 1
+    found = plain(parse(nested(deepest)))
+    for _ in range(deepest):
+        [[name, found]] = found
+        assert name == "a"
+    assert found == ["x"]
+    for times in (deepest + 1, 5000):
+        with pytest.raises(SubstitutionError, match="inside of each other"):
+            parse(nested(times))

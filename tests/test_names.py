@@ -11,7 +11,7 @@ from rospkg_cli.ros.aliases import key_for_apt, key_for_pip, keys_for_cmake, suc
 from rospkg_cli.ros.distros import DISTROS, Targets, distro
 from rospkg_cli.ros.imports import NO_PYTHON, may_serve, serving
 from rospkg_cli.ros.index import Index, dump
-from rospkg_cli.ros.likely import likely
+from rospkg_cli.ros.likely import MOST, likely, slips
 from rospkg_cli.ros.names import BUILT_IN, FetchedNames, Known
 from rospkg_cli.ros.rosdep import installer, merged, pip_names
 from rospkg_cli.ros.table import rows
@@ -179,6 +179,22 @@ def test_a_name_in_ubuntu_with_several_keys_means_none() -> None:
 )
 def test_what_is_likely_meant(name: str, meant: str | None) -> None:
     assert likely(name, BUILT_IN, Targets(("jazzy",))) == meant
+
+
+@pytest.mark.parametrize(
+    "word, other, far",
+    [
+        ("robot", "robot", 0),
+        ("robot", "robor", 1),  # of five letters one may be another
+        ("urdf", "urdg", MOST + 1),
+        ("msg", "msgs", 1),  # of three one may be left out
+        ("ms", "msg", MOST + 1),
+        ("navigator", "nabigatos", 2),  # of nine two may be others
+        ("navigate", "nabigats", MOST + 1),
+    ],
+)
+def test_a_slip_wants_a_word_that_is_long_enough(word: str, other: str, far: int) -> None:
+    assert slips(word, other) == slips(other, word) == far
 
 
 def test_only_what_a_target_has_is_meant() -> None:

@@ -140,3 +140,19 @@ def test_names_that_launch_fills_in_are_left_alone() -> None:
 def test_broken_yaml_with_parameters_is_unreadable() -> None:
     files = {**BACKDROPS["config"], "config/robot.yaml": BLOCK + "    a: [1\n"}
     assert [finding.code for finding in lint_files(files, ["RPK001", "PRM004"]).findings] == ["RPK001"]
+
+
+@pytest.mark.parametrize(
+    "text, says",
+    [
+        ("1e-9", "a text for PyYAML, which launch files read it with: write `1.0e-9`"),
+        ("089", "`089` is no whole number any more, because of the zero before it: write `89`"),
+        ("010", "`010` is octal, that is 8, because of the zero before it: write `10`"),
+        ("1_000", "is a text for rcl, and a number for PyYAML: write `1000`"),
+        ("089.5", ""),
+        ("0", ""),
+    ],
+)
+def test_numbers_that_two_readers_take_differently(text: str, says: str) -> None:
+    found = [each.message for each in ambiguous_numbers(read(f"{BLOCK}    a: {text}\n"))]
+    assert (says in found[0]) if says else not found

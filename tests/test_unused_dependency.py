@@ -105,3 +105,8 @@ def test_a_python_library_that_nothing_imports(clean) -> None:
 def test_a_package_of_cmake_without_code_gathers_on_purpose() -> None:
     body = manifest("  <depend>nav_msgs</depend>\n", "ament_cmake")
     assert lint_files({**CPP, "package.xml": body}, ["DEP202"]).findings == ()
+
+
+def test_python_that_cannot_be_read_may_use_anything(clean) -> None:
+    assert names(clean, "<depend>nav_msgs</depend>", **{"my_pkg__broken.py": "import nav_msgs.msg\ndef (\n"}) == []
+    assert names(clean, "<depend>nav_msgs</depend>", **{"my_pkg__broken.py": "def (\n"}) == []

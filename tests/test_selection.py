@@ -1,0 +1,61 @@
+"""What wins where two things that the user said of one rule differ."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.config import find_config
+from rospkg_cli.engine.judge import Judge
+from rospkg_cli.engine.selection import Selection
+from rospkg_cli.finding import Finding, Severity
+from rospkg_cli.testing import lint_files
+
+
+@pytest.fixture
+def finding(clean) -> Finding:
+    files = {**clean, "package.xml": clean["package.xml"].replace("Drives my robot", "TODO")}
+    [found] = lint_files(files, ["XML104"]).findings
+    return found
+
+
+@pytest.mark.parametrize(
+    "select, ignore, runs",
+    [
+        ("XML104", "XML104", False),
+        ("XML104", "placeholder-metadata", False),
+        ("XML104", "XML1", True),
+        ("XML1", "XML104", False),
+        ("XML", "XML1", False),
+        ("XML1", "XML", False),
+        ("SET", "", False),
+    ],
+)
+def test_a_rule_named_in_full_is_ignored_first_and_selected_next(select: str, ignore: str, runs: bool) -> None:
+    codes = Selection(select=(select,), ignore=(ignore,) if ignore else ()).codes()
+    assert ("XML104" in codes) is runs
+
+
+def level(finding: Finding, folder: Path, *sections: str) -> Severity:
+    (folder / "rospkg.toml").write_text("".join(f"[{each}]\nXML104 = {value}\n" for each, value in pairs(sections)))
+    return Judge(find_config(folder), folder).judge(finding).severity
+
+
+def pairs(sections: tuple[str, ...]) -> list[tuple[str, str]]:
+    return [(name, f'"{value}"') for name, _, value in (each.rpartition(" ") for each in sections)]
+
+
+def test_of_two_severities_for_a_path_the_later_holds(finding: Finding, tmp_path: Path) -> None:
+    loud, mild = 'per-path."*.xml".severity error', 'per-path."package.xml".severity info'
+    assert level(finding, tmp_path, loud, mild) is Severity.INFO
+    assert level(finding, tmp_path, mild, loud) is Severity.ERROR
+
+
+def test_a_severity_for_a_path_holds_over_that_for_a_package_and_both_over_that_for_all(
+    finding: Finding, tmp_path: Path
+) -> None:
+    path, package = 'per-path."*.xml".severity error', 'per-package."my_*".severity info'
+    assert level(finding, tmp_path, path, package) is Severity.ERROR
+    assert level(finding, tmp_path, "severity error", package) is Severity.INFO
+    assert level(finding, tmp_path, "severity error") is Severity.ERROR
