@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -14,8 +15,10 @@ from test_lint_command import rospkg
 
 from rospkg_cli.engine import shard
 from rospkg_cli.engine.fix import repair
+from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.engine.stamp import rule_by_code
+from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety
 from rospkg_cli.model.manifest import Manifest
 from rospkg_cli.source import Span
@@ -123,3 +126,96 @@ def test_diff_shows_and_writes_nothing(packages: Path) -> None:
     assert done.stdout.count("\n-  <!-- rospkg: ignore[RPK001] never needed -->") == 3
     assert "+++ b/b/package.xml" in done.stdout
     assert manifests(packages) == before
+
+
+def test_a_fix_that_shows_a_broken_file_for_the_first_time(clean) -> None:
+    """The new `__init__.py` makes a module readable that was broken all along: nobody's fix broke it."""
+    files = {
+        **clean,
+        "setup.py": clean["setup.py"].replace("packages=find_packages(exclude=['test'])", "packages=find_packages()"),
+        "my_pkg/sub/y.py": "def main():\n    pass\n",
+        "my_pkg/sub/x.py": "def main(:\n",
+    }
+    setup = files["setup.py"].replace("    zip_safe", f"    {scripts('y = my_pkg.sub.y:main')}\n    zip_safe")
+    tree = MemoryTree.of({**files, "setup.py": setup})
+    session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), EVERYTHING.codes())
+    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    assert "my_pkg/sub/__init__.py" in outcome.changes
+    assert [f.place.path for f in outcome.results.findings if f.code == "RPK001"] == ["my_pkg/sub/x.py"]
+
+
+def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clean, monkeypatch) -> None:
+    def grows(manifest: Manifest) -> Iterator[Hit]:
+        end = manifest.root.open.end
+        fix = Fix("Grow", (Edit(manifest.path, Span(end, end), "\n"),))
+        yield Hit(manifest.path, manifest.root.open, f"bad at {len(manifest.source.text)}", fix=fix)
+
+    real = rule_by_code
+    monkeypatch.setattr(
+        shard, "rule_by_code", lambda code: replace(real(code), check=grows) if code == "XML104" else real(code)
+    )
+    tree = MemoryTree.of({**clean, "package.xml": clean["package.xml"].replace("  <export>", NEEDLESS)})
+    session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))
+    outcome = repair(session, (Safety.SAFE,))
+    assert [(f.code, why) for f, why in outcome.refused] == [
+        ("XML104", "it wants the same again after each repair; please report this")
+    ]
+    entry = outcome.changes["package.xml"]
+    assert entry is not None
+    assert entry.text.text == clean["package.xml"]
+
+
+def test_what_a_killed_run_left_is_taken_away_by_the_next(packages: Path) -> None:
+    over = subprocess.Popen([sys.executable, "-c", ""])
+    over.wait()
+    (packages / f"a/.package.xml.{over.pid}-x7.rospkg-tmp").write_text("half")
+    (packages / f"a/.package.xml.{os.getpid()}-x8.rospkg-tmp").write_text("of a process that lives")
+    assert rospkg("lint", "--select", "RPK", cwd=packages).returncode == 1
+    assert len(list(packages.rglob("*.rospkg-tmp"))) == 2
+    assert rospkg(*FIX, cwd=packages).returncode == 0
+    assert [path.name for path in packages.rglob("*.rospkg-tmp")] == [f".package.xml.{os.getpid()}-x8.rospkg-tmp"]
+
+
+def test_eight_at_once_do_what_one_does(packages: Path) -> None:
+    before = manifests(packages)
+    command = [sys.executable, "-m", "rospkg_cli", *FIX]
+    running = [
+        subprocess.Popen(command, cwd=packages, stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(8)
+    ]
+    statuses = {process.wait() for process in running if process.communicate() or True}
+    assert statuses <= {0, 2}
+    assert manifests(packages) == {n: t.replace(NEEDLESS.encode(), b"  <export>") for n, t in before.items()}
+
+
+@pytest.mark.parametrize("moment", ["fsync", "chmod", "replace", "unlink", "mkstemp"])
+def test_killed_at_any_moment_old_or_new(packages: Path, moment: str) -> None:
+    before = manifests(packages)
+    code = (
+        "import os, pathlib, signal, sys, tempfile; done = []\n"
+        f"owner = {{'fsync': os, 'mkstemp': tempfile}}.get({moment!r}, pathlib.Path)\n"
+        f"real = getattr(owner, {moment!r})\n"
+        "def dies(*given, **named):\n"
+        "    done.append(given)\n"
+        "    if len(done) == 2: os.kill(os.getpid(), signal.SIGKILL)\n"
+        "    return real(*given, **named)\n"
+        f"setattr(owner, {moment!r}, dies)\n"
+        f"sys.argv = ['rospkg', *{FIX!r}]\n"
+        "from rospkg_cli.__main__ import main; sys.exit(main())"
+    )
+    subprocess.run([sys.executable, "-c", code], cwd=packages, capture_output=True)
+    fixed = {name: text.replace(NEEDLESS.encode(), b"  <export>") for name, text in before.items()}
+    after = {name: text for name, text in manifests(packages).items() if not name.endswith(".rospkg-tmp")}
+    assert after.keys() == before.keys()
+    assert all(text in (before[name], fixed[name]) for name, text in after.items())
+    assert rospkg(*FIX, cwd=packages).returncode == 0
+    assert manifests(packages) == fixed
+
+
+def test_a_file_that_can_t_be_written_does_not_stop_the_others(packages: Path) -> None:
+    before = manifests(packages)
+    (packages / "a/package.xml").chmod(0o444)
+    done = rospkg(*FIX, cwd=packages)
+    assert done.returncode == 2
+    assert "`a/package.xml` can't be written: the file is read-only; 2 others written" in done.stderr
+    after = manifests(packages)
+    assert [name for name in before if after[name] == before[name]] == ["a/package.xml"]

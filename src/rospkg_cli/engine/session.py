@@ -147,7 +147,8 @@ class Session:
     def with_crashes(self, results: Results, crashes: Sequence[RuleCrash]) -> Results:
         """Return the results with faults of ours that befell what came after the rules, each once."""
         told = one_each(crashes)
-        findings = sorted((*results.findings, *self.report(None, told)), key=lambda f: f.sort_key)
+        said = [replace(finding, package=each.package) for each in told for finding in self.report(None, [each])]
+        findings = sorted((*results.findings, *said), key=lambda f: f.sort_key)
         return replace(results, findings=tuple(findings), crashes=(*results.crashes, *told))
 
     def stamper(self, workspace: Workspace) -> Stamper:
