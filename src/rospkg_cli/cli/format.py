@@ -8,15 +8,18 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
 from ..config import find_config
+from ..disk import DiskTree
 from ..engine.apply import Changes, edited
 from ..engine.locate import locate
 from ..engine.write import write_changes
 from ..format import format_edits
+from ..here import absolute, here
 from ..model.files import PackageFiles
 from ..model.unreadable import Unreadable, UnreadableError
-from ..tree import DiskTree
+from ..visible import visible
 from . import UsageError
 from .diff import unified
+from .streams import say
 
 
 def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = False) -> int:
@@ -31,17 +34,17 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
         names = ", ".join(f"`{path}`" for path in paths)
         why = f": {located.hidden}" if located.hidden else ""
         raise UsageError(f"there is no package.xml under {names}{why}; give the path of a package or a workspace")
-    tree = DiskTree(located.root)
+    tree = DiskTree(located.root, located.scope.folders)
     changes, broken = changes_of(tree, sorted(located.scope.given))
     for path, unreadable in broken.items():
-        print(f"rospkg: {relative(located.root / path)}: {unreadable.message}; it is left alone", file=sys.stderr)
+        say(f"{relative(located.root / path)}: {unreadable.message}; it is left alone")
     if diff:
         sys.stdout.writelines(unified(tree, changes))
     elif not check:
-        write_changes(located.root, tree, changes)
+        write_changes(located.root, tree, changes, tree.fence)
     verb = "would be formatted" if check or diff else "formatted"
     for path in sorted(changes):
-        print(f"{verb}: {relative(located.root / path)}", file=sys.stderr if diff else sys.stdout)
+        print(f"{verb}: {visible(relative(located.root / path))}", file=sys.stderr if diff else sys.stdout)
     left = len(located.scope.given) - len(changes) - len(broken)
     print(f"{len(changes)} {verb}, {left} in order already", file=sys.stderr)
     return 1 if broken or (changes and (check or diff)) else 0
@@ -64,10 +67,10 @@ def changes_of(tree: DiskTree, folders: Sequence[str]) -> tuple[Changes, dict[st
 
 
 def common_folder(paths: Sequence[Path]) -> Path:
-    common = Path(os.path.commonpath([path.resolve() for path in paths]))
+    common = Path(os.path.commonpath([absolute(path) for path in paths]))
     return common if common.is_dir() else common.parent
 
 
 def relative(path: Path) -> str:
     """Return a path as the user would type it from here."""
-    return Path(os.path.relpath(path)).as_posix()
+    return Path(os.path.relpath(path, here())).as_posix()

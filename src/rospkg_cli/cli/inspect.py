@@ -9,16 +9,18 @@ from pathlib import Path
 from typing import IO
 
 from ..config import find_config
+from ..disk import DiskTree
 from ..engine.locate import locate
+from ..here import here as stands
 from ..model.files import PackageFiles
-from ..model.inspection import inspect_package
+from ..model.inspection import Inspection, inspect_package
 from ..model.package import Package
 from ..report.installed import render_json, render_text
 from ..report.style import wants_color
 from ..ros.distros import Targets
-from ..tree import DiskTree
 from . import UsageError
 from .lint import nearest_folder
+from .streams import say
 
 
 def inspect(
@@ -41,14 +43,29 @@ def inspect(
         why = f": {located.hidden}" if located.hidden else ""
         names = ", ".join(f"`{path}`" for path in paths)
         raise UsageError(f"there is no package at {names}{why}; give the path of one")
-    tree = DiskTree(located.root)
-    here = Path(os.path.relpath(located.root)).as_posix()
-    inspections = [
-        inspect_package(Package(PackageFiles(tree.sub(folder), folder)), located.scope.name, Targets(tuple(targets)))
-        for folder in sorted(located.scope.given)
-    ]
+    tree = DiskTree(located.root, located.scope.folders)
+    here = Path(os.path.relpath(located.root, stands())).as_posix()
+    chosen = Targets(tuple(targets))
+    found = [inspected(tree, folder, located.scope.name, chosen) for folder in sorted(located.scope.given)]
+    inspections = [each for each in found if each is not None]
     if format == "json":
         render_json(inspections, here, stream)
     else:
         render_text(inspections, here, stream, wants_color(color, stream))
-    return 0
+    return 0 if len(inspections) == len(found) else 3
+
+
+def inspected(tree: DiskTree, folder: str, fallback: str, targets: Targets) -> Inspection | None:
+    """Inspect one package; what we fail on is said, and None is returned, so that the others are shown."""
+    package = Package(PackageFiles(tree.sub(folder), folder))
+    try:
+        found = inspect_package(package, fallback, targets)
+    except Exception as error:
+        failure: str | None = f"{type(error).__name__}: {error}"
+    else:
+        failure = next(iter(package.crashes.values()), "").strip().rpartition("\n")[2]
+    if failure:
+        where = f"`{folder or fallback}`"
+        say(f"{where} can't be inspected, by a fault of ours: {failure}; please report it")
+        return None
+    return found

@@ -14,8 +14,11 @@ from ..engine.fix import Repair, repair
 from ..engine.judge import Judge
 from ..engine.locate import Located, locate
 from ..engine.session import Results, Session
+from ..engine.strays import remove_strays
 from ..engine.write import write_changes, write_text
+from ..fence import Fence
 from ..finding import Safety, Severity
+from ..here import absolute, here
 from ..report import Report
 from ..report.style import wants_color
 from .age import warn_of_age
@@ -24,6 +27,7 @@ from .ignoring import add_ignores
 from .options import LintOptions, make_session, outputs
 from .progress import progress
 from .show import show
+from .streams import say
 
 
 def lint(options: LintOptions) -> int:
@@ -46,15 +50,16 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     report = Report(
         outcome.results,
         located.root,
-        Path.cwd(),
+        here(),
         wants_color(options.color, stream),
         options.verbose,
         0 if options.diff else len(outcome.applied),
     )
     if options.diff:
         stream.writelines(unified(session.tree, outcome.changes))
-    elif outcome.changes:
-        write_changes(located.root, session.tree, outcome.changes)
+    elif options.fix:
+        remove_strays(located.root / folder for folder in located.scope.given)
+        write_changes(located.root, session.tree, outcome.changes, Fence(located.root, located.scope.folders))
     checked = bool(located.scope.given)
     if options.write_baseline and checked:
         return adopt(options.write_baseline, report)
@@ -66,7 +71,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
 
 
 def nearest_folder(paths: Sequence[Path]) -> Path:
-    common = Path(os.path.commonpath([p.resolve() for p in paths]))
+    common = Path(os.path.commonpath([absolute(p) for p in paths]))
     return common if common.is_dir() else common.parent
 
 
@@ -80,7 +85,7 @@ def judge_and_baseline(options: LintOptions, config: Config, located: Located) -
 
 
 def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
-    folder = baseline.resolve().parent
+    folder = absolute(baseline).parent
     return lambda path: Path(os.path.relpath(root / path, folder)).as_posix()
 
 
@@ -93,7 +98,7 @@ def run(options: LintOptions, session: Session, located: Located) -> Repair:
             return Repair(session.run())
         outcome = repair(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
     for finding, why in outcome.refused:
-        print(f"rospkg: the fix of {finding.code} in {finding.place.path} was taken back: {why}", file=sys.stderr)
+        say(f"the fix of {finding.code} in {finding.place.path} was taken back: {why}")
     return outcome
 
 
@@ -101,7 +106,7 @@ def adopt(path: Path, report: Report) -> int:
     """Write the baseline; return the exit status."""
     findings = report.results.findings
     write_text(path, write_baseline(findings, relative_to(path, report.root)))
-    print(f"rospkg: {len(findings)} findings are in `{path}`; lint with --baseline {path}", file=sys.stderr)
+    say(f"{len(findings)} findings are in `{path}`; lint with --baseline {path}")
     return 0
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import sys
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from .. import __version__
 from ..config import Config
+from ..disk import DiskTree
 from ..engine.locate import Located
 from ..engine.plugged import plug_in
 from ..engine.pool import SERIAL_BELOW, ProcessPool
@@ -23,9 +23,9 @@ from ..ros.distros import Targets, fault_of_name
 from ..ros.names import BUILT_IN, Names
 from ..rule import Profile
 from ..suggest import did_you_mean
-from ..tree import DiskTree
 from ..versions import fulfils
 from . import UsageError
+from .streams import say
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def make_session(options: LintOptions, config: Config, located: Located) -> Sess
         preview=options.preview,
     )
     return Session(
-        DiskTree(located.root),
+        DiskTree(located.root, located.scope.folders),
         replace(located.scope, index=known_names()),
         selection.codes(),
         targets(options, config),
@@ -92,7 +92,7 @@ def known_names() -> Names:
     try:
         return names(os.environ)
     except NamesError as error:
-        print(f"rospkg: {error}; until then, what is built in answers", file=sys.stderr)
+        say(f"{error}; until then, what is built in answers")
         return BUILT_IN
 
 
