@@ -174,7 +174,5 @@ class RootStamper(Stamper):
     workspace: Workspace
 
     def stamp(self, rule: Rule[Any], hit: Any) -> Finding:
-        path = hit.path.lstrip("/")
-        around = [f for f in self.workspace.packages if not f.folder or path.startswith(f.folder + "/")]
-        self.package = max(around, key=lambda f: len(f.folder)).name if around else ""
+        self.package = self.workspace.around(hit.path.lstrip("/"))
         return super().stamp(rule, hit)

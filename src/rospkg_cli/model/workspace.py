@@ -49,7 +49,7 @@ class Workspace:
         """The launch files of all packages."""
         return LaunchFiles(each for facts in self.packages for each in facts.launch_summaries)
 
-    @property
+    @cached_property
     def names(self) -> frozenset[str]:
         return frozenset(self._by_name)
 
@@ -59,6 +59,14 @@ class Workspace:
     def at(self, folder: str) -> PackageFacts:
         """Return the facts of the package in a folder; raises KeyError."""
         return self._by_folder[folder]
+
+    def around(self, path: str) -> str:
+        """Return the name of the innermost package that a path of the run lies in; "" for none."""
+        while path:
+            path = path.rpartition("/")[0]
+            if path in self._by_folder:
+                return self._by_folder[path].name
+        return ""
 
     def what(self, name: str, targets: Targets | None = None) -> Known:
         """Return what a name in package.xml stands for; unknown only where nothing else can add it."""

@@ -13,6 +13,7 @@ class ParameterIndex:
 
     def __init__(self, packages: Iterable[PackageFacts]) -> None:
         self.by_last: dict[str, list[tuple[PackageFacts, DeclaredParameter]]] = {}
+        self._counts: dict[frozenset[str], list[tuple[PackageFacts, int]]] = {}
         for facts in packages:
             for each in facts.parameters:
                 self.by_last.setdefault(each.name.rpartition(".")[2], []).append((facts, each))
@@ -25,8 +26,13 @@ class ParameterIndex:
                 found.setdefault(each.path, set()).add(each.name)
         return found
 
-    def counts(self, names: Iterable[str]) -> list[tuple[PackageFacts, int]]:
-        """Return for each package how many of the names it declares."""
+    def counts(self, names: frozenset[str]) -> list[tuple[PackageFacts, int]]:
+        """Return for each package how many of the names it declares, the most first, and by folder among equals."""
+        if names not in self._counts:
+            self._counts[names] = sorted(self.count(names), key=lambda each: (-each[1], each[0].folder))
+        return self._counts[names]
+
+    def count(self, names: Iterable[str]) -> list[tuple[PackageFacts, int]]:
         found: dict[str, tuple[PackageFacts, set[str]]] = {}
         for name in names:
             for facts, each in self.by_last.get(name.rpartition(".")[2], ()):

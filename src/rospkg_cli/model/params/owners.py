@@ -107,7 +107,7 @@ class PackageParameters:
                 if is_its_own(each.name):
                     parts.setdefault(each.name.rpartition(".")[0].partition(".")[0], []).append(each)
             for prefix, parameters in parts.items():
-                owners = self.owners(index, {each.name for each in parameters})
+                owners = self.owners(index, frozenset(each.name for each in parameters))
                 if owners:
                     yield Group(file, block, prefix, tuple(parameters), tuple(owners))
 
@@ -119,13 +119,13 @@ class PackageParameters:
         index = self.workspace.parameters
         for file in self.files:
             for block in file.blocks:
-                names = {each.name for each in block.parameters if is_its_own(each.name)}
+                names = frozenset(each.name for each in block.parameters if is_its_own(each.name))
                 counts = index.counts(names)
                 own = max((count for facts, count in counts if facts.folder == self.package.folder), default=0)
                 for facts, count in counts:
-                    for path, needed in (
-                        index.required(facts).items() if count >= max(ALMOST * len(names), own + 1) else ()
-                    ):
+                    if count < max(ALMOST * len(names), own + 1):
+                        break  # the most come first
+                    for path, needed in index.required(facts).items():
                         given = needed & names
                         shipped = [each for each in facts.given_parameters if len(each & needed) >= MOST * len(needed)]
                         missing = needed.intersection(*shipped) - names if shipped else set()
@@ -156,10 +156,12 @@ class PackageParameters:
     def is_declared(self, read: DeclaredParameter) -> bool:
         return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
 
-    def owners(self, index: ParameterIndex, names: set[str]) -> list[PackageFacts]:
+    def owners(self, index: ParameterIndex, names: frozenset[str]) -> list[PackageFacts]:
         """Return the packages that declare most of the names; of a single name only the own package is believed."""
         found = []
         for facts, count in index.counts(names):
+            if count < ENOUGH * len(names):
+                break
             least = 1 if facts.folder == self.package.folder and len(names) < 3 else 2
             if count >= max(ENOUGH * len(names), least):
                 found.append(facts)
