@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
+from typing import Any
 
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.template import template_names
@@ -101,7 +102,7 @@ def request(chance: random.Random) -> Request:
 def some_interfaces(asked: Request, chance: random.Random) -> Request:
     forms = {"msgs": 1, "srvs": 2, "actions": 3}
     form = chance.choice(tuple(forms))
-    found = tuple(interface(chance, forms[form]) for _ in range(chance.randint(1, 3)))
+    found: Any = tuple(interface(chance, forms[form]) for _ in range(chance.randint(1, 3)))
     return replace(asked, template="interfaces", launch="", **{form: found})
 
 
@@ -119,7 +120,8 @@ def some_nodes(asked: Request, chance: random.Random) -> Request:
 
 def one_word(asked: Request, chance: random.Random) -> Request:
     field = chance.choice(("license", "version", "distro", "launch", "tests", "email", "template", "email"))
-    return replace(asked, **{field: text(chance) if field != "email" else f"{text(chance)}@{text(chance)}"})
+    word: Any = text(chance) if field != "email" else f"{text(chance)}@{text(chance)}"
+    return replace(asked, **{field: word})
 
 
 def described(asked: Request, chance: random.Random) -> Request:

@@ -79,7 +79,7 @@ class Builder:
     def __init__(self) -> None:
         import yaml
 
-        self.scalars = yaml.SafeLoader("")
+        self.scalars: Any = yaml.SafeLoader("")
         self.open: list[Open] = []
         self.anchored: dict[str, tuple[Any, int]] = {}
         self.count = 0

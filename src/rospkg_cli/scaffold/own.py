@@ -10,12 +10,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from jinja2 import TemplateError
-
 from . import OwnFaultError, ScaffoldError
+from .bounds import MAX_FILES, bounded
+from .faults import faults_of
 from .kinds import LANGUAGES, all_kinds
+from .sources import check_source
 from .template import Template, read_template
-from .told import UnescapedError
 
 ADDRESS = re.compile(r"(https|ssh|git|file)://.+|[\w.-]+@[\w.-]+:.+")
 """What git clones from; `#BRANCH` behind it chooses one."""
@@ -32,12 +32,12 @@ def own_template(asked: str) -> Iterator[Template]:
     folder = Path(asked).expanduser()
     if folder.is_dir():
         template = checked(folder, asked)
-        with faults_of(asked):
+        with faults_of(asked, template), bounded():
             yield template
     elif ADDRESS.fullmatch(asked):
         with tempfile.TemporaryDirectory(prefix="rospkg-template-") as place:
             template = checked(clone(asked, Path(place)), asked)
-            with faults_of(asked):
+            with faults_of(asked, template), bounded():
                 yield template
     else:
         raise ScaffoldError(f"`{asked}` is neither a folder nor the address of a git repository")
@@ -72,15 +72,19 @@ def clone(asked: str, place: Path) -> Path:
 
 def checked(folder: Path, asked: str) -> Template:
     """Read a template and check what it says of nodes; raises ScaffoldError."""
+    folder = folder.resolve()
     try:
-        template = read_template(folder.resolve())
+        check_source(folder / "template.toml", folder)
+        template = read_template(folder)
         for problem in problems_of(template):
             raise ValueError(problem)
     except OSError as error:
         raise ScaffoldError(f"the template `{asked}` has no template.toml: {error.strerror or error}") from error
     except KeyError as error:
         raise ScaffoldError(f"the template.toml of `{asked}` lacks the key {error}") from error
-    except (TypeError, ValueError) as error:
+    except OwnFaultError as error:
+        raise ScaffoldError(f"the template `{asked}`: {error}") from error
+    except (AttributeError, RecursionError, TypeError, ValueError) as error:
         raise ScaffoldError(f"the template.toml of `{asked}` is wrong: {error}") from error
     return template
 
@@ -90,21 +94,9 @@ def problems_of(template: Template) -> Iterator[str]:
         for name in named:
             if name not in known:
                 yield f"there is no {what} of nodes `{name}`; known: {', '.join(known)}"
+    if len(template.files) > MAX_FILES:
+        yield f"it lists {len(template.files)} files; at most {MAX_FILES} are written"
     if bool(template.kinds) != bool(template.languages):
         yield "`kinds` and `languages` of nodes come together"
     if template.build_type not in ("ament_python", "ament_cmake"):
         yield f"the build-type is ament_python or ament_cmake, not `{template.build_type}`"
-
-
-@contextmanager
-def faults_of(asked: str) -> Iterator[None]:
-    """Say of which template a fault is, in one sentence."""
-    try:
-        yield
-    except TemplateError as error:
-        place = f"{getattr(error, 'name', None) or 'template.toml'} line {getattr(error, 'lineno', None) or 1}"
-        raise ScaffoldError(f"the template `{asked}`, {place}: {error.message or type(error).__name__}") from error
-    except (UnescapedError, OwnFaultError) as error:
-        raise ScaffoldError(f"the template `{asked}`: {error}") from error
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        raise ScaffoldError(f"the template `{asked}` fails: {type(error).__name__}: {error}") from error

@@ -7,15 +7,22 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from jinja2.sandbox import SandboxedEnvironment
+from jinja2 import Environment, StrictUndefined
 
 from ..tree import Entry
 from . import ScaffoldError
 from .answers import Answers
+from .bounds import MAX_FILES, BoundedEnvironment, text_of
+from .faults import in_value
 from .known import known_values
+from .sources import SourceLoader
 from .template import Template, TemplateFile
 from .told import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
+
+LONGEST_NAME = 200
+"""Bytes of a file's name; most disks take 255, and a temporary name is longer."""
+
+DEEPEST = 20
 
 
 @dataclass(frozen=True)
@@ -36,6 +43,8 @@ def render(template: Template, answers: Answers) -> tuple[Written, ...]:
     for file in template.files:
         for extra in items(environment, file, values):
             one = render_file(environment, file, {**values, **extra}, bracketed if file.brackets else environment)
+            if len(files) >= MAX_FILES:
+                raise ScaffoldError(f"the template would write more than {MAX_FILES} files")
             if one.path in files:
                 raise ScaffoldError(f"two files would have the name `{one.path}`; choose other names for the nodes")
             files[one.path] = one
@@ -46,31 +55,54 @@ def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) 
     """Yield what a file knows beside the answers, once for each time that it is written."""
     singular = file.each.rpartition("_")[2].removesuffix("s")
     for extra in [{singular: item} for item in values[file.each]] if file.each else [{}]:
-        if not file.when or environment.compile_expression(file.when)(**values, **extra):
+        with in_value(file.when):
+            wanted = not file.when or holds(environment, file.when, {**values, **extra})
+        if wanted:
             yield extra
 
 
 def render_file(
     environment: Environment, file: TemplateFile, values: dict[str, Any], of_source: Environment
 ) -> Written:
-    source = environment.from_string(file.source).render(values)
-    text = of_source.get_template(source + ".j2").render(values)
-    path = inside(environment.from_string(file.path).render(values))
-    about = environment.from_string(file.about).render(values)
+    source = rendered(environment, file.source, values)
+    text = text_of(of_source, "", values, source + ".j2")
+    path = inside(rendered(environment, file.path, values))
+    about = rendered(environment, file.about, values)
     mode = 0o755 if text.startswith("#!") else 0o644
     return Written(path, Entry("file", text.encode(), mode), about)
 
 
+def holds(environment: Environment, condition: str, values: dict[str, Any]) -> bool:
+    return bool(environment.compile_expression(condition, undefined_to_none=False)(**values))
+
+
+def rendered(environment: Environment, value: str, values: dict[str, Any]) -> str:
+    """Return a value of template.toml with its answers filled in; raises ScaffoldError for what is no line of text."""
+    with in_value(value):
+        line = text_of(environment, value, values)
+    if not line.isprintable():
+        raise ScaffoldError(f"the template has {line!a} where a line of text is wanted")
+    return line
+
+
 def inside(path: str) -> str:
     """Return a path; raises ScaffoldError where it leads out of the package, or into what git keeps there."""
-    if not path or path.startswith("/") or {"", ".", "..", ".git"} & set(path.split("/")) or "\\" in path:
+    parts = path.split("/")
+    if {"", ".", ".."} & set(parts) or any(map(is_of_git, parts)) or set(path) & set('\\:*?"<>|'):
         raise ScaffoldError(f"the template would write `{path}`, which is no path inside of the package")
+    if max(len(part.encode()) for part in parts) > LONGEST_NAME or len(parts) > DEEPEST:
+        raise ScaffoldError(f"the template would write `{path}`, which is too long for a path")
     return path
+
+
+def is_of_git(name: str) -> bool:
+    """Return whether a disk that ignores case, or dots and blanks at the end, takes a name for `.git`."""
+    return name.rstrip(". ").casefold() in (".git", "git~1")
 
 
 def render_line(template: Template, line: str, answers: Answers) -> str:
     """Return a line of template.toml with its answers filled in."""
-    return make_environment(template).from_string(line).render(known_values(answers))
+    return rendered(make_environment(template), line, known_values(answers))
 
 
 BRACKETS: dict[str, Any] = {
@@ -85,9 +117,9 @@ BRACKETS: dict[str, Any] = {
 
 @cache
 def make_environment(template: Template, brackets: bool = False) -> Environment:
-    environment = SandboxedEnvironment(  # a template may be a stranger's
+    environment = BoundedEnvironment(  # a template may be a stranger's
         **(BRACKETS if brackets else {}),
-        loader=FileSystemLoader([str(folder) for folder in template.folders]),
+        loader=SourceLoader([str(folder) for folder in template.folders]),
         undefined=StrictUndefined,
         autoescape=False,  # each text names the language of its file; see `told`
         finalize=escaped_only,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,19 @@ if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
+
+
+HEAD = {
+    **dict.fromkeys(("title", "build-type", "description"), str),
+    **dict.fromkeys(("kinds", "languages", "commands", "files"), list),
+    **dict.fromkeys(("starts", "interfaces"), bool),
+}
+"""What template.toml may hold at its top."""
+
+ROW = {**dict.fromkeys(("source", "path", "about", "each", "when"), str), "brackets": bool}
+"""What it may say of a file."""
+
+WORDS = {str: "a string", list: "a list of strings", bool: "true or false"}
 
 
 @dataclass(frozen=True)
@@ -76,9 +89,23 @@ def load_template(name: str) -> Template:
     return read_template(resources("templates") / name)
 
 
+def check_types(data: Any, wanted: Mapping[str, type]) -> None:
+    """Raise TypeError for a value of another type than is wanted; lists are of texts, but for that of the files."""
+    if not isinstance(data, dict):
+        raise TypeError("`files` wants tables: [[files]]")
+    for key, value in data.items():
+        kind = wanted.get(key, object)
+        texts = value if kind is list and key != "files" and isinstance(value, list) else ()
+        if not isinstance(value, kind) or not all(isinstance(text, str) for text in texts):
+            raise TypeError(f"`{key}` wants {WORDS[kind]}")
+
+
 def read_template(folder: Path) -> Template:
     """Read a template; raises OSError, and ValueError, KeyError or TypeError where its template.toml is wrong."""
     data = tomllib.loads((folder / "template.toml").read_text("utf-8"))
+    check_types(data, HEAD)
+    for row in data.get("files", ()):
+        check_types(row, ROW)
     return Template(
         name=folder.name,
         title=data["title"],
