@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
+from planned import plan
+from test_lint_command import rospkg
 from working_trees import PUT, folders_of
 
 from rospkg_cli.disk import DiskTree
@@ -12,6 +15,9 @@ from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, present
 from rospkg_cli.rule import Rule, all_rules
+from rospkg_cli.scaffold.template import template_names
+
+CORPUS = Path(__file__).parent / "corpus"
 
 BACKDROP = [name for name in BACKDROPS if name]
 HELD = {"config": {"config/notes.txt": "What is installed must be there\n"}}
@@ -45,7 +51,69 @@ def test_every_good_example_stays_good(tmp_path: Path, write, rule: Rule) -> Non
         if not (package / "package.xml").is_file():
             continue
         before = findings(package)
-        for folder in folders_of(package):
-            for put in PUT.values():
-                put(folder)
+        put_everything(package)
         assert findings(package) == before
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in CORPUS.iterdir() if path.is_dir()))
+def test_the_corpus_says_what_it_said(tmp_path: Path, name: str) -> None:
+    package = tmp_path / "my_pkg"
+    shutil.copytree(CORPUS / name, package)
+    before = findings(package)
+    put_everything(package)
+    assert findings(package) == before
+
+
+@pytest.mark.parametrize("template", template_names())
+def test_what_new_writes_stays_clean(tmp_path: Path, template: str) -> None:
+    package = tmp_path / "my_robot"
+    for file in plan("my_robot", template=template, tests="ament", distro="jazzy").files:
+        target = package / file.path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(file.entry.data)
+        target.chmod(file.entry.mode)
+    assert findings(package) == []
+    put_everything(package)
+    assert findings(package) == []
+
+
+def put_everything(package: Path) -> None:
+    for folder in folders_of(package):
+        for put in PUT.values():
+            put(folder)
+
+
+@pytest.mark.parametrize("layout", ["ros2 pkg create", "ros2 pkg create --node-name"])
+def test_what_ros2_pkg_create_leaves(tmp_path: Path, write, layout: str) -> None:
+    """Its folders are empty until somebody fills them: nothing breaks, whatever is said of its TODOs."""
+    package = write(tmp_path / "foo_pkg", {"package.xml": CREATED, "CMakeLists.txt": CREATED_CMAKE})
+    (package / "src").mkdir()
+    (package / "include/foo_pkg").mkdir(parents=True)
+    if "node" in layout:
+        (package / "src/talker.cpp").write_text("int main() { return 0; }\n")
+    for command in (("lint",), ("lint", "--fix"), ("inspect",)):
+        done = rospkg(*command, cwd=package)
+        assert done.returncode in (0, 1), done.stderr
+        assert "RPK005" not in done.stdout
+
+
+CREATED = """\
+<?xml version="1.0"?>
+<package format="3">
+  <name>foo_pkg</name>
+  <version>0.0.0</version>
+  <description>TODO: Package description</description>
+  <maintainer email="ada@example.org">ada</maintainer>
+  <license>TODO: License declaration</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>
+</package>
+"""
+CREATED_CMAKE = """\
+cmake_minimum_required(VERSION 3.8)
+project(foo_pkg)
+find_package(ament_cmake REQUIRED)
+ament_package()
+"""
