@@ -6,7 +6,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
-from .bounds import Flow
+from .bounds import ITEM, Flow, spend
 from .iteration import items_of
 from .plain import same
 from .statements import Statements
@@ -31,14 +31,17 @@ class Blocks(Statements):
 
     def do_unknown(self, node: ast.stmt, scope: Scope) -> Flow | None:
         """A statement that has no method here: whatever names it binds are unknown from here on."""
+        why = f"{self.shown(self.span(node))} can't be evaluated"
         for each in ast.walk(node):
+            spend(ITEM)
             if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
-                scope.bind(each.id, self.unknown(self.span(each), f"{self.shown(self.span(node))} can't be evaluated"))
+                scope.bind(each.id, self.unknown(self.span(each), why))
         return None
 
     def branch(self, bodies: list[list[ast.stmt]], scope: Scope, why: str) -> Flow:
         """Run alternatives of which one may happen (perhaps none), and join what they leave behind."""
         before, ends, flows = dict(scope.names), [], []
+        spend(len(before) * (len(bodies) + 1))
         for body in bodies:
             scope.names = dict(before)
             with self.under(why):
@@ -57,6 +60,7 @@ class Blocks(Statements):
     def joined(self, ends: list[dict[str, Value]], why: str) -> dict[str, Value]:
         result = dict(ends[0])
         for end in ends[1:]:
+            spend(len(result) * ITEM)
             for name in [*result, *[name for name in end if name not in result]]:
                 result[name] = self.either(result.get(name), end.get(name), why)
         return result
@@ -140,6 +144,7 @@ class Blocks(Statements):
         if raises and node.handlers:
             ends = [] if flow is Flow.RAISE else [scope.names]
             for handler in node.handlers:
+                spend(len(before))
                 scope.names = dict(before)
                 if handler.name:
                     scope.bind(handler.name, self.unknown(self.span(handler), "it depends on what is raised"))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from enum import Enum, auto
 
 MAX_STEPS = 200_000
@@ -15,6 +18,46 @@ MAX_CALLS = 25
 
 class LimitError(Exception):
     """The evaluation takes too long, or something in it grows too large."""
+
+
+STEP = 100
+"""What an expression or a statement costs; a character that is made costs 1, and so all of them have a bound too."""
+
+ITEM = 10
+"""What it costs to look at an item, or to hand it on."""
+
+MAX_COST = MAX_STEPS * STEP
+
+
+class Meter:
+    """What an evaluation has cost so far."""
+
+    def __init__(self) -> None:
+        self.cost = 0
+
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        """Charge this evaluation for what is spent inside."""
+        before = RUNNING.set(self)
+        try:
+            yield
+        finally:
+            RUNNING.reset(before)
+
+
+RUNNING: ContextVar[Meter | None] = ContextVar("RUNNING", default=None)
+
+
+def spend(cost: int) -> None:
+    """Charge the evaluation that runs for what is done or built; raises LimitError where that is too much in all.
+
+    Outside of an evaluation nothing is charged: there each operation has its own bound alone.
+    """
+    meter = RUNNING.get()
+    if meter is not None:
+        meter.cost = min(meter.cost + cost, MAX_COST + 1)
+        if meter.cost > MAX_COST:
+            raise LimitError(f"it takes more than {MAX_STEPS:,} steps, or builds more than {MAX_COST:,} characters")
 
 
 class Flow(Enum):

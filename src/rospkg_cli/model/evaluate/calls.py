@@ -90,6 +90,7 @@ class Calls(Containers):
                 rest = self.unknown(
                     self.span(each), getattr(value, "why", f"{self.shown(self.span(each))} can't be told")
                 )
+            self.tick(len(items or ()))
             found += [Argument("", item, self.span(each)) for item in items or () if not many(item)]
         for keyword in node.keywords:
             value = self.evaluate(keyword.value, scope)
@@ -105,6 +106,7 @@ class Calls(Containers):
         return tuple(found), rest
 
     def apply(self, function: Value, arguments: list[Value], span: Span) -> Value:
+        self.tick()
         name = function.name if isinstance(function, Symbol | Function) else ""
         call = Call(span, name, tuple(Argument("", value, span) for value in arguments), None, self.certain)
         found = self.known_call(function, None, call)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from .bounds import ITEM, spend
 from .dict_methods import set_item
 from .expressions import Expressions
 from .iteration import items_of, many
@@ -53,6 +54,7 @@ class Containers(Expressions):
             if key is not None:
                 set_item(self, result, self.evaluate(key, scope), value, self.span(key))
             elif isinstance(value, Mapping):
+                spend(len(value.items) * ITEM)
                 result.items.update(value.items)
                 result.rest += value.rest
             else:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ...source import Span
+from .bounds import ITEM, spend
 from .list_methods import unfollowed
 from .machine import Machine
 from .plain import NotPlainError, plain
@@ -26,6 +27,7 @@ def get(machine: Machine, value: MappingValue, call: Call) -> Value | None:
 
 
 def views(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+    spend(len(value.items) * ITEM)
     match call.callee:
         case "keys":
             found: list[Value] = [key for key, _ in value.items.values()]
@@ -89,6 +91,7 @@ def pop_key(machine: Machine, value: MappingValue, call: Call) -> Value | None:
 
 
 def copied_dict(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+    spend(len(value.items) * ITEM)
     return replace(value, items=dict(value.items), rest=list(value.rest), born=len(machine.conditions))
 
 

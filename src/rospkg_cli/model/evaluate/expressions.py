@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Any
 
 from ...source import Span
-from .bounds import MAX_TEXT, LimitError
 from .formatting import in_format
 from .machine import Machine
 from .methods import attribute
@@ -21,7 +20,6 @@ from .values import (
     Class,
     Constant,
     Scope,
-    Sequence,
     Symbol,
     Text,
     Unknown,
@@ -118,10 +116,6 @@ class Expressions(Machine):
         left, right = self.evaluate(node.left, scope), self.evaluate(node.right, scope)
         self.made_of(node, left, right)
         found = binary(type(node.op), left, right, self.span(node))
-        if isinstance(found, Text) and len(found.text) > MAX_TEXT:
-            raise LimitError(f"a text of more than {MAX_TEXT} characters")
-        if isinstance(found, Sequence):
-            self.tick(len(found.items))
         return self.otherwise(found, node, left, right)
 
     def on_UnaryOp(self, node: ast.UnaryOp, scope: Scope) -> Value:

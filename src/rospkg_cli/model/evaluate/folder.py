@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Literal
 
 from ..files import PackageFiles
+from .bounds import ITEM, STEP, spend
 
 ROOT = "/<package>"
 """The absolute path of the package in evaluated texts."""
@@ -18,6 +19,9 @@ MAGIC = re.compile(r"[*?\[]")
 
 MAX_DEPTH = 100
 """How many folders deep a search for modules or a `**` goes."""
+
+MAX_PATH = 4096
+"""Characters: no system takes a path of more."""
 
 Kind = Literal["file", "dir", "unknown"]
 
@@ -58,12 +62,17 @@ class Folder:
         """Return what stands at a path inside the package; None for nothing; raises OutsideError below a link."""
         if not path:
             return "dir"
+        if len(path) > MAX_PATH:
+            raise OutsideError("the path is longer than any that a system takes")
         head, _, name = path.rpartition("/")
-        if head not in self.children:
-            if head and self.kind(head) == "unknown":
-                raise OutsideError(f"`{head}` is a link to a folder")
-            return None
-        return self.children[head].get(name)
+        if head in self.children:
+            return self.children[head].get(name)
+        while head and head not in self.children:
+            link = head
+            head, _, name = head.rpartition("/")
+            if self.children.get(head, {}).get(name) == "unknown":
+                raise OutsideError(f"`{link}` is a link to a folder")
+        return None
 
     def may_hold_modules(self, path: str) -> bool:
         """Return whether what is not known at a path may be a package of Python: a link to a folder without is none."""
@@ -73,7 +82,9 @@ class Folder:
         """Return the names in a folder, sorted; none where there is no such folder; raises OutsideError at a link."""
         if self.kind(path) == "unknown":
             raise OutsideError(f"`{path}` is a link to a folder")
-        return sorted(self.children.get(path, {}))
+        names = self.children.get(path, {})
+        spend(STEP + len(names) * ITEM)
+        return sorted(names)
 
     def walk(self, path: str) -> Iterator[tuple[str, list[str], list[str]]]:
         """Yield folder, names of folders and names of files, from the top, as os.walk does."""
@@ -81,18 +92,22 @@ class Folder:
         while waiting:
             path = waiting.pop()
             names = self.children.get(path, {})
+            spend(STEP + len(names) * ITEM)
             folders = sorted(name for name, kind in names.items() if kind == "dir")
             yield path, folders, sorted(name for name, kind in names.items() if kind != "dir")
             waiting += [posixpath.join(path, name) for name in reversed(folders)]
 
     def glob(self, pattern: str, *, recursive: bool = False, cwd: str = ROOT) -> list[str]:
         """Return what glob.glob returns, sorted; raises OutsideError."""
+        if len(pattern) > MAX_PATH or pattern.count("/") > MAX_DEPTH:
+            raise OutsideError("the pattern is longer than any path")
         if not MAGIC.search(pattern):
             return [pattern] if self.there(pattern, cwd) else []
         head, name = posixpath.split(pattern)
         heads = self.glob(head, recursive=recursive, cwd=cwd) if MAGIC.search(head) else [head]
         found: list[str] = []
-        for each in heads:
+        for each in dict.fromkeys(heads):
+            spend(STEP)
             inside = self.inside(each or ".", cwd)
             if recursive and name == "**":
                 found += self.below(each, inside)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from string import Formatter
 
 from ...source import Span
+from .bounds import STEP, spend
 from .plain import NotPlainError, join, plain
 from .values import Constant, Joined, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
@@ -17,6 +18,8 @@ PERCENT = re.compile(
 )
 WIDE = re.compile(r"\d{4}|\*")
 """A width that could make a text of any size."""
+
+CONVERSIONS: Mapping[str, Callable[[object], str]] = {"a": ascii, "r": repr, "s": str}
 
 FIELD = re.compile(r"(?P<name>\w*)(?P<path>.*)", re.DOTALL)
 
@@ -29,35 +32,41 @@ def as_text(value: Value, span: Span) -> Value:
         case Joined():
             return replace(value, path=False)
         case Constant():
-            return Text(span, str(value.value))
+            return spelled(str, value, span)
         case Sequence() | MappingValue():
-            try:
-                return Text(span, str(plain(value)))
-            except NotPlainError:
-                return Unknown(span, "a part of it can't be evaluated")
+            return spelled(str, value, span)
     return value
+
+
+def spelled(function: Callable[[object], str], value: Value, span: Span) -> Value:
+    """Return what a function makes of a known value; numbers of many thousand digits have no text."""
+    try:
+        text = function(plain(value))
+    except NotPlainError:
+        return Unknown(span, "a part of it can't be evaluated")
+    except (ValueError, TypeError, KeyError, ArithmeticError):
+        return Unknown(span, "its format can't be evaluated")
+    spend(len(text))
+    return Text(span, text)
 
 
 def in_format(value: Value, spec: str, conversion: str, span: Span) -> Value:
     """Return a replacement field's text."""
     if not spec and conversion in ("", "s"):
         return as_text(value, span)
-    try:
-        known = plain(value)
-        if conversion:
-            known = ascii(known) if conversion == "a" else repr(known) if conversion == "r" else str(known)
-        if WIDE.search(spec):
-            raise NotPlainError
-        return Text(span, format(known, spec))
-    except (NotPlainError, ValueError, TypeError, KeyError):
+    if WIDE.search(spec):
         return Unknown(span, "its format can't be evaluated")
+    convert = CONVERSIONS.get(conversion)
+    return spelled(lambda known: format(convert(known) if convert else known, spec), value, span)
 
 
 def percent(left: str, right: Value, span: Span) -> Value | None:
     """Return `left % right`, or None where Python would raise."""
     arguments = list(right.items) if isinstance(right, Sequence) and right.kind == "tuple" else [right]
+    arguments.reverse()
     parts: list[Value] = []
     at = 0
+    spend(len(left) + len(arguments))
     for match in PERCENT.finditer(left):
         parts.append(Text(span, left[at : match.start()]))
         at = match.end()
@@ -67,7 +76,7 @@ def percent(left: str, right: Value, span: Span) -> Value | None:
         if match["key"] is not None:
             value = right.get(match["key"]) if isinstance(right, MappingValue) and not right.rest else None
         else:
-            value = arguments.pop(0) if arguments else None
+            value = arguments.pop() if arguments else None
         if value is None:
             return None
         parts.append(converted(match, value, span))
@@ -79,22 +88,20 @@ def percent(left: str, right: Value, span: Span) -> Value | None:
 def converted(match: re.Match[str], value: Value, span: Span) -> Value:
     if match["type"] == "s" and not (match["flags"] or match["width"] or match["precision"]):
         return as_text(value, span)
-    try:
-        if WIDE.search(match["width"] + (match["precision"] or "")):
-            raise NotPlainError
-        known = plain(value)
-        form = match.group().replace(f"({match['key']})", "") if match["key"] is not None else match.group()
-        return Text(span, form % (known,))
-    except (NotPlainError, ValueError, TypeError):
+    if WIDE.search(match["width"] + (match["precision"] or "")):
         return Unknown(span, "its format can't be evaluated")
+    form = match.group().replace(f"({match['key']})", "") if match["key"] is not None else match.group()
+    return spelled(lambda known: form % (known,), value, span)
 
 
 def braces(text: str, positional: list[Value], named: Callable[[str], Value | None], span: Span) -> Value | None:
     """Return `text.format(…)`, or None where Python would raise or the fields are more than names."""
     parts: list[Value] = []
     count = 0
+    spend(len(text))
     try:
         for literal, field, spec, conversion in Formatter().parse(text):
+            spend(STEP)
             parts.append(Text(span, literal))
             if field is None:
                 continue

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+from collections import deque
+from functools import cached_property
 
 from ...source import Span
 from .blocks import Blocks
-from .bounds import MAX_CALLS, Flow
+from .bounds import ITEM, MAX_CALLS, Flow, spend
 from .dict_methods import set_item
 from .plain import same
 from .values import Argument, Call, Class, Constant, Function, Mapping, Scope, Sequence, Text, Value
@@ -16,6 +18,11 @@ class Functions(Blocks):
     """Binds and runs functions."""
 
     depth = 0
+
+    @cached_property
+    def generators(self) -> dict[int, bool]:
+        """By the `id` of a function's node, whether it yields."""
+        return {}
 
     def do_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope) -> None:
         function = Function(self.span(node), node.name, node, scope, self.defaults(node.args, scope))
@@ -40,7 +47,7 @@ class Functions(Blocks):
         try:
             if isinstance(function.node, ast.Lambda):
                 return self.evaluate(function.node.body, scope)
-            if any(isinstance(each, ast.Yield | ast.YieldFrom) for each in ast.walk(function.node)):
+            if self.is_generator(function.node):
                 scope.yields = Sequence(call.span, "list", born=len(self.conditions))
             flow = self.execute(function.node.body, scope)
         finally:
@@ -51,6 +58,12 @@ class Functions(Blocks):
             scope.returns.append(Constant(call.span, None))
         return self.returned(function, scope.returns, call.span)
 
+    def is_generator(self, node: ast.AST) -> bool:
+        """Return whether a `yield` stands in a function; each is looked through once."""
+        if id(node) not in self.generators:
+            self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in ast.walk(node))
+        return self.generators[id(node)]
+
     def returned(self, function: Function, returns: list[Value], span: Span) -> Value:
         if not returns:
             return self.unknown(span, f"`{function.name}` raises")
@@ -60,12 +73,14 @@ class Functions(Blocks):
 
     def bind(self, function: Function, call: Call, scope: Scope) -> None:
         """Give the parameters their values."""
-        arguments, left = function.node.args, list(call.positional)
+        arguments, left = function.node.args, deque(call.positional)
         named = {argument.name: argument for argument in call.arguments if argument.name}
+        keywords = set(map(id, arguments.kwonlyargs))
+        spend(len(call.arguments) * ITEM)
         for parameter in [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]:
-            keyword_only = parameter in arguments.kwonlyargs
+            keyword_only = id(parameter) in keywords
             if left and not keyword_only:
-                value: Value = left.pop(0)
+                value: Value = left.popleft()
             elif parameter.arg in named:
                 value = named.pop(parameter.arg).value
             elif parameter.arg in function.defaults and call.rest is None:
@@ -74,7 +89,7 @@ class Functions(Blocks):
                 value = self.unknown(call.span, f"`{parameter.arg}` is not given")
             scope.names[parameter.arg] = value
         if arguments.vararg:
-            scope.names[arguments.vararg.arg] = self.gathered(left, call)
+            scope.names[arguments.vararg.arg] = self.gathered(list(left), call)
         if arguments.kwarg:
             scope.names[arguments.kwarg.arg] = self.gathered_names(list(named.values()), call)
 

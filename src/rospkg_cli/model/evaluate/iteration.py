@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..unreadable import UnreadableError
+from .bounds import ITEM, spend
 from .machine import Intrinsic, Machine
 from .plain import NotPlainError, lift, plain
 from .values import Call, Opened, Sequence, Text, Unknown, Value
@@ -16,8 +17,10 @@ def items_of(machine: Machine, value: Value) -> list[Value] | None:
     """Return what a loop over a value sees; None where nothing of it is known."""
     match value:
         case Sequence():
+            spend(len(value.items) * ITEM)
             return list(value.items)
         case MappingValue():
+            spend(len(value.items) * ITEM)
             rest = [machine.unknown(value.span, each.why, many=True) for each in value.rest[:1]]
             return [key for key, _ in value.items.values()] + rest
         case Text() if not value.path:
@@ -25,7 +28,9 @@ def items_of(machine: Machine, value: Value) -> list[Value] | None:
             return [Text(value.span, char) for char in value.text]
         case Opened():
             left = read_rest(machine, value)
-            return None if left is None else [Text(value.span, line) for line in left.splitlines(keepends=True)]
+            lines = [] if left is None else left.splitlines(keepends=True)
+            machine.tick(len(lines))
+            return None if left is None else [Text(value.span, line) for line in lines]
     return None
 
 

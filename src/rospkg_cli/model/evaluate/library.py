@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from .formatting import as_text, in_format
 from .iteration import pure
@@ -12,6 +13,8 @@ from .picking import ITERATION
 from .truth import truth
 from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
 from .values import Mapping as MappingValue
+
+MAX_DIGITS = 1_000
 
 TYPES: Mapping[str, type | tuple[type, ...]] = {
     "str": str, "int": int, "float": float, "bool": bool, "list": list, "tuple": tuple, "dict": dict, "set": set,
@@ -51,6 +54,20 @@ def is_instance(machine: Machine, call: Call) -> Value | None:
     return Constant(call.span, bool(own & names)) if len(names) == len(wanted) else None
 
 
+def as_int(value: Any = 0, base: Any = None) -> int:
+    """int(); raises ValueError for texts that no interpreter should be given: the time is quadratic in their length."""
+    if isinstance(value, str | bytes) and len(value) > MAX_DIGITS:
+        raise ValueError
+    return int(value) if base is None else int(value, base)
+
+
+def rounded(number: Any, digits: Any = None) -> Any:
+    """round(); raises ValueError for so many digits that the power of ten would not end."""
+    if digits is not None and abs(digits) > MAX_DIGITS:
+        raise ValueError
+    return round(number, digits)
+
+
 def nothing(machine: Machine, call: Call) -> Value | None:
     return Constant(call.span, None)
 
@@ -78,10 +95,10 @@ LIBRARY: Mapping[str, Intrinsic] = {
     "str": as_str,
     "bool": as_bool,
     "repr": represented,
-    "int": pure(int),
+    "int": pure(as_int),
     "float": pure(float),
     "abs": pure(abs),
-    "round": pure(round),
+    "round": pure(rounded),
     "ord": pure(ord),
     "chr": pure(chr),
     "isinstance": is_instance,

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+from .bounds import ITEM, MAX_ITEMS, spend
 from .iteration import items_of
 from .machine import Machine
 from .plain import NotPlainError, plain
@@ -43,8 +44,9 @@ def extend_by(machine: Machine, value: Sequence, source: Value | None, call: Cal
 
 def insert(machine: Machine, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0] if len(call.positional) == 2 else None
-    if not isinstance(at, Constant) or not isinstance(at.value, int):
+    if not isinstance(at, Constant) or not isinstance(at.value, int) or abs(at.value) > MAX_ITEMS:
         return unfollowed(machine, value, call)
+    spend(len(value.items))
     machine.put(value, call.positional[1], call.arguments[1].span)
     item, place = value.items.pop(), value.places.pop()
     value.items.insert(at.value, item)
@@ -56,6 +58,7 @@ def remove(machine: Machine, value: Sequence, call: Call) -> Value | None:
     """list.remove and set.discard: for certain only where the item is there."""
     wanted = call.positional[0] if call.positional else None
     for index, item in enumerate(value.items):
+        spend(2 * ITEM)
         verdict = compared(ast.Eq, item, wanted) if wanted is not None else None
         if verdict and len(machine.conditions) <= value.born:
             del value.items[index], value.places[index]
@@ -84,11 +87,13 @@ def cleared(machine: Machine, value: Sequence, call: Call) -> Value | None:
 
 
 def copied(machine: Machine, value: Sequence, call: Call) -> Value | None:
+    spend(len(value.items) * ITEM)
     return replace(value, items=list(value.items), places=list(value.places), born=len(machine.conditions))
 
 
 def reordered(machine: Machine, value: Sequence, call: Call) -> Value | None:
     """sort and reverse: what uses a setup.py or a launch file hardly ever looks at the order."""
+    spend(len(value.items))
     if call.callee == "reverse":
         value.items.reverse()
         value.places.reverse()
@@ -106,6 +111,7 @@ def counted(machine: Machine, value: Sequence, call: Call) -> Value | None:
 def add(machine: Machine, value: Sequence, call: Call) -> Value | None:
     """set.add."""
     wanted = call.positional[0] if call.positional else None
+    spend(len(value.items) * 2 * ITEM)
     if wanted is not None and not any(compared(ast.Eq, item, wanted) for item in value.items):
         machine.put(value, wanted, call.arguments[0].span)
     return Constant(call.span, None)

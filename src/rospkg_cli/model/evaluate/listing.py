@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .bounds import MAX_ITEMS, LimitError
+from .bounds import ITEM, MAX_ITEMS, LimitError, spend
 from .iteration import items_of, many
 from .machine import Intrinsic, Machine
 from .plain import NotPlainError, plain
@@ -45,6 +45,7 @@ def as_dict(machine: Machine, call: Call) -> Value | None:
     result = MappingValue(call.span, born=len(machine.conditions))
     source = call.positional[0] if call.positional else None
     if isinstance(source, MappingValue):
+        spend(len(source.items) * ITEM)
         result.items.update(source.items)
         result.rest += source.rest
     elif source is not None:
@@ -65,11 +66,12 @@ def as_range(machine: Machine, call: Call) -> Value | None:
     try:
         bounds = [value for value in map(plain, call.positional) if isinstance(value, int)]
         numbers = range(*bounds)
-    except (NotPlainError, TypeError, ValueError):
+        count = len(numbers)
+    except (NotPlainError, TypeError, ValueError, OverflowError):
         return None
     if len(bounds) != len(call.positional):
         return None
-    if len(numbers) > MAX_ITEMS:
+    if count > MAX_ITEMS:
         raise LimitError(f"a range of more than {MAX_ITEMS} numbers")
     return machine.new_list(call.span, [Constant(call.span, number) for number in numbers])
 

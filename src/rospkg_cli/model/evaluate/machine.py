@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from ...source import Span
 from ..syntax import Node, Syntax
-from .bounds import MAX_ITEMS, MAX_STEPS, LimitError
+from .bounds import MAX_ITEMS, STEP, LimitError, Meter, spend
 from .folder import ROOT, Folder
 from .values import Call, Function, Globbed, Sequence, Unknown, Value
 from .values import Mapping as MappingValue
@@ -17,13 +17,17 @@ Intrinsic = Callable[["Machine", Call], "Value | None"]
 """A function that the evaluator knows; it returns None to leave the call alone."""
 
 
+MAX_SHOWN = 1_000
+"""Characters of the file that are looked at to show the first 60 of them."""
+
+
 class Machine(ABC):
     def __init__(self, file: Syntax, folder: Folder, library: Mapping[str, Intrinsic]) -> None:
         self.file = file
         self.folder = folder
         self.library = library
         self.cwd = ROOT
-        self.steps = 0
+        self.meter = Meter()
         self.calls: list[Call] = []
         """Every call that was left alone, in order."""
         self.globs: list[Globbed] = []
@@ -35,9 +39,13 @@ class Machine(ABC):
         """The span for all nodes inside an f-string, where older parsers count wrongly."""
 
     def tick(self, steps: int = 1) -> None:
-        self.steps += steps
-        if self.steps > MAX_STEPS:
-            raise LimitError(f"more than {MAX_STEPS} steps")
+        """Charge for steps; raises LimitError where there were too many."""
+        spend(steps * STEP)
+
+    @property
+    def steps(self) -> int:
+        """How many steps were taken, or what was built instead of them."""
+        return self.meter.cost // STEP
 
     def span(self, node: Node) -> Span:
         return self.fixed or self.file.span(node)
@@ -61,8 +69,9 @@ class Machine(ABC):
 
     def shown(self, span: Span) -> str:
         """Return the text at a span in one short line, in backticks."""
-        text = " ".join(self.file.source.slice(span).split())
-        return f"`{text}`" if len(text) <= 60 else f"`{text[:57]}…`"
+        begin = Span(span.start, min(span.end, span.start + MAX_SHOWN))
+        text = " ".join(self.file.source.slice(begin).split())
+        return f"`{text}`" if len(text) <= 60 and begin == span else f"`{text[:57]}…`"
 
     def new_list(self, span: Span, items: list[Value]) -> Sequence:
         """Return a list that was computed, not written."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from dataclasses import replace
 
-from .bounds import MAX_TEXT
+from .bounds import MAX_TEXT, STEP, spend
 from .dict_methods import DICTS
 from .folder import OutsideError
 from .formatting import as_text, braces
@@ -24,6 +24,11 @@ NONE_OF_THEM = frozenset({"zfill", "ljust", "rjust", "center", "expandtabs", "tr
 PURE = (
     frozenset(name for name in dir(str) if not name.startswith("_")) - NONE_OF_THEM - {"join", "format", "format_map"}
 )
+
+
+SEARCHES = frozenset({"rfind", "rindex", "rsplit", "rpartition", "strip", "lstrip", "rstrip"})
+MAX_SEARCH = 10_000_000
+"""Methods of str that take the time of the product of both lengths, and the bound of that."""
 
 
 def method(machine: Machine, value: Value, call: Call) -> Value | None:
@@ -61,6 +66,10 @@ def text_method(machine: Machine, value: Text, call: Call) -> Value | None:
     if call.callee not in PURE:
         return None
     if call.callee == "replace" and not fits(value.text, call):
+        return None
+    if call.callee in SEARCHES and any(
+        isinstance(given, Text) and len(given.text) * len(value.text) > MAX_SEARCH for given in call.positional
+    ):
         return None
     machine.tick(1 + len(value.text) // 100)
     return pure(getattr(value.text, call.callee))(machine, call)
@@ -109,6 +118,8 @@ def path_method(machine: Machine, value: Text, call: Call) -> Value | None:
             return as_text(value, call.span)
         case "joinpath":
             return path_join([value, *call.positional], call.span, path=True)
+        case "with_suffix" | "with_name" if isinstance(first, Text) and len(value.text) + len(first.text) > MAX_TEXT:
+            return None
         case "with_suffix" if isinstance(first, Text):
             return Text(call.span, posixpath.splitext(value.text)[0] + first.text, path=True)
         case "with_name" if isinstance(first, Text):
@@ -163,6 +174,7 @@ def attribute(value: Value, name: str, call: Call) -> Value | None:
 def ancestors(path: str) -> list[str]:
     found = []
     while posixpath.dirname(path) != path and path not in ("", "."):
+        spend(len(path) + STEP)
         path = posixpath.dirname(path)
         found.append(path or ".")
     return found

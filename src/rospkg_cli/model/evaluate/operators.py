@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...source import Span
-from .bounds import MAX_ITEMS, MAX_TEXT
+from .bounds import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
 from .formatting import percent
 from .plain import NotPlainError, join, lift, plain
 from .values import (
@@ -51,6 +51,7 @@ def binary(kind: type, left: Value, right: Value, span: Span) -> Value | None:
     if kind is ast.Mult and isinstance(left, Sequence | Text):
         return repeated(left, right, span)
     if kind is ast.BitOr and isinstance(left, Mapping) and isinstance(right, Mapping):
+        spend((len(left.items) + len(right.items)) * ITEM)
         return Mapping(span, left.items | right.items, left.rest + right.rest)
     return computed(kind, left, right, span)
 
@@ -59,15 +60,16 @@ def computed(kind: type, left: Value, right: Value, span: Span) -> Value | None:
     """Return the result over numbers or sets."""
     try:
         a, b = plain(left), plain(right)
-        if kind not in ARITHMETIC or isinstance(a, str | list | tuple) or not (small(a) and small(b)):
+        if kind not in ARITHMETIC or not (is_small(a) and is_small(b)):
             return None
         return lift(ARITHMETIC[kind](a, b), span)
     except (NotPlainError, TypeError, ValueError, ArithmeticError):
         return None
 
 
-def small(number: object) -> bool:
-    return not isinstance(number, int | float) or abs(number) < LARGE
+def is_small(operand: object) -> bool:
+    """Return whether an operator of this cannot make anything large of it: numbers within bounds, and sets."""
+    return isinstance(operand, set) or (isinstance(operand, int | float) and abs(operand) < LARGE)
 
 
 def concatenated(left: Value, right: Value, span: Span) -> Value | None:
@@ -77,8 +79,7 @@ def concatenated(left: Value, right: Value, span: Span) -> Value | None:
     if not any(textual) or isinstance(left, Constant) or isinstance(right, Constant):
         return None
     if all(textual) or isinstance(left if textual[1] else right, Call | Unknown | Attribute | Symbol):
-        found = join([left, right], span)
-        return None if isinstance(found, Text) and len(found.text) > MAX_TEXT else found
+        return join([left, right], span)
     return None
 
 
@@ -89,6 +90,7 @@ def chained(left: Value, right: Value, span: Span) -> Value | None:
         if isinstance(side, Sequence) and side.kind == result.kind:
             if len(result.items) + len(side.items) > MAX_ITEMS:
                 return None
+            spend(len(side.items) * STEP)
             result.items += side.items
             result.places += side.places
         elif isinstance(side, Unknown | Call | Attribute | Symbol):
@@ -104,9 +106,13 @@ def repeated(left: Sequence | Text, right: Value, span: Span) -> Value | None:
     if not isinstance(times, int) or times < 0:
         return None
     if isinstance(left, Text):
-        return Text(span, left.text * times) if len(left.text) * times <= MAX_TEXT else None
+        if len(left.text) * times > MAX_TEXT:
+            return None
+        spend(len(left.text) * times)
+        return Text(span, left.text * times)
     if len(left.items) * times > MAX_ITEMS:
         return None
+    spend(len(left.items) * times * STEP)
     return Sequence(span, left.kind, left.items * times, left.places * times)
 
 
@@ -122,8 +128,11 @@ def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | 
     if path and len(parts) == 2 and isinstance(parts[0], Joined) and isinstance(parts[1], Call):
         return join([parts[0], Text(span, "/"), parts[1]], span, path=True)
     texts = [part.text for part in parts[1:] if isinstance(part, Text)]
-    if not parts or len(texts) != len(parts) - 1:
+    size = sum(map(len, texts), len(texts)) + (len(parts[0].text) if parts and isinstance(parts[0], Text) else 0)
+    spend(len(parts) * ITEM)
+    if not parts or len(texts) != len(parts) - 1 or size > MAX_TEXT:
         return None
+    spend(size)
     first = parts[0]
     if isinstance(first, Text):
         found = posixpath.join(first.text, *texts)
@@ -155,6 +164,7 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
     try:
         if isinstance(value, Sequence) and value.kind != "set":
             before = value.items[: at + 1] if at >= 0 else value.items[at:]
+            spend(len(before))
             return None if any(isinstance(i, Unknown) and i.many for i in before) else value.items[at]
         return Text(span, value.text[at]) if isinstance(value, Text) else None
     except IndexError:
@@ -163,7 +173,10 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
 
 def sliced(value: Value, bounds: slice, span: Span) -> Value | None:
     if isinstance(value, Text) and not value.path:
-        return Text(span, value.text[bounds])
+        part = value.text[bounds]
+        spend(len(part))
+        return Text(span, part)
     if isinstance(value, Sequence) and value.kind != "set" and value.complete:
+        spend(len(value.items) * ITEM)
         return replace(value, span=span, items=value.items[bounds], places=value.places[bounds], display=False)
     return None

@@ -12,6 +12,7 @@ from .atoms import Globbed as Globbed
 from .atoms import Opened as Opened
 from .atoms import Symbol as Symbol
 from .atoms import Text as Text
+from .bounds import spend
 
 if TYPE_CHECKING:
     import ast
@@ -51,6 +52,7 @@ class Sequence:
 
     @property
     def complete(self) -> bool:
+        spend(len(self.items) * 4)
         return not any(isinstance(item, Unknown) and item.many for item in self.items)
 
     def add(self, item: Value, place: Span) -> None:
