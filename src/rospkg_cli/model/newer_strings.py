@@ -100,9 +100,7 @@ def formatted_end(text: str, at: int, quote: str, raw: bool, level: int) -> int:
             return at + len(quote)
         if char == "{" and not text.startswith("{{", at):
             at = field_end(text, at + 1, quote, level + 1)
-        elif char == "}" and not text.startswith("}}", at):
-            raise NotNewerError
-        elif char in "\r\n" and len(quote) == 1:
+        elif (char == "}" and not text.startswith("}}", at)) or (char in "\r\n" and len(quote) == 1):
             raise NotNewerError
         else:
             at = escape_end(text, at, raw) if char == "\\" else at + (2 if char in "{}" else 1)

@@ -10,6 +10,7 @@ import re
 import sys
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 
 from .newer_strings import NotNewerError, can_be_parsed, tokens_of
 
@@ -126,7 +127,7 @@ class Older:
             return
         end = self.closing(start)
         cuts = [start, *self.top_level(start + 1, end, ","), end]
-        parts = ["".join(self.tokens[a + 1 : b]) for a, b in zip(cuts, cuts[1:], strict=False)]
+        parts = ["".join(self.tokens[a + 1 : b]) for a, b in pairwise(cuts)]
         if len(parts) > 1 and not parts[-1].strip():
             parts.pop()
         for part in parts:

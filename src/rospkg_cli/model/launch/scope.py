@@ -14,6 +14,7 @@ from ..facts import PackageFacts
 from ..files import PackageFiles
 from ..install import InstallTable
 from ..near_files import meant_file
+from ..unreadable import UnreadableError
 from ..uses.roles import role_of
 from ..workspace import Workspace
 from .file import LaunchFile
@@ -63,7 +64,10 @@ class LaunchScope:
     @property
     def left_over(self) -> bool:
         """Whether the file is one for ROS 1 that a package for ROS 2 alone installs."""
-        manifest = self.files.source("package.xml").text if self.files.exists("package.xml") else ""
+        try:
+            manifest = self.files.source("package.xml").text
+        except UnreadableError:
+            return False
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
         return self.file.ros1 and bool(self.places) and alone
 

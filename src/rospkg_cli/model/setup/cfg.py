@@ -14,6 +14,9 @@ from .said import Said
 
 SECTION = re.compile(r"\[(?P<name>.+)\]")
 OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
+APART = re.compile(r"\S[^\S\n]{200,}\S")
+"""What keeps OPTION, and configparser's own pattern, busy for the square of its length."""
+
 COMMENTS = ("#", ";")
 
 COMMANDS = frozenset(
@@ -95,6 +98,9 @@ def parse_setup_cfg(source: Source) -> SetupCfg:
 
 def refuse(source: Source) -> None:
     """Raise UnreadableError at the line that configparser complains about."""
+    if apart := APART.search(source.text):
+        why = f"`{source.path}` is skipped: it has a line with more than 200 blanks in a row; take them out"
+        raise UnreadableError(source.path, Span(*apart.span()), why, skipped=True)
     parser = configparser.RawConfigParser()
     parser.optionxform = str  # type: ignore[assignment,method-assign]  # as setuptools sets it
     try:
