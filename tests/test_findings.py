@@ -1,21 +1,28 @@
 """What each rule says: `tests/findings/<CODE>.txt` holds the findings of every example, place, level, sentence, fix.
 
+`tests/cases/` has more cases, for sentences and levels that the examples, which users read, need not show.
+
 `pytest tests/test_findings.py --update-golden` writes them anew; read their diff before it is committed.
 """
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from rospkg_cli.example import Example
 from rospkg_cli.finding import Finding, Place
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.testing import lint_files
 
 FINDINGS = Path(__file__).parent / "findings"
 SHOWN = [pytest.param(rule, id=rule.code) for rule in all_rules() if rule.examples]
+MORE: dict[str, tuple[Example, ...]] = {}
+for path in sorted((Path(__file__).parent / "cases").glob("*.py")):
+    MORE |= importlib.import_module(f"cases.{path.stem}").CASES
 NEEDS_OTHERS = {"RPK002", "RPK003"}
 """These judge suppressions of other rules, so those have to run as well."""
 
@@ -23,11 +30,13 @@ NEEDS_OTHERS = {"RPK002", "RPK003"}
 def findings(rule: Rule) -> str:
     """Return a block for each example, one line a finding; its fix and related places are indented below it."""
     codes = None if rule.code in NEEDS_OTHERS else [rule.code]
+    named = [(f"example {number}", example) for number, example in enumerate(rule.examples)]
+    named += [(f"case {number}", case) for number, case in enumerate(MORE.get(rule.code, ()))]
     blocks = []
-    for number, example in enumerate(rule.examples):
+    for name, example in named:
         found = lint_files(example.bad_files(), codes, example.targets).findings
         lines = [line for finding in found if finding.code == rule.code for line in described(finding)]
-        blocks.append("\n".join([f"example {number}", *lines, ""]))
+        blocks.append("\n".join([name, *lines, ""]))
     return "\n".join(blocks)
 
 
@@ -61,3 +70,7 @@ def test_what_a_rule_says(rule: Rule, pytestconfig: pytest.Config) -> None:
 
 def test_each_rule_has_its_findings_and_no_file_is_left_over() -> None:
     assert {path.name for path in FINDINGS.iterdir()} == {f"{rule.code}.txt" for rule in all_rules() if rule.examples}
+
+
+def test_each_case_is_of_a_rule() -> None:
+    assert MORE.keys() <= {rule.code for rule in all_rules()}

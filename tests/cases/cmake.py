@@ -1,0 +1,69 @@
+"""Sentences about CMakeLists.txt that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.rules.cmake import cmk104_wrong_executable_destination as cmk104
+from rospkg_cli.rules.cmake import cmk105_script_not_executable as cmk105
+from rospkg_cli.rules.cmake import cmk110_unknown_target as cmk110
+
+MAIN = "int main() {return 0;}\n"
+NODE = "#include <rclcpp/rclcpp.hpp>\nint main(int c, char ** v) {rclcpp::init(c, v); rclcpp::spin(nullptr);}\n"
+
+
+BIN = cmk104.BOTH.replace("«", "").replace("»", "")
+
+
+def cmake(lines: str, package: str = "", **files: str) -> Example:
+    """A CMake package with some lines more; `__` in the name of a file is `/`, and one `_` before `hpp` … a dot."""
+    named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    bad = {"CMakeLists.txt": CMAKE.replace("ament_package", lines + "ament_package"), **named}
+    if package:
+        bad["package.xml"] = manifest(package, "ament_cmake")
+    return Example(bad=bad, good={}, on="ament_cmake")
+
+
+LIBRARY = "add_library(core SHARED src/core.cpp)\n"
+EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
+
+CASES = {
+    "CMK006": (cmake("add_executable(talker src/a.cpp)\nadd_library(talker src/a.cpp)\n", src__a_DOT_cpp=MAIN),),
+    "CMK102": (
+        cmake("install(FILES missing.yaml DESTINATION share/${PROJECT_NAME})\n"),
+        cmake("install(FILES LICENCE DESTINATION share/${PROJECT_NAME})\n"),
+        cmake("find_package(pluginlib REQUIRED)\npluginlib_export_plugin_description_file(nav2_core plugns.xml)\n"),
+        cmake("if(SOMETHING_ELSE)\n  add_executable(talker src/a.cpp)\nendif()\n"),
+    ),
+    "CMK103": (
+        cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n{EXPORTED}",
+              src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n"),
+        cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n"
+              "install(TARGETS core DESTINATION lib)\n",
+              src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n"),
+    ),
+    "CMK104": (
+        cmake(BIN, src__talker_DOT_cpp=MAIN, src__core_DOT_cpp="int core();\n"),
+        cmake(f"find_package(rclcpp REQUIRED)\n{BIN}target_link_libraries(talker rclcpp::rclcpp)\n",
+              "  <depend>rclcpp</depend>\n", src__talker_DOT_cpp=NODE, src__core_DOT_cpp="int core();\n"),
+    ),
+    "CMK105": (
+        cmake(cmk105.PROGRAMS.replace("«", "").replace("»", ""), scripts__hello_DOT_py="print('hello')\n"),
+    ),
+    "CMK106": (
+        cmake("ament_export_include_directories(include)\n", include__my_pkg__a_DOT_hpp="#pragma once\n"),
+    ),
+    "CMK110": (
+        cmake("find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n"
+              "ament_export_dependencies(rclcppstd_msgs)\n",
+              "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"),
+        cmake("install(TARGETS nothing DESTINATION lib/${PROJECT_NAME})\n"),
+        cmake("add_executable(talker src/talker.cpp)\ninstall(TARGETS talkr DESTINATION lib/${PROJECT_NAME})\n",
+              src__talker_DOT_cpp=cmk110.SOURCE),
+    ),
+    "CMK111": (
+        cmake("install(FILES LICENSE DESTINATION /usr/share/my_pkg)\n"),
+        cmake("install(FILES LICENSE DESTINATION /opt/ros/humble/share/my_pkg)\n"),
+        cmake("install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_PREFIX}/share/my_pkg)\n"),
+        cmake("install(FILES LICENSE DESTINATION /etc/my_pkg)\n"),
+    ),
+}  # fmt: skip

@@ -1,0 +1,69 @@
+"""Sentences about package.xml that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import Example, manifest
+
+PLAIN = manifest()
+
+
+def with_line(line: str, below: str = "<license>Apache-2.0</license>") -> Example:
+    """A manifest with one more line."""
+    return Example(bad={"package.xml": PLAIN.replace(f"  {below}\n", f"  {below}\n  {line}\n")}, good={})
+
+
+def instead(old: str, new: str) -> Example:
+    """A manifest where something says something else."""
+    assert old in PLAIN
+    return Example(bad={"package.xml": PLAIN.replace(old, new)}, good={})
+
+
+def depend(attributes: str) -> Example:
+    return with_line(f"<depend {attributes}>rclcpp</depend>")
+
+
+PROSE = "You may use, change and pass on this software for whatever you like, as long as you share"
+
+CASES = {
+    "XML001": (
+        with_line("<version>1.0.1</version>"),
+        instead("<license>Apache-2.0</license>", "<license> </license>"),
+        with_line("<member_of_group>My Group</member_of_group>"),
+        with_line("<maintainr>Ada</maintainr>"),
+        with_line("<build_type>ament_python</build_type>"),
+        with_line("stray words"),
+        with_line("<depend>rclpy<b/></depend>"),
+        Example(bad={"package.xml": manifest("  <depend>rclpy</depend>\n").replace('"3"', '"1"')}, good={}),
+    ),
+    "XML003": (instead('format="3"', 'format=" 3 "'), instead('format="3"', 'format="4"')),
+    "XML101": tuple(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
+    "XML103": (
+        instead("1.0.0", "1.02.0"),
+        instead("<version>", '<version compatibility="one">'),
+        instead("<version>", '<version compatibility="1.0.1">'),
+        instead("<version>", '<version compatibility="1.0.0">'),
+    ),
+    "XML104": (
+        instead("Drives my robot", " "),
+        instead("Drives my robot", "The my_pkg package."),
+        instead(">Ada<", ">TODO<"),
+        instead("Apache-2.0", "TODO"),
+    ),
+    "XML106": tuple(instead("Apache-2.0", PROSE[-length:]) for length in (59, 60, 90)),
+    "XML107": (instead("<license>", '<license file="">'), instead("<license>", '<license file="../LICENSE">'),
+               instead("<license>", '<license file="LICENCE">')),
+    "XML204": (
+        depend('condition="$ROS_VERSION &lt; 10"'),
+        depend('condition="$ROS_VERSION &lt; 2"'),
+        depend('condition="$ROS_VERSION == 10"'),
+        depend('condition="ROS_DISTRO == humble"'),
+        depend('condition="$ROS_DISTR == humble"'),
+        depend('condition=""'),
+        depend('condition="$ROS_DISTRO &amp;&amp; humble"'),
+    ),
+    "XML205": (
+        depend('version_gte="1.0" version_gt="1.0" version_lt="2.0"'),
+        depend('version_eq="1.0" version_lt="2.0"'),
+        depend('version_gte="two"'),
+    ),
+}  # fmt: skip

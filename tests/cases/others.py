@@ -1,0 +1,89 @@
+"""Sentences about dependencies, setup.py, interfaces, parameters and robots that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest, setup_py
+from rospkg_cli.rules.depends import dep108_undeclared_interface_package as dep108
+
+NODE = "find_package(rclcpp REQUIRED)\nadd_executable(node src/node.cpp)\n"
+
+
+def python(depends: str, **files: str) -> Example:
+    named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    return Example(bad={"package.xml": manifest(depends), **named}, good={})
+
+
+def interfaces(text: str, depends: str = "") -> Example:
+    body = dep108.TOOLS + depends + dep108.RUNTIME + dep108.GROUP
+    files = {"CMakeLists.txt": dep108.CMAKE_MSG, "msg/Pose.msg": text, "package.xml": manifest(body, "ament_cmake")}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
+def cmake(lines: str, depends: str, **files: str) -> Example:
+    named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    return Example(
+        bad={"CMakeLists.txt": text, "package.xml": manifest(depends, "ament_cmake"), **named},
+        good={},
+        on="ament_cmake",
+    )
+
+
+def installed(entries: str) -> Example:
+    """A Python package whose data_files have more entries."""
+    text = setup_py().replace("['package.xml']),", f"['package.xml']),\n        {entries},")
+    return python("", setup_DOT_py=text, config__a_DOT_yaml="a: 1\n")
+
+
+SHARE = "share/my_pkg/config"
+ROBOT = """\
+<robot name="robot">
+  <link name="base">
+    <visual>
+      <geometry><mesh filename="package://my_pkg/meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+</robot>
+"""
+LAUNCH = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription()
+"""
+DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim', executable='a')\n"
+
+CASES = {
+    "DEP101": (
+        python("", setup_DOT_py="import numpy\n" + setup_py()),
+        python("  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
+    ),
+    "DEP102": (python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),),
+    "DEP103": (
+        python("", launch__a_DOT_launch_DOT_py=LAUNCH),
+        python("", my_pkg__a_DOT_py=DESCRIBED),
+    ),
+    "DEP104": (
+        cmake("find_package(std_msgs REQUIRED)\n", "  <depend>sensor_msgs</depend>\n"),
+        cmake("find_package(ament_cmake_python REQUIRED)\n", ""),
+    ),
+    "DEP108": (
+        interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
+        interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
+    ),
+    "DEP202": (
+        cmake(NODE + "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n",
+              "  <depend>rclcpp</depend>\n  <depend>nav2_bringup</depend>\n", src__node_DOT_cpp="int main() {}\n",
+              launch__a_DOT_launch_DOT_xml="<launch>\n  <node pkg='nav2_bringup' exec='x'/>\n</launch>\n"),
+    ),
+    "IDL004": (
+        interfaces("my_pkg/SetMode mode\n"),
+        Example(bad={"msg/Status.msg": "SetMode mode\n"}, good={}, on="interfaces"),
+    ),
+    "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
+    "SET301": (python("", my_pkg__speech__words_DOT_py="A = 1\n"),),
+    "URD002": (
+        Example(bad={"urdf/robot.urdf": ROBOT, "meshes/bas.stl": "solid base\n"}, good={}, on="ament_cmake"),
+    ),
+}  # fmt: skip

@@ -1,0 +1,54 @@
+"""Sentences about plug-ins that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import Example
+from rospkg_cli.rules.plugins import plg003_unknown_plugin as plg003
+from rospkg_cli.rules.plugins import plg004_wrong_plugin_library as plg004
+from rospkg_cli.rules.plugins import plg005_wrong_plugin_base as plg005
+
+STATIC = plg004.PACKAGE.replace("my_planner SHARED", "my_planner STATIC")
+TWICE = plg004.PACKAGE.replace(
+    "add_library(my_planner SHARED src/planner.cpp)",
+    "add_library(my_planner SHARED src/planner.cpp)\nadd_library(my_other SHARED src/planner.cpp)",
+)
+"""The class is in two libraries, so that it can't be told which one is meant."""
+LOADER = """\
+#include <pluginlib/class_loader.hpp>
+#include <nav2_core/global_planner.hpp>
+int main() {pluginlib::ClassLoader<nav2_core::GlobalPlanner> loader("nav2_coer", "nav2_core::GlobalPlanner");}
+"""
+
+
+def on_cmake(files: dict[str, str], **changed: str) -> Example:
+    named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in changed.items()}
+    return Example(bad={**files, **named}, good={}, on="ament_cmake")
+
+
+def described(path: str, cmake: str = plg004.PACKAGE, source: str = plg004.SOURCE) -> Example:
+    """A plug-in whose description names a library."""
+    text = plg004.XML.replace('"my_planner"', f'"{path}"')
+    return on_cmake(plg004.FILES, CMakeLists_DOT_txt=cmake, plugins_DOT_xml=text, src__planner_DOT_cpp=source)
+
+
+def asked_for(name: str) -> Example:
+    return on_cmake(plg003.FILES, config__nav2_DOT_yaml=plg003.CONFIG.replace("my_pkg/Planner", name))
+
+
+def exported_to(name: str) -> Example:
+    return on_cmake(plg005.FILES, CMakeLists_DOT_txt=plg005.PACKAGE.replace("file(nav2_core", f"file({name}"))
+
+
+CASES = {
+    "PLG003": (asked_for("my_pkg/SomethingElse"), asked_for("my_pkg/Plannr"), asked_for("my_pgk/Planner")),
+    "PLG004": (
+        described("my_planner", STATIC),
+        described("lib/libmy_planner.so", TWICE),
+        described("my_planer", TWICE),
+        described("nothing_alike", TWICE),
+    ),
+    "PLG005": (
+        exported_to("rviz_common"),
+        on_cmake(plg005.FILES, src__planner_DOT_cpp=plg005.FILES["src/planner.cpp"] + LOADER),
+    ),
+}
