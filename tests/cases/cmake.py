@@ -27,6 +27,10 @@ LIBRARY = "add_library(core SHARED src/core.cpp)\n"
 EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
 
 CASES = {
+    "CMK005": (
+        cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
+              src__a_DOT_cpp=MAIN),
+    ),
     "CMK006": (cmake("add_executable(talker src/a.cpp)\nadd_library(talker src/a.cpp)\n", src__a_DOT_cpp=MAIN),),
     "CMK102": (
         cmake("install(FILES missing.yaml DESTINATION share/${PROJECT_NAME})\n"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest
 from rospkg_cli.rules.launch import lch008_undeclared_launch_argument as lch008
 from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
 from rospkg_cli.rules.launch import lch011_unknown_component as lch011
@@ -24,7 +24,35 @@ NOT_ADDED = lch008.BAD_PYTHON.replace("import LogInfo", "import DeclareLaunchArg
     "    return", "    rate = DeclareLaunchArgument('rate')\n    return"
 )
 
+WHERE = "get_package_share_directory('my_pkg') + 'config/a.yaml'"
+NO_SLASH = f"""\
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[{WHERE}])])
+"""
+
+
+def elsewhere(package: str, plugin: str) -> Example:
+    """Two packages: the launch file of one asks for a component that is in the other, or in none."""
+    other = {f"other/{path}": text for path, text in lch011.FILES.items() if not path.startswith("launch")}
+    text = other["other/CMakeLists.txt"]
+    other["other/CMakeLists.txt"] = text.replace("install(DIRECTORY launch", "install(FILES LICENSE")
+    other["other/LICENSE"] = "Apache License\n"
+    needed = manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake", "my_user")
+    cmake = CMAKE.replace("my_pkg", "my_user").replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+    )
+    text = lch011.BAD.replace("«my_pkg::Taker»", plugin).replace('pkg="my_pkg"', f'pkg="{package}"')
+    user = {"user/package.xml": needed, "user/CMakeLists.txt": cmake, "user/launch/a.launch.xml": text}
+    return Example(bad={**other, **user}, good={}, on="")
+
+
 CASES = {
+    "LCH003": (Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: NO_SLASH}, good={}),),
     "LCH008": (python(NOT_ADDED),),
     "LCH009": (
         Example(
@@ -36,7 +64,11 @@ CASES = {
             good={},
         ),
     ),
-    "LCH011": (component("other::Camera"), component("my_pkg::Listener")),
+    "LCH011": (
+        component("other::Camera"),
+        component("my_pkg::Listener"),
+        elsewhere("my_user", "my_pkg::Talker"),
+    ),
     "LCH013": (
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "LogInof(msg='x')")),
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "something_else")),

@@ -82,6 +82,7 @@ CASES = {
         Example(bad={"msg/Status.msg": "SetMode mode\n"}, good={}, on="interfaces"),
     ),
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
+    "SET209": (installed("('share/my_pkg/xml', ['package.xml'])"),),
     "SET301": (python("", my_pkg__speech__words_DOT_py="A = 1\n"),),
     "URD002": (
         Example(bad={"urdf/robot.urdf": ROBOT, "meshes/bas.stl": "solid base\n"}, good={}, on="ament_cmake"),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import CMAKE, Example
 from rospkg_cli.rules.plugins import plg003_unknown_plugin as plg003
 from rospkg_cli.rules.plugins import plg004_wrong_plugin_library as plg004
 from rospkg_cli.rules.plugins import plg005_wrong_plugin_base as plg005
+from rospkg_cli.rules.plugins import plg006_unlisted_rqt_plugin as plg006
 
 STATIC = plg004.PACKAGE.replace("my_planner SHARED", "my_planner STATIC")
 TWICE = plg004.PACKAGE.replace(
@@ -39,7 +40,25 @@ def exported_to(name: str) -> Example:
     return on_cmake(plg005.FILES, CMakeLists_DOT_txt=plg005.PACKAGE.replace("file(nav2_core", f"file({name}"))
 
 
+RQT = plg006.XML.replace("«", "").replace("»", "")
+
 CASES = {
+    "PLG006": (
+        Example(
+            bad={
+                "package.xml": plg006.LISTED.replace("ament_python", "ament_cmake"),
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package",
+                    "pluginlib_export_plugin_description_file(rqt_gui plugin.xml)\n"
+                    "pluginlib_export_plugin_description_file(rqt_gui other.xml)\nament_package",
+                ),
+                "plugin.xml": RQT,
+                "other.xml": RQT.replace("Panel", "Other"),
+            },
+            good={},
+            on="ament_cmake",
+        ),
+    ),
     "PLG003": (asked_for("my_pkg/SomethingElse"), asked_for("my_pkg/Plannr"), asked_for("my_pgk/Planner")),
     "PLG004": (
         described("my_planner", STATIC),
