@@ -51,6 +51,19 @@ def test_no_node_is_taken_for_what_pytest_sets_up() -> None:
         plan(nodes=("conftest",))
 
 
+@pytest.mark.parametrize("message", ["signed_msgs/None", "class/Talk", "int/Talk"])
+@pytest.mark.parametrize("template", ["ament_python", "ament_cmake"])
+def test_a_message_has_no_name_that_a_language_keeps(template: str, message: str) -> None:
+    with pytest.raises(ScaffoldError, match=r"` is a keyword of (Python|C\+\+), and no code could use the message"):
+        plan(template=template, nodes=(f"listener:subscriber:{message}",))
+
+
+@pytest.mark.parametrize("form", ["msgs", "srvs", "actions"])
+def test_an_interface_neither(form: str) -> None:
+    with pytest.raises(ScaffoldError, match="`None` is a keyword of Python: nothing could import a"):
+        plan(template="interfaces", **{form: ("None",)})
+
+
 @pytest.mark.parametrize("template", template_names())
 def test_what_a_template_needs_may_be_asked_for_too(template: str) -> None:
     manifest = texts(plan(template=template))["package.xml"]

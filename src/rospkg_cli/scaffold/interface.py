@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 import unicodedata
 from collections.abc import Iterator
@@ -56,6 +57,10 @@ def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
         better = "".join(word[:1].upper() + word[1:] for word in re.findall(r"[A-Za-z0-9]+", name))
         hint = f"; try `{better}`" if INTERFACE_NAME.fullmatch(better) else ""
         raise ScaffoldError(f"`{name}` can't be the name of a {form}: letters and digits, a capital first{hint}")
+    if keyword.iskeyword(name):
+        raise ScaffoldError(
+            f"`{name}` is a keyword of Python: nothing could import a {form} of that name; try `My{name}`"
+        )
     text = text_of(form, name, fields if colon else UNASKED[form])
     refuse_hidden(form, name, text)
     parsed = parse_interface(Source(f"{form}/{name}.{form}", text), form)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ..model.interface.declared import Interface, Member
 from ..ros.core_messages import CORE_MESSAGES
-from ..ros.interfaces import INTERFACE_NAME
+from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
 from . import ScaffoldError
@@ -66,6 +67,12 @@ def message_of(word: str, package: str, there: Around) -> Message:
     if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)):
         raise ScaffoldError(f"`{word}` can't be a message: PACKAGE/Name, as std_msgs/String")
     owner = owner or owner_of(name, package, there)
+    for word in (owner, name):
+        if keyword.iskeyword(word) or word in CPP_KEYWORDS:
+            language = "Python" if keyword.iskeyword(word) else "C++"
+            raise ScaffoldError(
+                f"`{owner}/{name}`: `{word}` is a keyword of {language}, and no code could use the message"
+            )
     if name in TAKEN or len(owner) + len(name) > LONGEST or len(Message(owner, name).topic) > LONGEST_TOPIC:
         reason = "is called like a class of ROS that nodes import" if name in TAKEN else "has too long a name"
         raise ScaffoldError(f"`{owner}/{name}` {reason}; give the message another name")
