@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -17,6 +18,12 @@ if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
+
+MAX_TEXT = 1_000_000
+"""Characters; the largest pyproject.toml that is known has a tenth of it."""
+
+MAX_PARTS = 100
+"""Of a key: `a.b` has two."""
 
 Ignores = Mapping[str, str]
 """Code, name or prefix → the reason."""
@@ -76,7 +83,7 @@ def candidates(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
     if (folder / "rospkg.toml").is_file():
         yield folder / "rospkg.toml", ()
     pyproject = folder / "pyproject.toml"
-    if pyproject.is_file() and "[tool.rospkg" in pyproject.read_text("utf-8", "replace"):
+    if pyproject.is_file() and "[tool.rospkg" in text_of(pyproject):
         yield pyproject, ("tool", "rospkg")
 
 
@@ -92,13 +99,18 @@ def own_path() -> Path:
 
 def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
     """Read a config file; `table` is where in it our keys stand, `own` whether it is the user's own."""
-    text = path.read_text("utf-8", "replace")
+    text = text_of(path)
+    if len(text) > MAX_TEXT:
+        raise ConfigError(f"{path}: a config of more than {MAX_TEXT:,} characters is not read")
+    refuse_long_keys(text, path)
     try:
-        data: dict[str, Any] = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+        data: Any = tomllib.loads(text)
+    except RecursionError:
+        raise ConfigError(f"{path}: it is nested too deeply") from None
+    except ValueError as error:  # also a number of more digits than Python reads
         raise ConfigError(f"{path}: not valid TOML: {error}") from None
     for key in table:
-        data = data.get(key, {})
+        data = data.get(key, {}) if isinstance(data, dict) else data
     values = read_section(data, FORMS, path, text, table)
     if "index" in values and not own:
         where = place(path, text, table, "index")
@@ -106,6 +118,24 @@ def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
     for key in PER:
         values[key] = tuple(Section(key, name, **each) for name, each in values.get(key, {}).items())
     return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})
+
+
+def refuse_long_keys(text: str, path: Path) -> None:
+    """Raise ConfigError for a key of very many parts: Python takes time for it that grows with their square."""
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.count(".") > MAX_PARTS:
+            before = (re.split(r"[{,]", part)[-1] for part in re.split("[=\\]]", line))
+            if any(part.count(".") > MAX_PARTS and "#" not in part for part in before):
+                raise ConfigError(f"{path}:{number}:1: a key of more than {MAX_PARTS} parts is not read")
+
+
+def text_of(path: Path) -> str:
+    """Return as much of a file as can be a config, and one character; raises ConfigError."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            return stream.read(MAX_TEXT + 1)
+    except OSError as error:
+        raise ConfigError(f"{path}: it can't be read: {error.strerror or error}") from None
 
 
 PER = ("per-package", "per-path")

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .ros.distros import DISTROS
+from .sentence import sentence
 from .suggest import did_you_mean
 
 SEVERITIES = ("error", "warning", "info", "off")
@@ -15,6 +16,10 @@ SEVERITIES = ("error", "warning", "info", "off")
 
 class ConfigError(Exception):
     """A config that can't be used; the message begins with the file and the place."""
+
+    def __str__(self) -> str:
+        """The sentence on one line, whatever of a stranger's file it quotes."""
+        return sentence(super().__str__())
 
 
 def strings(value: Any) -> tuple[str, ...]:
@@ -89,10 +94,12 @@ FORMS: Mapping[str, Form] = {
 
 
 def read_section(
-    data: Mapping[str, Any], forms: Mapping[str, Form], path: Path, source: str, table: tuple[str, ...]
+    data: Any, forms: Mapping[str, Form], path: Path, source: str, table: tuple[str, ...]
 ) -> dict[str, Any]:
     """Return the values of a table, checked; raises ConfigError."""
     found: dict[str, Any] = {}
+    if not isinstance(data, dict):
+        raise ConfigError(f"{place(path, source, table[:-1], table[-1])}: `{table[-1]}` wants a table")
     for key, value in data.items():
         form = forms.get("*", forms.get(key))
         if form is None:
@@ -113,9 +120,9 @@ def place(path: Path, source: str, table: tuple[str, ...], key: str) -> str:
     own, current = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*[=.\]]"""), ""
     wanted, anywhere = ".".join(table), ""
     for number, line in enumerate(source.splitlines(), 1):
-        header = re.match(r"\s*\[+([^\]]*)\]", line)
-        if header:
-            current = re.sub(r"""["'\s]""", "", header.group(1))
+        begin, bracket, _ = line.strip().partition("]")
+        if bracket and begin.startswith("["):
+            current = re.sub(r"""["'\s]""", "", begin.lstrip("["))
             if current == ".".join((*table, key)):
                 return f"{path}:{number}:{line.index('[') + 1}"
         elif own.match(line) and (current == wanted or not anywhere):

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
+LONGEST = 200
+"""Characters; a longer word is no misspelt name, and comparing takes time that grows with its length."""
+
 
 def distance(a: str, b: str, limit: int = 3) -> int:
     """Return the number of edits (insert, delete, replace, swap) between two words, or limit + 1."""
@@ -33,6 +36,8 @@ def near(word: str, names: Iterable[str], limit: int = 2) -> list[str]:
 
 def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     """Return the near name if there is exactly one, else one that shares most of its letters, else None."""
+    if len(word) > LONGEST:
+        return None
     names = sorted(set(names) - {word})
     found = near(word, names, limit)
     if len(found) == 1:

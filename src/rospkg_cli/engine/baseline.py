@@ -44,7 +44,7 @@ def read_baseline(path: Path) -> Counter[Key]:
     except OSError as error:
         hint = f"make it with --write-baseline {path}"
         raise BaselineError(f"the baseline `{path}` can't be read: {error.strerror}; {hint}") from None
-    except (ValueError, KeyError, TypeError):
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError):
         raise BaselineError(f"`{path}` is no baseline of rospkg; make one with --write-baseline {path}") from None
 
 

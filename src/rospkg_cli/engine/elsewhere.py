@@ -8,7 +8,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 LISTS = (".repos", ".rosinstall")
-SUBMODULE = re.compile(r"^\s*path\s*=\s*(\S+)", re.MULTILINE)
+MAX_BYTES = 1_000_000
+"""Of a .gitmodules; a larger one lists nothing that anybody has checked out."""
+
+MAX_SUBMODULES = 10_000
+
+SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 
 
 def lists_others(around: Path | None, packages: Sequence[Path]) -> bool:
@@ -35,10 +40,14 @@ def lists_some(folder: Path) -> bool:
         if any(each.name.endswith(LISTS) for each in folder.iterdir()):
             return True
         modules = folder / ".gitmodules"
-        paths = SUBMODULE.findall(modules.read_text("utf-8", "replace")) if modules.is_file() else ()
+        paths = SUBMODULE.findall(modules.read_text("utf-8", "replace")) if is_small_file(modules) else []
     except OSError:
         return False
-    return any(is_empty(folder / path) for path in paths)
+    return any(is_empty(folder / path) for path in paths[:MAX_SUBMODULES])
+
+
+def is_small_file(path: Path) -> bool:
+    return path.is_file() and path.stat().st_size <= MAX_BYTES
 
 
 def is_empty(folder: Path) -> bool:
