@@ -23,10 +23,23 @@ def cmake(lines: str, package: str = "", **files: str) -> Example:
     return Example(bad=bad, good={}, on="ament_cmake")
 
 
+def called(project: str, name: str) -> Example:
+    """A package of some name with another name for its project."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace("project(my_pkg)", project),
+        "package.xml": manifest(build_type="ament_cmake", name=name),
+    }
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
 LIBRARY = "add_library(core SHARED src/core.cpp)\n"
 EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
 
 CASES = {
+    "CMK001": (
+        called("project(other)", "my pkg"),
+        called("set(NAME other)\nproject(${NAME})", "my_pkg"),
+    ),
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
               src__a_DOT_cpp=MAIN),

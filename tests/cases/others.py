@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, Example, manifest, setup_py
 from rospkg_cli.rules.depends import dep108_undeclared_interface_package as dep108
+from rospkg_cli.rules.params import prm008_missing_parameter as prm008
 
 NODE = "find_package(rclcpp REQUIRED)\nadd_executable(node src/node.cpp)\n"
 
@@ -80,6 +81,21 @@ CASES = {
     "IDL004": (
         interfaces("my_pkg/SetMode mode\n"),
         Example(bad={"msg/Status.msg": "SetMode mode\n"}, good={}, on="interfaces"),
+    ),
+    "PRM008": tuple(
+        Example(
+            bad={
+                **prm008.FILES,
+                "src/talker.cpp": prm008.NODE.replace(
+                    '    declare_parameter<double>("rate");\n',
+                    "".join(f'    declare_parameter<double>("p{number:02}");\n' for number in range(count)),
+                ),
+                "launch/talker.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n',
+            },
+            good={},
+            on="ament_cmake",
+        )
+        for count in (1, 19, 20, 22)
     ),
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
     "SET209": (installed("('share/my_pkg/xml', ['package.xml'])"),),
