@@ -17,13 +17,16 @@ OBEYED = (
 BRACKET = r"(?<=##)\[|(?<=##vso)\["
 """`##[…]` and `##vso[…]` are commands to the runners of GitHub and Azure, wherever they stand in a line."""
 
-IN_LINES = re.compile(f"[{OBEYED}]|{BRACKET}")
-IN_ONE_LINE = re.compile(rf"[{OBEYED}\t\n]|{BRACKET}")
-SURROGATE = re.compile(r"[\ud800-\udfff]")
-SHORT = {"\t": "\\t", "\n": "\\n", "\r": "\\r"}
-NO_ASCII = re.compile(r"[^\x00-\x7f]")
-COMMAND = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
+IN_LINES = f"[{OBEYED}]|{BRACKET}"
+IN_ONE_LINE = rf"[{OBEYED}\t\n]|{BRACKET}"
+SURROGATE = r"[\ud800-\udfff]"
+NO_ASCII = r"[^\x00-\x7f]"
+COMMAND = r"(?m)^([^\S\n]*):(?=:)"
 """`::…` begins a command to GitHub's runner, at the start of a line or behind blanks."""
+
+SHORT = {"\t": "\\t", "\n": "\\n", "\r": "\\r"}
+
+# Patterns are compiled when a text is not plain: a start on a usual package does without them.
 
 
 def visible(text: str) -> str:
@@ -31,19 +34,24 @@ def visible(text: str) -> str:
 
     A prefix of a text becomes a prefix of what is returned, so that a column can be found again.
     """
-    return IN_ONE_LINE.sub(escape, text)
+    return text if is_plain(text) else re.sub(IN_ONE_LINE, escape, text)
 
 
 def visible_lines(text: str) -> str:
     """Return a text as `visible` does, but keep its line ends (also `\\r\\n`) and tabs."""
-    if "\r\n" not in text:
-        return IN_LINES.sub(escape, text)
-    return "\r\n".join(IN_LINES.sub(escape, line) for line in text.split("\r\n"))
+    if is_plain(text.replace("\n", "")):
+        return text
+    return "\r\n".join(re.sub(IN_LINES, escape, line) for line in text.split("\r\n"))
+
+
+def is_plain(text: str) -> bool:
+    """Return whether a text certainly holds nothing to be escaped; quick, and false for some that hold nothing too."""
+    return text.isprintable() and "##" not in text
 
 
 def no_command(text: str) -> str:
     """Return lines of which none begins with `::`; for what has been laid out."""
-    return COMMAND.sub(r"\1\\x3a", text) if "::" in text else text
+    return re.sub(COMMAND, r"\1\\x3a", text) if "::" in text else text
 
 
 def escape(found: re.Match[str]) -> str:
@@ -55,7 +63,14 @@ def escape(found: re.Match[str]) -> str:
 
 def in_json(text: str, only_ascii: bool = False) -> str:
     """Return a JSON document with the escapes of JSON for these characters, or for all that are not ASCII."""
-    return (NO_ASCII if only_ascii else IN_LINES).sub(json_escape, IN_LINES.sub(json_escape, text))
+    if not is_plain(text.replace("\n", "")):
+        text = re.sub(IN_LINES, json_escape, text)
+    return re.sub(NO_ASCII, json_escape, text) if only_ascii else text
+
+
+def without_surrogates(text: str) -> str:
+    """Return a JSON document whose texts show a byte of a name that is no text, and half a surrogate pair."""
+    return text if is_plain(text.replace("\n", "")) else re.sub(SURROGATE, lambda found: "\\" + escape(found), text)
 
 
 def json_escape(found: re.Match[str]) -> str:

@@ -104,9 +104,9 @@ def failed(error: Exception) -> int:
     if "-v" in sys.argv or "--verbose" in sys.argv:
         import traceback
 
-        from ..visible import visible_lines
+        from ..visible import no_command, visible_lines
 
-        print(visible_lines("".join(traceback.format_exception(error))), end="", file=sys.stderr)
+        print(no_command(visible_lines("".join(traceback.format_exception(error)))), end="", file=sys.stderr)
     what = f"{type(error).__name__}: {error}"
     say(f"a fault of ours: {what}; please report it with the output of -v")
     return 3

@@ -13,7 +13,7 @@ from typing import IO
 from ..engine.write import write_text
 from ..finding import Safety
 from ..report import Report, render
-from ..visible import visible_lines
+from ..visible import no_command, visible_lines
 from .options import LintOptions
 
 
@@ -30,7 +30,7 @@ def show(options: LintOptions, report: Report, files: Sequence[tuple[str, Path]]
         render(options.format, report, to)
     if options.verbose:
         for crash in report.results.crashes:
-            print(visible_lines(crash.error), file=sys.stderr)
+            print(no_command(visible_lines(crash.error)), file=sys.stderr)
 
 
 def statistics(report: Report) -> str:

@@ -9,8 +9,11 @@ import errno
 import io
 import os
 import sys
-from collections.abc import Callable
-from typing import IO, Any, TextIO
+
+TYPE_CHECKING = False  # typing's own would cost a start some milliseconds
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import IO, Any, TextIO
 
 SIGPIPE = 141
 """What a shell calls the exit status of a command that SIGPIPE ended: 128 and the number of the signal."""

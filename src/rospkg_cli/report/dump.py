@@ -6,7 +6,7 @@ import codecs
 import json
 from typing import IO, Any
 
-from ..visible import SURROGATE, escape, in_json
+from ..visible import in_json, without_surrogates
 
 
 def dump(document: Any, stream: IO[str]) -> None:
@@ -15,8 +15,7 @@ def dump(document: Any, stream: IO[str]) -> None:
     What a terminal or a log would obey is escaped as JSON escapes it. Bytes of a file name that are no text are shown
     (`\\\\udcff`): half a surrogate pair is refused by many readers. Where the stream is not UTF-8, all is ASCII.
     """
-    text = json.dumps(document, indent=2, ensure_ascii=False)
-    text = SURROGATE.sub(lambda found: "\\" + escape(found), text)
+    text = without_surrogates(json.dumps(document, indent=2, ensure_ascii=False))
     stream.write(in_json(text, not is_unicode(stream)) + "\n")
 
 
