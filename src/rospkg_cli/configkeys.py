@@ -11,6 +11,9 @@ from .ros.distros import DISTROS
 from .sentence import sentence
 from .suggest import did_you_mean
 
+LONGEST_KEY = 1_000
+"""Characters; a longer one is none of ours, and making a pattern of it takes long."""
+
 SEVERITIES = ("error", "warning", "info", "off")
 
 
@@ -117,6 +120,8 @@ def read_section(
 
 def place(path: Path, source: str, table: tuple[str, ...], key: str) -> str:
     """Return `file:line:column` of a key, as near as it can be found: in its table, else anywhere."""
+    if len(key) > LONGEST_KEY:
+        return f"{path}:1:1"
     own, current = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*[=.\]]"""), ""
     wanted, anywhere = ".".join(table), ""
     for number, line in enumerate(source.splitlines(), 1):
