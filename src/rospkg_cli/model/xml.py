@@ -18,6 +18,12 @@ from .xml_tree import Instruction as Instruction
 MAX_DEPTH = 200
 """Deeper documents are refused; libxml2 stops at 256."""
 
+MAX_ATTRIBUTES = 1_000
+"""Of one element."""
+
+MAX_ELEMENTS = 50_000
+"""Comments count too."""
+
 ATTRIBUTE = re.compile(r"""\s+([^\s=<>"'/]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 QUALIFIED = re.compile(r"[^:]+(:[^:]+)?")
 BOUND = frozenset({"xml", "xmlns"})
@@ -42,6 +48,7 @@ class Reader:
         top = Span(0, len(source.text))
         self.stack = [Element("", top, Span(0, 0), top)]
         self.bound = [BOUND]
+        self.elements = 0
         self.instructions: list[Instruction] = []
         self.comments: list[Comment] = []
 
@@ -72,12 +79,25 @@ class Reader:
         at = max(0, min(at, len(self.source.text)))
         raise UnreadableError(self.source.path, Span(at, min(at + 1, len(self.source.text))), why)
 
+    def skip(self, at: int, why: str) -> None:
+        message = f"`{self.source.path}` is skipped: {why}"
+        raise UnreadableError(self.source.path, Span(at, at + 1), message, skipped=True)
+
+    def count(self, at: int) -> None:
+        """Refuse more elements and comments than those who read them can go through in some seconds."""
+        self.elements += 1
+        if self.elements > MAX_ELEMENTS:
+            self.skip(at, f"it has more than {MAX_ELEMENTS:,} elements; leave generated files out with `exclude`")
+
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         at = self.at
+        if len(attributes) > MAX_ATTRIBUTES:
+            self.skip(at, f"`<{tag[:40]}>` has more than {MAX_ATTRIBUTES:,} attributes")
         found, end = start_tag(self.source.text, at + 1 + len(tag), attributes)
         element = Element(tag, Span(at, end), Span(at, end), Span(end, end), found)
         if len(self.stack) > MAX_DEPTH:
             self.fail(at, f"`{self.source.path}` is nested deeper than {MAX_DEPTH} elements")
+        self.count(at)
         declared = [name[6:] for name in attributes if name.startswith("xmlns:")]
         self.bound.append(self.bound[-1].union(declared) if declared else self.bound[-1])
         for name in (tag, *attributes):
@@ -105,6 +125,7 @@ class Reader:
 
     def comment(self, text: str) -> None:
         at = self.at
+        self.count(at)
         found = Comment(text, Span(at, self.source.text.index("-->", at + 4) + 3))
         self.comments.append(found)
         self.stack[-1].nodes.append(found)

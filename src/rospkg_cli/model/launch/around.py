@@ -13,6 +13,8 @@ class LaunchFiles:
 
     def __init__(self, summaries: Iterable[Summary]) -> None:
         self.by_name: dict[str, list[Summary]] = {}
+        self.told: dict[tuple[str, str], frozenset[str] | None] = {}
+        """What was asked before: every file may include every other."""
         for each in summaries:
             self.by_name.setdefault(each.name, []).append(each)
 
@@ -27,6 +29,17 @@ class LaunchFiles:
 
     def inherited(self, name: str) -> frozenset[str] | None:
         """Return what is defined by files that include a file of this name; None where that can't be told."""
+        if ("inherited", name) not in self.told:
+            self.told["inherited", name] = self.all_inherited(name)
+        return self.told["inherited", name]
+
+    def defined_by(self, name: str) -> frozenset[str] | None:
+        """Return what files of this name define, also by what they include; None where that can't be told."""
+        if ("defined", name) not in self.told:
+            self.told["defined", name] = self.all_defined_by(name)
+        return self.told["defined", name]
+
+    def all_inherited(self, name: str) -> frozenset[str] | None:
         names: set[str] = set()
         seen, queue = {name}, [name]
         while queue:
@@ -39,8 +52,7 @@ class LaunchFiles:
                     queue.append(each.name)
         return frozenset(names)
 
-    def defined_by(self, name: str) -> frozenset[str] | None:
-        """Return what files of this name define, also by what they include; None where that can't be told."""
+    def all_defined_by(self, name: str) -> frozenset[str] | None:
         names: set[str] = set()
         seen, queue = {name}, [name]
         while queue:
@@ -49,6 +61,6 @@ class LaunchFiles:
                 return None
             for each in found:
                 names |= each.defines
-                queue += [inner for inner in each.includes if inner not in seen]
+                queue += each.includes - seen
                 seen |= each.includes
         return frozenset(names)

@@ -81,10 +81,12 @@ class LaunchEvaluator(Watching):
             self.results[id(function.node)] = function, self.call(function)
 
 
-def functions_in(scope: Scope) -> Iterator[Function]:
-    """Yield the functions of a file, and the methods of its classes."""
+def functions_in(scope: Scope, seen: set[int] | None = None) -> Iterator[Function]:
+    """Yield the functions of a file, and the methods of its classes; a class with several names is looked at once."""
+    seen = set() if seen is None else seen
     for value in list(scope.names.values()):
         if isinstance(value, Function):
             yield value
-        elif isinstance(value, Class):
-            yield from functions_in(value.scope)
+        elif isinstance(value, Class) and id(value) not in seen:
+            seen.add(id(value))
+            yield from functions_in(value.scope, seen)

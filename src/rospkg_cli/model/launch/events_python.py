@@ -20,6 +20,8 @@ HARMLESS = (sys.stdlib_module_names | {"launch_testing", "print"}) - {"functools
 """Where calls come from that declare nothing, whatever they return."""
 
 MAX_DEPTH = 40
+MAX_VISITS = 50_000
+"""Of actions: a function that launch calls may hand itself back, several times."""
 
 
 def python_events(evaluator: LaunchEvaluator) -> tuple[Event, ...] | None:
@@ -38,6 +40,8 @@ class Visit:
         self.evaluator = evaluator
         self.deferred: list[Event] = []
         """What timers and event handlers do."""
+        self.visits = 0
+        self.performed = [call for call in evaluator.calls if call.certain and call.callee in PERFORMS]
         self.added: dict[int, list[Value]] = {}
         for call in evaluator.calls:
             if call.callee in ADDS and call.receiver is not None and call.arguments:
@@ -52,14 +56,15 @@ class Visit:
 
     def several(self, value: Value, depth: int) -> Iterator[Event]:
         if isinstance(value, Sequence):
-            for item in value.items:
+            for item in value.items if self.visits <= MAX_VISITS else ():
                 yield from self.visit(item, depth + 1)
         else:
             yield from self.visit(value, depth + 1)
 
     def visit(self, value: Value, depth: int) -> Iterator[Event]:
         """Yield the events of an action."""
-        if depth > MAX_DEPTH:
+        self.visits += 1
+        if depth > MAX_DEPTH or self.visits > MAX_VISITS:
             yield Event("open")
         elif isinstance(value, Unknown):
             for option in value.options:
@@ -122,8 +127,8 @@ class Visit:
         if not isinstance(function, Function):
             yield Event("open")
             return
-        for each in self.evaluator.calls:
-            if each.certain and each.callee in PERFORMS and inside(each.span, function.span):
+        for each in self.performed if self.visits <= MAX_VISITS else ():
+            if inside(each.span, function.span):
                 yield from used(each, 0)
         _, value = self.evaluator.results.get(id(function.node), (None, None))
         if value is not None:

@@ -1,0 +1,91 @@
+"""Launch files and XML that hold too much, or themselves: read in bounded time, or skipped and said to be."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.model.evaluate.folder import Folder
+from rospkg_cli.model.files import PackageFiles
+from rospkg_cli.model.launch.around import LaunchFiles
+from rospkg_cli.model.launch.evaluation import LaunchEvaluator
+from rospkg_cli.model.launch.events import Summary
+from rospkg_cli.model.launch.events_python import MAX_VISITS, Visit
+from rospkg_cli.model.launch.python import read_python_launch
+from rospkg_cli.model.launch.scope import LaunchScope
+from rospkg_cli.model.python import parse_python
+from rospkg_cli.model.setup.cfg import parse_setup_cfg
+from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.model.xml import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
+from rospkg_cli.source import Source
+from rospkg_cli.tree import MemoryTree
+
+HEAD = "from launch import LaunchDescription\nfrom launch.actions import *\n"
+OPAQUE = f"""{HEAD}
+def f(context):
+    return [OpaqueFunction(function=f)] * 9
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction(function=f)] * 9)
+"""
+GROUPS = f"{HEAD}g = GroupAction([])\n" + "g = GroupAction([g, g])\n" * 40
+CLASSES = "class A0:\n    def f(self): pass\n" + "".join(
+    f"class A{i + 1}:\n    x = A{i}\n    y = A{i}\n" for i in range(40)
+)
+END = "def generate_launch_description():\n    return LaunchDescription([g])\n"
+
+
+def folder() -> Folder:
+    return Folder(PackageFiles(MemoryTree.of({})))
+
+
+@pytest.mark.parametrize("text", [OPAQUE, GROUPS + END, CLASSES])
+def test_what_holds_itself_comes_to_an_end(text: str) -> None:
+    read_python_launch(parse_python(Source("a.launch.py", text)), folder())
+
+
+def test_visits_are_bounded() -> None:
+    evaluator = LaunchEvaluator(parse_python(Source("a.launch.py", OPAQUE)), folder())
+    evaluator.run_all()
+    visit = Visit(evaluator)
+    ((_, value),) = [each for each in evaluator.results.values() if each[0].name == "generate_launch_description"]
+    assert sum(1 for _ in visit.visit(value, 0)) < 10 * MAX_VISITS
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<a " + " ".join(f"b{i}='1'" for i in range(MAX_ATTRIBUTES + 1)) + "/>",
+        "<a>" + "<b/>" * MAX_ELEMENTS + "</a>",
+        "<a>" + "<!---->" * MAX_ELEMENTS + "</a>",
+    ],
+)
+def test_xml_that_is_too_large_is_skipped(text: str) -> None:
+    with pytest.raises(UnreadableError) as caught:
+        read_xml(Source("a.xml", text))
+    assert caught.value.unreadable.skipped
+    assert caught.value.unreadable.message.startswith("`a.xml` is skipped: ")
+
+
+def test_an_option_of_blanks_is_skipped() -> None:
+    with pytest.raises(UnreadableError) as caught:
+        parse_setup_cfg(Source("setup.cfg", "[a]\nb" + " " * 100_000 + "c = 1\n"))
+    assert caught.value.unreadable.skipped
+
+
+def test_files_that_include_each_other_are_followed_once() -> None:
+    names = [f"{i}.launch.xml" for i in range(200)]
+    files = LaunchFiles(Summary(name, frozenset({name}), frozenset(names), False) for name in names)
+    first = files.defined_by(names[0])
+    assert first == frozenset(names)
+    assert all(files.defined_by(names[0]) is first for _ in range(100_000))
+    inherited = files.inherited(names[0])
+    assert inherited == frozenset(names)
+    assert files.inherited(names[0]) is inherited
+
+
+def test_a_manifest_that_is_no_text_breaks_no_launch_rule() -> None:
+    """LCH006 asks package.xml whether the package is one for ROS 1 too."""
+    tree = MemoryTree.of({"launch/a.launch": "<launch><node pkg='a' type='b' name='c'/></launch>\n"})
+    scope = LaunchScope(*[None] * 6)  # type: ignore[arg-type]
+    object.__setattr__(scope, "files", PackageFiles(tree))
+    assert scope.left_over is False
