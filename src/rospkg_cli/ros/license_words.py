@@ -19,12 +19,18 @@ MAX_WORDS = 13
 """`GNU Library or "Lesser" General Public License version 2.1 or any later version` has so many."""
 
 
+MAX_LENGTH = 300
+"""A text that is longer names no license: it tells a story."""
+
+
 def licenses_in(text: str) -> list[str]:
     """Return the licenses that a text names, by SPDX id where it is known; one for a name that can't be parted.
 
     >>> licenses_in("BSD, MIT"), licenses_in("Apache License, Version 2.0"), licenses_in("GPLv2 or later")
     (['BSD', 'MIT'], ['Apache-2.0'], ['GPLv2 or later'])
     """
+    if len(text) > MAX_LENGTH:
+        return [text]
     known = spdx_id(text)
     parts = [part for part in PARTED.split(text) if part]
     if known or SPDX_CHOICE.fullmatch(text) or len(parts) < 2 or not all(map(names_one, parts)):
@@ -38,4 +44,6 @@ def names_one(text: str) -> bool:
 
 def is_prose(text: str) -> bool:
     """Return whether a text tells where to look, or what one may do, instead of naming a license."""
+    if len(text) > MAX_LENGTH:
+        return True
     return spdx_id(text) is None and (STORY.search(text) is not None or len(text.split()) > MAX_WORDS)

@@ -19,7 +19,7 @@ from .words import Word
 ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
 EXECUTABLE = re.compile(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4
-IMPORTS_ROS = re.compile(r"^\s*(?:import|from)\s+rclpy\b", re.MULTILINE)
+IMPORTS_ROS = re.compile(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)

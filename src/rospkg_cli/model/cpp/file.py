@@ -79,7 +79,8 @@ def read_cpp(source: Source) -> CppFile:
         elif token.kind == "name":
             if room > 0 and WANTED.fullmatch(source.text, token.start, token.end):
                 found = list(called(source, token))
-                room -= sum(call.span.end - call.span.start for call in found) if found else MAX_LENGTH
+                closed = bool(found) and all(call.arguments is not None for call in found)
+                room -= sum(call.span.end - call.span.start for call in found) if closed else MAX_LENGTH
                 calls += found
         elif "::" in source.text[token.start : token.end]:
             calls += initialised(source, token)

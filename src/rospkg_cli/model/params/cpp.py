@@ -7,14 +7,16 @@ from collections.abc import Callable, Iterable, Iterator
 
 from ...source import Source
 from ..cpp.call import Argument, Call
-from ..cpp.enclosing import unconditional
+from ..cpp.enclosing import last_word, unconditional
 from ..cpp.file import CppFile
 from .declared import DeclaredParameter
 
 NAMED = re.compile(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""
-NODE = re.compile(r"\*?this|(?:.*\W)?\w*(?:node|parent|shared_from_this)\w*(?:\(\))?", re.IGNORECASE)
-"""A first argument that is the node, where the function is none of its own."""
+NODE = re.compile("node|parent|shared_from_this", re.IGNORECASE)
+"""What is in the name of a first argument that is the node, where the function is none of its own."""
+MAX_LENGTH = 500
+"""Of a name, a type or a value, in characters; what is longer is none that can be told."""
 
 WRAPPED = re.compile(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
 TAIL = re.compile(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
@@ -48,7 +50,7 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
         arguments = call.arguments or ()
         if not NAMED.fullmatch(call.name) or call.variable:
             continue
-        free = call.name != "declare_parameter" and arguments and NODE.fullmatch(arguments[0].text)
+        free = call.name != "declare_parameter" and arguments and is_node(arguments[0].text)
         place = 1 if free else 0
         if len(arguments) <= place:
             continue
@@ -59,6 +61,12 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
             required = bool(call.template) and not rest and not call.conditional
             required = required and call.span.start in certain
             yield DeclaredParameter(name[0], name[1], kind, required, file.path)
+
+
+def is_node(text: str) -> bool:
+    """Return whether an argument is a node: `this`, or what ends with a name like `node_` or `get_parent()`."""
+    bare = text.removesuffix("()")
+    return text.lower() in ("this", "*this") or NODE.search(last_word(bare)) is not None
 
 
 def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, Call]]:
@@ -72,6 +80,8 @@ def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, Call]]:
 
 def name_in(argument: Argument) -> tuple[str, bool] | None:
     """Return a name, and whether only its end is known; None where nothing is."""
+    if len(argument.text) > MAX_LENGTH:
+        return None
     found = TAIL.fullmatch(WRAPPED.sub(r"\1", argument.text))
     if found is None or not found.group("text").strip("."):
         return None
@@ -80,7 +90,7 @@ def name_in(argument: Argument) -> tuple[str, bool] | None:
 
 def typed(text: str) -> str:
     """Return the type of parameter that a C++ type becomes."""
-    bare = re.sub(r"\bconst\b|&", "", " ".join(text.split())).strip()
+    bare = re.sub(r"\bconst\b|&", "", " ".join(text[: MAX_LENGTH + 1].split())).strip()
     if found := LIST.fullmatch(bare.replace(" ", "") if "unsigned" not in bare else bare):
         inside = typed(found.group(1))
         return f"{inside}[]" if inside and "[" not in inside else ""
@@ -88,7 +98,9 @@ def typed(text: str) -> str:
 
 
 def inferred(text: str, type_of: TypeOf) -> str:
-    """Return the type of a default value."""
+    """Return the type of a default value, "" where that can't be told."""
+    if len(text) > MAX_LENGTH:
+        return ""
     if found := OUTER.fullmatch(text):
         return inferred(found.group("inside").strip(), type_of)
     if text in ("true", "false"):
