@@ -157,8 +157,8 @@ def test_depth_is_bounded() -> None:
 
 def test_wide_documents_are_read_in_linear_time() -> None:
     """Counted in handler calls, not in seconds: a quadratic reader would not come to the end."""
-    document = read("<a>" + "é<b c='ü'/>" * 100_000 + "</a>")
-    assert len(document.root.children) == 100_000
+    document = read("<a>" + "é<b c='ü'/>" * 45_000 + "</a>")
+    assert len(document.root.children) == 45_000
     assert document.source.slice(document.root.children[-1].span) == "<b c='ü'/>"
 
 
