@@ -4,7 +4,8 @@ Breaks one place at a time in copies of this checkout (never in place): conditio
 constants, levels and safeties changed, texts dropped, results emptied.  First a map is made, once for the same sources
 and tests: which tests run which lines (coverage's contexts); it is kept in the folder for temporary files.  Each mutant
 meets the tests that run its line and little else, at most `--near` of them, then at most `--wider` of the others that
-run it.  Prints killed or survived, and the diff of each survivor.  `--tests` names the files of tests that take part
+run it.  Prints killed or survived, and the diff of each survivor.  What only runs in a process that a test starts is not
+in the map.  `--tests` names the files of tests that take part
 (without `tests/real` where none is named); a survivor of some of the tests may be killed by others.
 """
 
@@ -114,6 +115,8 @@ class Copies:
     def verdict(self, mutant: Mutant) -> str:
         """Return `killed by …`, or `survived …`."""
         tests = self.map.tests(mutant)
+        if not tests:
+            return "survived: no test runs it in its own process; name tests that do, or look by hand"
         folder = self.free.get()
         target = folder / mutant.path.relative_to(ROOT)
         original = target.read_bytes()
@@ -123,7 +126,7 @@ class Copies:
                 killer = self.killer(folder, few) if few else ""
                 if killer:
                     return f"killed by {killer}"
-            return f"survived {len(tests[: self.near + self.wider])} of {len(tests)} tests"
+            return f"survived: {len(tests[: self.near + self.wider])} of {len(tests)} tests"
         finally:
             write(target, original)
             self.free.put(folder)

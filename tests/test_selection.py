@@ -52,6 +52,16 @@ def test_of_two_severities_for_a_path_the_later_holds(finding: Finding, tmp_path
     assert level(finding, tmp_path, mild, loud) is Severity.ERROR
 
 
+def test_what_is_off_is_set_aside_with_a_reason(finding: Finding, tmp_path: Path) -> None:
+    (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\n')
+    judged = Judge(find_config(tmp_path), tmp_path).judge(finding)
+    assert judged.suppressed == "severity is off in the config"
+    assert judged.external
+    (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\nXML104 = "error"\n')
+    judged = Judge(find_config(tmp_path), tmp_path).judge(finding)
+    assert (judged.severity, judged.suppressed) == (Severity.ERROR, None)
+
+
 def test_a_severity_for_a_path_holds_over_that_for_a_package_and_both_over_that_for_all(
     finding: Finding, tmp_path: Path
 ) -> None:
