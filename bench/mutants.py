@@ -4,9 +4,9 @@ Breaks one place at a time in copies of this checkout (never in place): conditio
 constants, levels and safeties changed, texts dropped, results emptied.  First a map is made, once for the same sources
 and tests: which tests run which lines (coverage's contexts); it is kept in the folder for temporary files.  Each mutant
 meets the tests that run its line and little else, at most `--near` of them, then at most `--wider` of the others that
-run it.  Prints killed or survived, and the diff of each survivor.  What only runs in a process that a test starts is not
-in the map.  `--tests` names the files of tests that take part
-(without `tests/real` where none is named); a survivor of some of the tests may be killed by others.
+run it.  Prints killed or survived, and the diff of each survivor.  What runs only in a process that a test starts is
+not in the map.  `--tests` names the files of tests that take part (without `tests/real` where none is named); what
+survives some of the tests may be killed by others.
 """
 
 from __future__ import annotations
