@@ -36,6 +36,7 @@ def test_killed_in_the_middle_there_is_no_package(tmp_path: Path, files: int) ->
     assert all(path.name.startswith(".") for path in tmp_path.iterdir()), "colcon looks into no hidden folder"
     again = rospkg(*NEW, cwd=tmp_path)
     assert again.returncode == 0, again.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["my_robot_nav"], "what the killed run left is gone"
     assert rospkg("lint", "--pedantic", "my_robot_nav", cwd=tmp_path).returncode == 0
 
 

@@ -6,9 +6,12 @@ import os
 import secrets
 import shutil
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
 from ..engine.signals import stopped_by_signals, undisturbed
+from ..engine.strays import is_over
+from ..leftovers import STRAY
 from . import ScaffoldError
 from .render import Written
 
@@ -20,6 +23,7 @@ def write_folder(target: Path, files: Iterable[Written]) -> None:
     """
     made = missing_parents(target)
     beside = hidden_beside(target)
+    remove_left_behind(target.parent)
     with stopped_by_signals():
         try:
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -40,7 +44,16 @@ def write_folder(target: Path, files: Iterable[Written]) -> None:
 
 def hidden_beside(target: Path) -> Path:
     """Return a name that nothing has, in the same folder; colcon looks into no hidden folder."""
-    return target.parent / f".{target.name}.{secrets.token_hex(6)}"
+    return target.parent / f".{target.name[:128]}.{os.getpid()}-{secrets.token_hex(6)}.rospkg-tmp"
+
+
+def remove_left_behind(folder: Path) -> None:
+    """Remove what runs of `new` that were killed left half written in a folder."""
+    with suppress(OSError):
+        for each in folder.iterdir():
+            found = STRAY.fullmatch(each.name)
+            if found and each.is_dir() and not each.is_symlink() and is_over(each, int(found["process"])):
+                shutil.rmtree(each, ignore_errors=True)
 
 
 def refuse_existing(target: Path) -> None:
