@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Literal as OneOf
 
 from ...source import Span
-from ..evaluate.folder import ROOT
+from ..evaluate.folder import MAX_PATH, ROOT
 from .text import LaunchText, Literal, Substitution
 
 Use = OneOf["include", "default", "file"]
@@ -104,7 +104,7 @@ def clean(text: str) -> str:
 def is_file(path: str) -> bool:
     """Return whether a path means a file of the folder it is reckoned from: one with a suffix, not above it."""
     name = posixpath.basename(path)
-    if WRITTEN.fullmatch(path):
+    if len(path) > MAX_PATH or WRITTEN.fullmatch(path):
         return False
     return "." in name.strip(".") and not path.startswith("..") and not OPEN.search(path)
 
