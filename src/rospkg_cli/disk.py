@@ -61,7 +61,8 @@ def read_entry(path: Path) -> Entry:
     mode = stat.S_IMODE(found.st_mode)
     if found.st_size > MAX_BYTES:
         size = f"{found.st_size / 1_000_000:.1f} MB"
-        return Entry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than {MAX_BYTES // 1_000_000}")
+        limit = f"{MAX_BYTES // 1_000_000} MB"
+        return Entry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than the limit of {limit}")
     return Entry(kind, path.read_bytes(), mode)
 
 
