@@ -17,7 +17,7 @@ from bench.attack import limits, work
 from bench.attack.case import Case, make_case, write_case
 from bench.attack.checks import faults_of_change, faults_of_output, is_well_formed, snapshot
 from bench.attack.corpus import Corpus, read_corpus
-from bench.attack.kinds import KINDS, NESTS, kind_of
+from bench.attack.kinds import KINDS, NESTS, NEW_PATH, SPARE, kind_of
 from bench.attack.steps import Attempt
 from bench.attack.texts import LIMIT, MUTATIONS
 from bench.attack.trees import ODDITIES, SECRET
@@ -128,6 +128,15 @@ def test_an_intact_package_passes_every_step(corpus: Corpus, tmp_path: Path) -> 
     outcome = Attempt(intact(corpus), tmp_path / "room").run()
     assert not outcome.faults
     assert set(outcome.statuses) >= {"lint", "lint json", "inspect", "inspect json", "fix", "format"}
+
+
+@pytest.mark.parametrize("kind", sorted(SPARE))
+def test_no_seed_is_refused_as_it_is(corpus: Corpus, kind: str, tmp_path: Path) -> None:
+    """A config that is always refused would test nothing behind the refusal."""
+    case = intact(corpus)
+    outcome = Attempt(replace(case, files={**case.files, NEW_PATH[kind]: SPARE[kind]}), tmp_path / "room").run()
+    assert not outcome.faults
+    assert all(status in (0, 1) for status in outcome.statuses.values())
 
 
 def test_what_is_raised_is_found_with_its_place(corpus: Corpus, tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .corpus import Corpus, Files, reduced
 from .kinds import KINDS, NEW_PATH, SPARE
-from .texts import LIMIT, MUTATIONS
+from .texts import LIMIT, MUTATIONS, retype
 from .trees import ODDITIES, OUTSIDE
 
 
@@ -56,7 +56,7 @@ def make_case(corpus: Corpus, seed: int, number: int) -> Case:
     files, oddities = around(corpus, package, path, chance, 0.1)
     others, names = corpus.texts(kind), []
     for _ in range(chance.choice((1, 1, 1, 2, 3))):
-        mutation = chance.choice(MUTATIONS)
+        mutation = retype if kind == "config" and chance.random() < 0.7 else chance.choice(MUTATIONS)
         data = mutation(data, kind, others, chance)[:LIMIT]
         names.append(mutation.__name__)
     files[path] = data

@@ -43,8 +43,6 @@ ignore = { DEP101 = "made by a tool" }
 severity = { CMK101 = "off" }
 [new]
 license = "MIT"
-[index]
-distros = ["rolling"]
 """,
     "launch.yaml": b"launch:\n- arg:\n    name: rate\n    default: '10'\n- node:\n    pkg: demo_nodes_cpp\n"
     b"    exec: talker\n"

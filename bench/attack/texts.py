@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from .kinds import NESTS, PLAIN_NESTS
+from .words import BYTES, HOSTILE
 
 Chance = random.Random
 Mutation = Callable[[bytes, str, Sequence[bytes], Chance], bytes]
@@ -14,60 +15,6 @@ Mutation = Callable[[bytes, str, Sequence[bytes], Chance], bytes]
 
 LIMIT = 400_000
 TOKEN = re.compile(rb"\w+|\s+|[^\w\s]")
-BYTES = (
-    b"\x00",
-    b"\xff",
-    b"\x1b",
-    b"\x85",
-    b"\x7f",
-    b"\r",
-    b"\x0c",
-    b"\x0b",
-    b"\xed\xa0\x80",
-    b"\xef\xbf\xbf",
-    b"\xc2\x9b",
-)
-HOSTILE = (
-    b"",
-    b"\x1b]0;owned\x07\x1b[2J",
-    b"\n::error::owned\n",
-    b"\r::warning file=a::owned",
-    "\u202eevil\u2066".encode(),
-    "\ufffe\uffff\u2028\u2029\x85".encode(),
-    "é\u0301漢🦾".encode(),
-    b"<img src=x onerror=alert(1)> [click](http://a) `|` @all",
-    b"]]>",
-    b"&a;",
-    b"<![CDATA[",
-    b"${",
-    b"$(",
-    b"$<",
-    b"'''",
-    b'"',
-    b"#",
-    b"#[==[",
-    b"\\",
-    b"%s {0} {a} %(a)s",
-    b"../../../etc/passwd",
-    b"/etc/passwd",
-    b"9" * 400,
-    b"1e999999",
-    b"-0x8000000000000000",
-    b".inf",
-    b"a" * 3000,
-    b" " * 3000,
-    b"\n" * 3000,
-    b"<!-- rospkg: ignore -->",
-    b"# rospkg: ignore-file",
-    b"*",
-    b"**/*",
-    b"?",
-    b"con",
-    b"a b",
-    b"&x *x",
-    b"<<: *x",
-    b"!!python/object/apply:os.system [id]",
-)
 SIZES = (50, 300, 1_000, 5_000, 20_000)
 
 
@@ -185,6 +132,34 @@ def recode(data: bytes, kind: str, others: Sequence[bytes], chance: Chance) -> b
         lambda: b"",
     )
     return chance.choice(ways)()
+
+
+def retype(data: bytes, kind: str, others: Sequence[bytes], chance: Chance) -> bytes:
+    """Give a key of a TOML file a value of another type, deep, long or odd; the file mostly stays TOML."""
+    lines = data.decode("utf-8", "replace").splitlines()
+    at = chance.choice([n for n, line in enumerate(lines) if "=" in line or line.startswith("[")] or [0])
+    deep = chance.choice(SIZES[:4])
+    values = (
+        "3",
+        "[]",
+        "{}",
+        '""',
+        "[[1]]",
+        "nan",
+        "1979-05-27",
+        '["\\u001b[2J"]',
+        '["*"]',
+        '["["]',
+        "{ XML = 1 }",
+        '"\\U000e0001"',
+    )
+    value = chance.choice((*values, "[" * deep + "]" * deep, "{a=" * deep + "1" + "}" * deep, f'["{"*" * deep}a"]'))
+    key = lines[at].strip("[] ").partition("=")[0].partition(".")[0].strip() if lines else "new"
+    if lines and "=" in lines[at]:
+        lines[at] = f"{key} = {value}"
+    else:
+        lines = [f"{key} = {value}"]  # what should be a table
+    return "\n".join([*lines, ""]).encode("utf-8", "replace")
 
 
 MUTATIONS: tuple[Mutation, ...] = (

@@ -23,7 +23,7 @@ from .steps import Attempt
 Row = dict[str, Any]
 CHUNK = 40
 """Inputs that one process runs: then it is replaced, so that what it has cached does not count as an input's memory."""
-PATIENCE = 10 * SECONDS
+PATIENCE = 20 * SECONDS
 """CPU seconds that one input may take altogether before its process is ended."""
 STILL = 20.0
 """Wall seconds without any CPU time after which a process is believed to wait for good."""
