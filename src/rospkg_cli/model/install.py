@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..source import Span
+from .cmake.frame import PYTHON as PYTHON
 from .facts import NOWHERE
 
 What = Literal["executable", "share", "module", "library", "header", "other"]
-
-PYTHON = "lib/python"
-"""What stands for the folder of Python packages, whose name depends on the Python: `lib/python3.12/site-packages`."""
 
 
 @dataclass(frozen=True, slots=True)

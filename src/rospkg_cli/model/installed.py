@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import NamedTuple
 
+from .cmake.build import is_built_with_cmake
 from .cmake.forgotten import ForgottenTargets
 from .cmake.project import CMake
-from .cmake.read import is_built_with_cmake
 from .cmake.table import cmake_table
 from .facts import Unknown
 from .files import Reading

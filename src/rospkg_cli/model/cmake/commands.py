@@ -6,9 +6,8 @@ import posixpath
 import re
 from collections.abc import Callable, Mapping
 
-from ..install import PYTHON
 from .call import Call
-from .frame import LeaveError
+from .frame import PYTHON, LeaveError
 from .globbing import run_file
 from .machine import Machine
 from .read import ROOT

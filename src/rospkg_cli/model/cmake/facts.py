@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..files import Reading
+from .build import is_built_with_cmake
 from .project import CMake
-from .read import is_built_with_cmake
 
 
 def registered_components(reading: Reading) -> tuple[frozenset[str], bool]:

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ...source import Span
-from ..install import PYTHON
 from .blocks import Block
 from .read import ROOT
 from .syntax import Command
@@ -25,6 +24,9 @@ INSTALL_DIRS = {
     "INCLUDEDIR": "include", "DATAROOTDIR": "share", "DATADIR": "share", "DOCDIR": "share/doc", "MANDIR": "share/man",
 }  # fmt: skip
 """What GNUInstallDirs sets, below any prefix but /usr."""
+
+PYTHON = "lib/python"
+"""What stands for the folder of Python packages, whose name depends on the Python: `lib/python3.12/site-packages`."""
 
 CONSTANTS = {
     "CMAKE_INSTALL_PREFIX": PREFIX,

@@ -10,6 +10,7 @@ from functools import cached_property
 from ..files import PackageFiles, Reading
 from ..unreadable import Unreadable
 from .ament_installs import install_rules
+from .build import is_built_with_cmake
 from .call import Call
 from .commands import COMMANDS, foreign
 from .components import Component, InterfaceTarget, components_of, interface_targets_of
@@ -18,7 +19,7 @@ from .functions import invoke
 from .installs import InstallRule
 from .machine import Machine
 from .packages import FoundPackage, found_packages
-from .read import ROOT, CMakeFile, is_built_with_cmake
+from .read import ROOT, CMakeFile
 from .syntax import Command
 from .targets import MAKERS, Target, by_name, targets_of
 from .words import HOLE, Word

@@ -7,10 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...ros.distros import Targets
 from ...source import Source, Span
-from ..files import PackageFiles, Reading
-from ..manifest import Manifest
+from ..files import PackageFiles
 from ..unreadable import UnreadableError
 from .blocks import Block, nest
 from .syntax import Command, Fault, Syntax, parse
@@ -22,9 +20,6 @@ ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 INDENT = re.compile(r"^([ \t]+)(?=\S)", re.MULTILINE)
 SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
 """Where in their arguments commands name a variable that they set."""
-
-BUILDS_WITHOUT = frozenset({"ament_python"})
-"""Build types under which nobody reads a CMakeLists.txt."""
 
 
 @dataclass(frozen=True)
@@ -80,14 +75,6 @@ class CMakeFile:
         """Whether most commands are written in upper case."""
         names = [self.source.slice(command.name_span) for command in self.syntax.commands]
         return sum(map(str.isupper, names)) * 2 > len(names)
-
-
-def is_built_with_cmake(reading: Reading) -> bool:
-    """Return whether the build reads a CMakeLists.txt of the package."""
-    if not reading.files.exists(ROOT):
-        return False
-    manifest = reading.parts(Manifest).only
-    return manifest is None or manifest.build_type(Targets()) not in BUILDS_WITHOUT
 
 
 def read_file(files: PackageFiles, path: str) -> CMakeFile:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...ros.interfaces import KINDS
+from ..cmake.build import is_built_with_cmake
 from ..cmake.project import CMake
-from ..cmake.read import is_built_with_cmake
 from ..files import Reading
 from ..uses.roles import role_of
 from .generated import listed_path

@@ -75,10 +75,10 @@ class UnfoundPackages:
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
 
     def linked(self, maybe: bool) -> Iterator[Unfound]:
+        own = {target.name for target in self.included.cmake.targets}
         for link in Links(self.included.cmake).all:
             name, colons, _ = link.word.text.partition("::")
-            own = link.word.text in {target.name for target in self.included.cmake.targets}
-            certain = not (link.call.maybe or link.word.maybe or own)
+            certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
             if certain and (colons or link.package):
                 does = f"`{link.target}` is linked with it"
                 yield Unfound(name, link.word.path, link.word.span, link.call.testing, does, maybe)
