@@ -7,22 +7,18 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from cases import CASES
 
-from rospkg_cli.example import Example
 from rospkg_cli.finding import Finding, Place
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.testing import lint_files
 
 FINDINGS = Path(__file__).parent / "findings"
 SHOWN = [pytest.param(rule, id=rule.code) for rule in all_rules() if rule.examples]
-MORE: dict[str, tuple[Example, ...]] = {}
-for path in sorted((Path(__file__).parent / "cases").glob("*.py")):
-    MORE |= importlib.import_module(f"cases.{path.stem}").CASES
 NEEDS_OTHERS = {"RPK002", "RPK003"}
 """These judge suppressions of other rules, so those have to run as well."""
 
@@ -31,7 +27,7 @@ def findings(rule: Rule) -> str:
     """Return a block for each example, one line a finding; its fix and related places are indented below it."""
     codes = None if rule.code in NEEDS_OTHERS else [rule.code]
     named = [(f"example {number}", example) for number, example in enumerate(rule.examples)]
-    named += [(f"case {number}", case) for number, case in enumerate(MORE.get(rule.code, ()))]
+    named += [(f"case {number}", case) for number, case in enumerate(CASES.get(rule.code, ()))]
     blocks = []
     for name, example in named:
         found = lint_files(example.bad_files(), codes, example.targets).findings
@@ -73,4 +69,4 @@ def test_each_rule_has_its_findings_and_no_file_is_left_over() -> None:
 
 
 def test_each_case_is_of_a_rule() -> None:
-    assert MORE.keys() <= {rule.code for rule in all_rules()}
+    assert CASES.keys() <= {rule.code for rule in all_rules()}

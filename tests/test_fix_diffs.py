@@ -8,10 +8,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from cases import CASES
 
 from rospkg_cli.cli.diff import unified
 from rospkg_cli.engine.fix import repair
 from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
 from rospkg_cli.model.discover import packages_in, repositories_in
 from rospkg_cli.ros.distros import Targets
@@ -24,23 +26,28 @@ NEEDS_OTHERS = {"RPK002"}
 
 
 def diffs(rule: Rule) -> str:
-    """Return the diff of each repaired example, under the rule alone, each behind a line that names it."""
+    """Return the diff of each example and case that is repaired, under the rule alone, behind a line that names it."""
     shown = []
     for number, example in enumerate(rule.examples):
-        if example.fix is None:
-            continue
-        tree = MemoryTree.of(example.bad_files())
-        folders = packages_in(tree)
-        codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
-        scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
-        session = Session(tree, scope, frozenset(codes), Targets(example.targets))
-        outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
-        assert not outcome.refused
-        titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})
-        shown.append(
-            f"# example {number}, {example.fix.value}: {'; '.join(titles)}\n{''.join(unified(tree, outcome.changes))}"
-        )
+        if example.fix is not None:
+            shown.append(f"# example {number}, {example.fix.value}: {repaired(rule, example)}")
+    for number, case in enumerate(CASES.get(rule.code, ())):
+        found = repaired(rule, case)
+        shown += [f"# case {number}: {found}"] if found.strip() else []
     return "\n".join(shown)
+
+
+def repaired(rule: Rule, example: Example) -> str:
+    """Return the titles of the fixes that are made, and the diff below them."""
+    tree = MemoryTree.of(example.bad_files())
+    folders = packages_in(tree)
+    codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
+    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
+    session = Session(tree, scope, frozenset(codes), Targets(example.targets))
+    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    assert not outcome.refused
+    titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})
+    return f"{'; '.join(titles)}\n{''.join(unified(tree, outcome.changes))}"
 
 
 @pytest.mark.parametrize("rule", FIXED)

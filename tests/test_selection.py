@@ -7,9 +7,11 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config import find_config
+from rospkg_cli.engine.config_names import complaints
 from rospkg_cli.engine.judge import Judge
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.finding import Finding, Severity
+from rospkg_cli.model.happenings import UnknownRuleName
 from rospkg_cli.testing import lint_files
 
 
@@ -69,3 +71,12 @@ def test_a_severity_for_a_path_holds_over_that_for_a_package_and_both_over_that_
     assert level(finding, tmp_path, path, package) is Severity.ERROR
     assert level(finding, tmp_path, "severity error", package) is Severity.INFO
     assert level(finding, tmp_path, "severity error") is Severity.ERROR
+
+
+@pytest.mark.parametrize("table", ["ignore", "severity"])
+def test_an_unknown_rule_is_shown_where_its_key_is(table: str, tmp_path: Path) -> None:
+    text = f'# XML999 is gone\n[{table}]\nXML104 = "info"\n[per-path."*.xml".{table}]\nXML999 = "info"\n'
+    (tmp_path / "rospkg.toml").write_text(text)
+    [found] = complaints(find_config(tmp_path), "rospkg.toml", text, set(), frozenset())
+    assert isinstance(found, UnknownRuleName)
+    assert text[: found.span.start].count("\n") == 4

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.engine.comments import removal
+from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
 
 BEFORE = "  <description>"
@@ -64,3 +66,18 @@ def test_one_code_of_several_is_taken_out(clean) -> None:
     (edit,) = finding.fix.operations
     text = with_comment(clean, comment)["package.xml"]
     assert "ignore[XML104]" in text[: edit.span.start] + text[edit.span.end :]
+
+
+@pytest.mark.parametrize(
+    "text, alone, left",
+    [
+        ("a\n  # c\nb\n", True, "a\nb\n"),
+        ("a  # c\nb\n", False, "a\nb\n"),
+        ("a\n  # c", True, "a\n"),
+        ("a  # c", False, "a"),
+    ],
+)
+def test_a_comment_that_is_removed_takes_its_blanks_along_and_its_line_where_it_is_alone(text, alone, left) -> None:
+    at = text.index("#")
+    span = removal(Source("a.py", text), Span(at, at + 3), alone)
+    assert text[: span.start] + text[span.end :] == left

@@ -35,6 +35,9 @@ def called(project: str, name: str) -> Example:
 LIBRARY = "add_library(core SHARED src/core.cpp)\n"
 EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
 
+GTEST = "find_package(ament_cmake_gtest REQUIRED)\n"
+NEEDS_GTEST = "  <test_depend>ament_cmake_gtest</test_depend>\n"
+
 CASES = {
     "CMK001": (
         called("project(other)", "my pkg"),
@@ -52,6 +55,9 @@ CASES = {
         cmake("if(SOMETHING_ELSE)\n  add_executable(talker src/a.cpp)\nendif()\n"),
     ),
     "CMK103": (
+        cmake("add_library(core SHARED src/a.cpp)\nadd_library(base SHARED src/a.cpp)\n"
+              "target_link_libraries(core PUBLIC base)\ninstall(FILES core DESTINATION lib)\n"
+              "install(TARGETS core\n  DESTINATION lib\n)\n", src__a_DOT_cpp=MAIN, core="a file of that name\n"),
         cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n{EXPORTED}",
               src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n"),
         cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n"
@@ -68,6 +74,9 @@ CASES = {
     ),
     "CMK106": (
         cmake("ament_export_include_directories(include)\n", include__my_pkg__a_DOT_hpp="#pragma once\n"),
+    ),
+    "CMK107": (
+        cmake(f"{GTEST}ament_add_gtest(test_a test/a.cpp)  # fast\n", NEEDS_GTEST, test__a_DOT_cpp=MAIN),
     ),
     "CMK110": (
         cmake("find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n"

@@ -1,0 +1,12 @@
+"""Cases of rules beside their examples: sentences, levels and fixes that users need not read about."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+
+from rospkg_cli.example import Example
+
+CASES: dict[str, tuple[Example, ...]] = {}
+for path in sorted(Path(__file__).parent.glob("[a-z]*.py")):
+    CASES |= importlib.import_module(f"{__name__}.{path.stem}").CASES
