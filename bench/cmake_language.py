@@ -21,9 +21,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rospkg_cli.example import manifest
-from rospkg_cli.model.cmake.project import CMake
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.package import Package
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.package import Package
 from rospkg_cli.tree import MemoryTree
 
 from .cmake_trace import Verdict, compare, traced

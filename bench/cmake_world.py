@@ -17,14 +17,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.model.cmake.call import flags_and_values
-from rospkg_cli.model.cmake.project import CMake
-from rospkg_cli.model.cmake.words import Word
-from rospkg_cli.model.discover import packages_below
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.install import InstallTable
-from rospkg_cli.model.manifest import Manifest
-from rospkg_cli.model.package import Package
+from rospkg_cli.engine.discovery.discover import packages_below
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.cmake.call import flags_and_values
+from rospkg_cli.languages.cmake.words import Word
+from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.install import InstallTable
+from rospkg_cli.package.manifest import Manifest
+from rospkg_cli.package.package import Package
 
 PROVIDER = Path(__file__).with_suffix(".cmake")
 REAL_PREFIX = Path("/usr/share")

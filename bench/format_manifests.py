@@ -19,9 +19,9 @@ from importlib import import_module
 from pathlib import Path
 
 from rospkg_cli.format import format_text
-from rospkg_cli.model.manifest import Manifest, manifest_of
-from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source
+from rospkg_cli.unreadable import UnreadableError
 
 from .break_manifest import break_manifest
 from .manifest_parity import Official

@@ -18,13 +18,13 @@ from itertools import islice, zip_longest
 from pathlib import Path
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.model.discover import packages_below
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.launch.entity import from_xml, from_yaml
-from rospkg_cli.model.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
-from rospkg_cli.model.launch.made import NODES
-from rospkg_cli.model.launch.text import LaunchText
-from rospkg_cli.model.package import Package
+from rospkg_cli.engine.discovery.discover import packages_below
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.launch.entity import from_xml, from_yaml
+from rospkg_cli.package.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
+from rospkg_cli.package.launch.made import NODES
+from rospkg_cli.package.launch.text import LaunchText
+from rospkg_cli.package.package import Package
 from rospkg_cli.report.launched import launch_lines
 from rospkg_cli.ros.launch import ACTIONS, PARTS, SUBSTITUTIONS
 from rospkg_cli.source import Span

@@ -26,11 +26,11 @@ from typing import Any
 
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.format import format_text
-from rospkg_cli.model.manifest import Manifest, manifest_of
-from rospkg_cli.model.schema import accepts
-from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.package.manifest import Manifest, manifest_of
+from rospkg_cli.package.schema.schema import accepts
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
+from rospkg_cli.unreadable import UnreadableError
 
 from .break_manifest import break_manifest
 from .manifests import manifests

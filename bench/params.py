@@ -17,12 +17,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rospkg_cli.model.params.file import is_unknown
-from rospkg_cli.model.params.judge import judge
-from rospkg_cli.model.params.reader import is_parameter_file
-from rospkg_cli.model.unreadable import UnreadableError
-from rospkg_cli.model.yaml import documents
+from rospkg_cli.languages.yaml.yaml import documents
+from rospkg_cli.package.params.file import is_unknown
+from rospkg_cli.package.params.judge import judge
+from rospkg_cli.package.params.reader import is_parameter_file
 from rospkg_cli.source import Source
+from rospkg_cli.unreadable import UnreadableError
 
 from .mutate import mutate
 

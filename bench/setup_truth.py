@@ -25,10 +25,10 @@ from pathlib import Path
 from typing import Any
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.model.discover import packages_below
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.package import Package
-from rospkg_cli.model.setup.setup_py import SetupPy
+from rospkg_cli.engine.discovery.discover import packages_below
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.package import Package
+from rospkg_cli.package.setup.setup_py import SetupPy
 
 RECORDER = Path(__file__).with_name("record_setup.py")
 SECONDS = 60

@@ -17,10 +17,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rospkg_cli.model.unreadable import UnreadableError
-from rospkg_cli.model.urdf.file import RobotFile
-from rospkg_cli.model.urdf.reader import robot_file
+from rospkg_cli.package.urdf.file import RobotFile
+from rospkg_cli.package.urdf.reader import robot_file
 from rospkg_cli.source import Source
+from rospkg_cli.unreadable import UnreadableError
 
 ON_PURPOSE = ("child of two joints", "in a circle", "no joint of the robot is called", "the link has no `name`")
 PIECE = "a piece without links and joints"

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from rospkg_cli.example import manifest
-from rospkg_cli.model.cmake.call import Call
-from rospkg_cli.model.cmake.project import CMake
-from rospkg_cli.model.cmake.table import cmake_table
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.package import Package
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.cmake.call import Call
+from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.cmake.table import cmake_table
+from rospkg_cli.package.package import Package
 from rospkg_cli.tree import MemoryTree
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.package import Package
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.package import Package
 from rospkg_cli.tree import Entry, MemoryTree
 
 T = TypeVar("T")

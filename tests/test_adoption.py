@@ -10,7 +10,7 @@ from test_lint_command import TODO, rospkg
 
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.finding import Severity
-from rospkg_cli.model.manifest import Manifest
+from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.rule import Rule
 from rospkg_cli.versions import fulfils
 

@@ -9,7 +9,7 @@ import pytest
 import yaml
 from planned import around, plan, texts
 
-from rospkg_cli.model.launch.file import LaunchFile
+from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError

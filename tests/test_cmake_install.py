@@ -8,12 +8,12 @@ import pytest
 from cmaking import read_files, table, unknown
 
 from rospkg_cli.example import BACKDROPS, manifest
-from rospkg_cli.model.cmake.table import cmake_table
-from rospkg_cli.model.facts import PackageFacts
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.gather import gather
-from rospkg_cli.model.install import InstallTable
-from rospkg_cli.model.package import Package
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.cmake.table import cmake_table
+from rospkg_cli.package.facts import PackageFacts
+from rospkg_cli.package.gather import gather
+from rospkg_cli.package.install import InstallTable
+from rospkg_cli.package.package import Package
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rospkg_cli.edits.commas import append, remove
 from rospkg_cli.finding import Edit
-from rospkg_cli.model.python import parse_python
+from rospkg_cli.languages.python.python import parse_python
 from rospkg_cli.source import Source, Span
 
 

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.model.cpp.file import CppFile, read_cpp
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.package import Package
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.cpp.file import CppFile, read_cpp
+from rospkg_cli.package.package import Package
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.model.cpp.file import read_cpp
-from rospkg_cli.model.params import cpp, python
-from rospkg_cli.model.params.declared import DeclaredParameter
-from rospkg_cli.model.params.library import library
-from rospkg_cli.model.python import parse_python
-from rospkg_cli.model.yaml import documents
+from rospkg_cli.languages.cpp.file import read_cpp
+from rospkg_cli.languages.python.python import parse_python
+from rospkg_cli.languages.yaml.yaml import documents
+from rospkg_cli.package.params import cpp, python
+from rospkg_cli.package.params.declared import DeclaredParameter
+from rospkg_cli.package.params.library import library
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 

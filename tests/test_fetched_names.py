@@ -10,8 +10,8 @@ from small_rosdistro import DISTROS
 from test_lint_command import rospkg
 
 from rospkg_cli.cli.new import new
-from rospkg_cli.engine.elsewhere import lists_others
-from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.engine.discovery.elsewhere import lists_others
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.index.cache import keep

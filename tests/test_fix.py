@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.apply import Changes, apply_fixes
+from rospkg_cli.engine.fixing.apply import Changes, apply_fixes
 from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move
 from rospkg_cli.source import Span
 from rospkg_cli.tree import Entry, MemoryTree

@@ -11,11 +11,11 @@ import pytest
 from cases import CASES
 
 from rospkg_cli.cli.diff import unified
-from rospkg_cli.engine.fix import repair
-from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.engine.discovery.discover import packages_in, repositories_in
+from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
-from rospkg_cli.model.discover import packages_in, repositories_in
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.tree import MemoryTree

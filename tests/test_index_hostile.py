@@ -146,7 +146,7 @@ def test_eight_at_once_leave_one_whole_index(
 KILL = "import os, signal; kill = lambda *_, **__: os.kill(os.getpid(), signal.SIGKILL)\n"
 MOMENTS = {
     "before the file": "import tempfile; tempfile.mkstemp = kill",
-    "half of it": "from rospkg_cli.engine import write; write.os = __import__('types').SimpleNamespace("
+    "half of it": "from rospkg_cli.engine.fixing import write; write.os = __import__('types').SimpleNamespace("
     "**{**vars(os), 'fsync': kill})",
     "before it is put in place": "from pathlib import Path; Path.replace = kill",
 }

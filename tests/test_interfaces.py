@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from interface_texts import REFUSED, TAKEN
 
-from rospkg_cli.engine.apply import apply_fixes
+from rospkg_cli.checks.interfaces.names import is_accepted
+from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.example import BACKDROPS, INTERFACES_BODY, manifest
-from rospkg_cli.model.interface.declared import Interface
-from rospkg_cli.model.interface.names import is_accepted
-from rospkg_cli.model.interface.text import parse_interface
+from rospkg_cli.package.interfaces.declared import Interface
+from rospkg_cli.package.interfaces.text import parse_interface
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree

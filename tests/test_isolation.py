@@ -14,16 +14,16 @@ import pytest
 from rospkg_cli.cli import inspect as inspecting
 from rospkg_cli.cli.inspect import inspect
 from rospkg_cli.disk import MAX_BYTES, DiskTree
-from rospkg_cli.engine import shard
-from rospkg_cli.engine.check import MAX_HITS
-from rospkg_cli.engine.fix import repair
-from rospkg_cli.engine.pool import ProcessPool
-from rospkg_cli.engine.session import Results, Scope, Session
-from rospkg_cli.engine.stamp import rule_by_code
+from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.run import shard
+from rospkg_cli.engine.run.check import MAX_HITS
+from rospkg_cli.engine.run.pool import ProcessPool
+from rospkg_cli.engine.run.session import Results, Scope, Session
+from rospkg_cli.engine.run.stamp import rule_by_code
 from rospkg_cli.finding import Delete, Edit, Fix, Hit, Safety
-from rospkg_cli.model import readers
-from rospkg_cli.model.manifest import Manifest
-from rospkg_cli.model.setup.setup_py import SetupPy
+from rospkg_cli.package import readers
+from rospkg_cli.package.manifest import Manifest
+from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.source import Span
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import Entry, LeadsOutError, MemoryTree
@@ -95,7 +95,7 @@ def test_a_fix_that_fails(clean, monkeypatch: pytest.MonkeyPatch) -> None:
             yield Hit(manifest.path, end, "x", fix=Fix("Do it", (operation,)))
 
     put_rules(monkeypatch, XML104=check)
-    monkeypatch.setattr("rospkg_cli.engine.apply.outcome", lambda tree, operation: 1 / 0)
+    monkeypatch.setattr("rospkg_cli.engine.fixing.apply.outcome", lambda tree, operation: 1 / 0)
     outcome = repair(session(clean), (Safety.SAFE,))
     assert [(f.code, f.package) for f in outcome.applied] == [("XML104", "good")]
     assert [(f.package, why) for f, why in outcome.refused] == [("bad", "ZeroDivisionError: division by zero")]

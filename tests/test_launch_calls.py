@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.launch.file import LaunchFile
-from rospkg_cli.model.launch.imported import misimports
-from rospkg_cli.model.launch.names import undefined_names
-from rospkg_cli.model.package import Package
+from rospkg_cli.checks.launch.imported import misimports
+from rospkg_cli.checks.launch.names import undefined_names
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.package import Package
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.launch.file import LaunchFile
-from rospkg_cli.model.launch.text import LaunchText
-from rospkg_cli.model.launch.uses import package_uses
-from rospkg_cli.model.package import Package
+from rospkg_cli.checks.launch.uses import package_uses
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.launch.text import LaunchText
+from rospkg_cli.package.package import Package
 from rospkg_cli.tree import MemoryTree
 
 XML = """\

@@ -10,7 +10,7 @@ import pytest
 from test_lint_command import rospkg
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.locate import locate
+from rospkg_cli.engine.discovery.locate import locate
 from rospkg_cli.report import FORMATS
 
 SECRET = "token = 'ghp_very_secret_0123456789'"

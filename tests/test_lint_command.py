@@ -71,13 +71,14 @@ def test_nothing_checked_is_2_with_a_finding(tmp_path: Path) -> None:
 
 def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
     code = (
-        "import sys, dataclasses, types; from rospkg_cli.engine import stamp; from rospkg_cli.__main__ import main\n"
+        "import sys, dataclasses, types; from rospkg_cli.__main__ import main\n"
+        "from rospkg_cli.engine.run import stamp\n"
         "real = stamp.rule_by_code\n"
         "def broken(slice): raise RuntimeError('no'); yield\n"
         "def patched(code):\n"
         "    return dataclasses.replace(real(code), check=broken) if code == 'RPK001' else real(code)\n"
-        "from rospkg_cli.engine import shard; shard.rule_by_code = patched\n"
-        "from rospkg_cli.engine import slices; slices.Slices.of = lambda self, kind, of=slices.Slices.of: "
+        "from rospkg_cli.engine.run import shard; shard.rule_by_code = patched\n"
+        "from rospkg_cli.engine.run import slices; slices.Slices.of = lambda self, kind, of=slices.Slices.of: "
         "[types.SimpleNamespace(skipped=False)] if kind.__name__ == 'Unreadable' else of(self, kind)\n"
         "sys.argv = ['rospkg', 'lint', '--format', 'json', *sys.argv[1:]]; sys.exit(main())"
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config import Config
-from rospkg_cli.engine.locate import LocateError, locate
+from rospkg_cli.engine.discovery.locate import LocateError, locate
 
 
 @pytest.fixture

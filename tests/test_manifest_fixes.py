@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 from rospkg_cli.edits.manifest import add_dependency, add_element, add_export, remove_element
 from rospkg_cli.edits.tags import remove_attribute, rename_tag, set_attribute, set_text
 from rospkg_cli.edits.upgrade import to_format_3
-from rospkg_cli.engine.apply import edited
-from rospkg_cli.engine.fix import repair
-from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.engine.fixing.apply import edited
+from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import manifest
 from rospkg_cli.finding import Edit, Safety
-from rospkg_cli.model.manifest import Manifest, manifest_of
+from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.rule import all_rules
 from rospkg_cli.source import Source
 from rospkg_cli.tree import Entry, MemoryTree

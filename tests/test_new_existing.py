@@ -12,7 +12,7 @@ import pytest
 
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.new import new
-from rospkg_cli.engine.signals import stopped_by_signals
+from rospkg_cli.engine.fixing.signals import stopped_by_signals
 from rospkg_cli.scaffold import existing
 from rospkg_cli.scaffold.answers import Request
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.fix import repair
-from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.engine.discovery.discover import packages_in
+from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Safety
-from rospkg_cli.model.discover import packages_in
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 

@@ -14,7 +14,7 @@ import pytest
 from markdown_it import MarkdownIt
 
 from rospkg_cli.cli.diff import diff
-from rospkg_cli.engine.session import Results
+from rospkg_cli.engine.run.session import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Place, Severity
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.source import Source, Span

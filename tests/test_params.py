@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.params.numbers import ambiguous_numbers, canonical
 from rospkg_cli.example import BACKDROPS
-from rospkg_cli.model.params.file import ParameterFile
-from rospkg_cli.model.params.judge import judge
-from rospkg_cli.model.params.numbers import ambiguous_numbers, canonical
-from rospkg_cli.model.params.value import type_of, yaml_type
-from rospkg_cli.model.unreadable import UnreadableError
-from rospkg_cli.model.yaml import Scalar, documents
+from rospkg_cli.languages.yaml.yaml import Scalar, documents
+from rospkg_cli.package.params.file import ParameterFile
+from rospkg_cli.package.params.judge import judge
+from rospkg_cli.package.params.value import type_of, yaml_type
 from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
+from rospkg_cli.unreadable import UnreadableError
 
 BLOCK = "n:\n  ros__parameters:\n"
 

@@ -12,7 +12,7 @@ import pytest
 MODULE = '''
 from rospkg_cli.example import Example, manifest
 from rospkg_cli.finding import Hit, Severity
-from rospkg_cli.model.manifest import Manifest
+from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.rule import rule
 from rospkg_cli.source import Span
 

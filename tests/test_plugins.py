@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.locate import locate
-from rospkg_cli.engine.session import Session
+from rospkg_cli.engine.discovery.locate import locate
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
 

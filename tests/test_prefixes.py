@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rospkg_cli.engine.prefixes import prefix_names
-from rospkg_cli.engine.session import Scope, Session
+from rospkg_cli.engine.discovery.prefixes import prefix_names
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.tree import MemoryTree
 

@@ -162,8 +162,8 @@ def test_laws_name_tests_that_are_there() -> None:
 
 @pytest.mark.parametrize("page", ["CONTRIBUTING.md", ARCHITECTURE])
 def test_paths_that_a_page_names_are_there(page: str) -> None:
-    named = re.findall(
-        r"(?<![\w/.-])((?:src|tests|bench|docs|templates|schemas|model|report|engine|\.ci)/[\w./]*\w)", text(page)
-    )
+    folders = "src|tests|bench|docs|templates|schemas|languages|package|checks|report|engine|\\.ci"
+    named = re.findall(rf"(?<![\w/.-])((?:{folders})/[\w./]*\w)", text(page))
+    assert named
     for path in named:
         assert (ROOT / path).exists() or (SRC / path).exists(), f"{page}: {path}"

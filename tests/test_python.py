@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.model.python import PythonFile, parse_python
-from rospkg_cli.model.unreadable import UnreadableError
+from rospkg_cli.languages.python.python import PythonFile, parse_python
 from rospkg_cli.source import Source
+from rospkg_cli.unreadable import UnreadableError
 
 
 def read(text: str) -> PythonFile:

@@ -6,11 +6,11 @@ import ast
 
 import pytest
 
-from rospkg_cli.model import syntax
-from rospkg_cli.model.python import parse_python
-from rospkg_cli.model.python_size import MAX_DEPTH, MAX_TOKENS
-from rospkg_cli.model.unreadable import Unreadable, UnreadableError
+from rospkg_cli.languages.python import syntax
+from rospkg_cli.languages.python.python import parse_python
+from rospkg_cli.languages.python.python_size import MAX_DEPTH, MAX_TOKENS
 from rospkg_cli.source import Source
+from rospkg_cli.unreadable import Unreadable, UnreadableError
 
 
 def refused(text: str) -> Unreadable:

@@ -13,14 +13,14 @@ from pathlib import Path
 import pytest
 from test_lint_command import rospkg
 
-from rospkg_cli.engine import shard
-from rospkg_cli.engine.fix import repair
+from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.run import shard
+from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.stamp import rule_by_code
 from rospkg_cli.engine.selection import EVERYTHING
-from rospkg_cli.engine.session import Scope, Session
-from rospkg_cli.engine.stamp import rule_by_code
 from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety
-from rospkg_cli.model.manifest import Manifest
+from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.source import Span
 from rospkg_cli.tree import MemoryTree
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rospkg_cli.engine.apply import apply_fixes
+from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
 from rospkg_cli.rule import Rule, all_rules

@@ -8,9 +8,9 @@ import sys
 import pytest
 
 from rospkg_cli.example import manifest
-from rospkg_cli.model.manifest import Manifest, manifest_of
-from rospkg_cli.model.schema import longest_run
-from rospkg_cli.model.violation import Kind
+from rospkg_cli.package.manifest import Manifest, manifest_of
+from rospkg_cli.package.schema.schema import longest_run
+from rospkg_cli.package.schema.violation import Kind
 from rospkg_cli.source import Source
 
 GOOD = manifest()

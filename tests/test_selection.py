@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config import find_config
-from rospkg_cli.engine.config_names import complaints
 from rospkg_cli.engine.judge import Judge
 from rospkg_cli.engine.selection import Selection
+from rospkg_cli.engine.suppression.config_names import complaints
 from rospkg_cli.finding import Finding, Severity
-from rospkg_cli.model.happenings import UnknownRuleName
+from rospkg_cli.package.happenings import UnknownRuleName
 from rospkg_cli.testing import lint_files
 
 

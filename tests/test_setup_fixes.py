@@ -7,7 +7,7 @@ import difflib
 import pytest
 from broken_setups import BROKEN, FILES
 
-from rospkg_cli.engine.apply import apply_fixes
+from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import Entry, MemoryTree
 

@@ -13,7 +13,7 @@ from reading import one
 from setuptools import find_namespace_packages, find_packages
 
 from rospkg_cli.example import manifest
-from rospkg_cli.model.setup.setup_py import SetupPy
+from rospkg_cli.package.setup.setup_py import SetupPy
 
 FILES = {
     "package.xml": manifest(),

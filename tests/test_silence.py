@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.comments import removal
+from rospkg_cli.engine.suppression.comments import removal
 from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
 

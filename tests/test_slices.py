@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rospkg_cli.engine.slices import Slices
+from rospkg_cli.engine.run.slices import Slices
 from rospkg_cli.example import Example
-from rospkg_cli.model.cmake.project import CMake
-from rospkg_cli.model.facts import PackageFacts
-from rospkg_cli.model.files import PackageFiles
-from rospkg_cli.model.launch.file import LaunchFile
-from rospkg_cli.model.manifest import Manifest
-from rospkg_cli.model.package import Package
-from rospkg_cli.model.settings import Settings
-from rospkg_cli.model.workspace import Workspace
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.facts import PackageFacts
+from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.manifest import Manifest
+from rospkg_cli.package.package import Package
+from rospkg_cli.package.settings import Settings
+from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
 

@@ -16,7 +16,7 @@ import yaml
 from pairwise import pairwise
 from planned import ADA, around, plan, texts
 
-from rospkg_cli.model.launch.file import LaunchFile
+from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError

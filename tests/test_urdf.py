@@ -6,12 +6,12 @@ import pytest
 from urdf_texts import JOINT, PAIR, REFUSED, TAKEN
 
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.model.unreadable import UnreadableError
-from rospkg_cli.model.urdf.file import RobotFile
-from rospkg_cli.model.urdf.reader import robot_file
-from rospkg_cli.model.urdf.substitution import substitution_fault
+from rospkg_cli.package.urdf.file import RobotFile
+from rospkg_cli.package.urdf.reader import robot_file
+from rospkg_cli.package.urdf.substitution import substitution_fault
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
+from rospkg_cli.unreadable import UnreadableError
 
 
 def read(body: str, path: str = "urdf/robot.urdf", head: str = '<robot name="r">') -> RobotFile:

@@ -11,8 +11,8 @@ from test_lint_command import rospkg
 from working_trees import PUT, folders_of
 
 from rospkg_cli.disk import DiskTree
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
-from rospkg_cli.engine.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, present
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.scaffold.template import template_names

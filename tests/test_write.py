@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.write import WriteError, write_changes
+from rospkg_cli.engine.fixing.write import WriteError, write_changes
 from rospkg_cli.tree import Entry
 
 

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rospkg_cli.model.unreadable import Unreadable, UnreadableError
-from rospkg_cli.model.xml import MAX_DEPTH, Document, read_xml
+from rospkg_cli.languages.xml.xml import MAX_DEPTH, Document, read_xml
 from rospkg_cli.source import Source, Span
+from rospkg_cli.unreadable import Unreadable, UnreadableError
 
 NAME = st.from_regex(r"[a-z][a-z_]{0,6}", fullmatch=True)
 TEXT = st.text(

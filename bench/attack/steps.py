@@ -20,9 +20,9 @@ from rospkg_cli.cli.lint import lint
 from rospkg_cli.cli.options import LintOptions
 from rospkg_cli.configkeys import ConfigError
 from rospkg_cli.engine.baseline import BaselineError
-from rospkg_cli.engine.locate import LocateError
-from rospkg_cli.engine.plugged import PluginError
-from rospkg_cli.engine.write import WriteError
+from rospkg_cli.engine.discovery.locate import LocateError
+from rospkg_cli.engine.fixing.write import WriteError
+from rospkg_cli.engine.run.plugged import PluginError
 from rospkg_cli.index import NamesError
 from rospkg_cli.report import FORMATS
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .edits.arrange import arrange, canonical_order
 from .finding import Edit
-from .model.manifest import manifest_of
+from .package.manifest import manifest_of
 from .source import Source
 
 

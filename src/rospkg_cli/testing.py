@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from .cli.lint import lint_to
 from .cli.options import LintOptions
+from .engine.discovery.discover import packages_in, repositories_in
+from .engine.run.session import Results, Scope, Session
 from .engine.selection import EVERYTHING
-from .engine.session import Results, Scope, Session
-from .model.discover import packages_in, repositories_in
 from .ros.distros import Targets
 from .tree import Entry, MemoryTree
 

@@ -60,10 +60,10 @@ def status() -> int:
     """Run the verb; return the exit status, of a fault too. Raises OutputError."""
     from ..configkeys import ConfigError
     from ..engine.baseline import BaselineError
-    from ..engine.locate import LocateError
-    from ..engine.plugged import PluginError
-    from ..engine.signals import StoppedError
-    from ..engine.write import WriteError
+    from ..engine.discovery.locate import LocateError
+    from ..engine.fixing.signals import StoppedError
+    from ..engine.fixing.write import WriteError
+    from ..engine.run.plugged import PluginError
     from ..index import NamesError
 
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 
-from ..engine.apply import Changes
+from ..engine.fixing.apply import Changes
 from ..tree import Entry, Tree
 from ..visible import no_command, visible, visible_lines
 

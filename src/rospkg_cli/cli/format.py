@@ -9,13 +9,13 @@ from pathlib import Path, PurePosixPath
 
 from ..config import find_config
 from ..disk import DiskTree
-from ..engine.apply import Changes, edited
-from ..engine.locate import locate
-from ..engine.write import write_changes
+from ..engine.discovery.locate import locate
+from ..engine.fixing.apply import Changes, edited
+from ..engine.fixing.write import write_changes
+from ..files import PackageFiles
 from ..format import format_edits
 from ..here import absolute, here
-from ..model.files import PackageFiles
-from ..model.unreadable import Unreadable, UnreadableError
+from ..unreadable import Unreadable, UnreadableError
 from ..visible import visible
 from . import UsageError
 from .diff import unified

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..engine.apply import Changes, apply_fixes
-from ..engine.ignores import ignores
-from ..engine.overlay import Overlay
-from ..engine.round import newly_broken
-from ..engine.session import Session
-from ..engine.write import write_changes
+from ..engine.fixing.apply import Changes, apply_fixes
+from ..engine.fixing.overlay import Overlay
+from ..engine.fixing.round import newly_broken
+from ..engine.fixing.write import write_changes
+from ..engine.run.session import Session
+from ..engine.suppression.ignores import ignores
 from ..finding import Finding
 from ..report import Report
 from . import UsageError

@@ -10,11 +10,11 @@ from typing import IO
 
 from ..config import find_config
 from ..disk import DiskTree
-from ..engine.locate import locate
+from ..engine.discovery.locate import locate
+from ..files import PackageFiles
 from ..here import here as stands
-from ..model.files import PackageFiles
-from ..model.inspection import Inspection, inspect_package
-from ..model.package import Package
+from ..package.inspection import Inspection, inspect_package
+from ..package.package import Package
 from ..report.installed import render_json, render_text
 from ..report.style import wants_color
 from ..ros.distros import Targets

@@ -10,12 +10,12 @@ from typing import IO
 
 from ..config import Config, find_config
 from ..engine.baseline import apply_baseline, read_baseline, write_baseline
-from ..engine.fix import Repair, repair
+from ..engine.discovery.locate import Located, locate
+from ..engine.fixing.fix import Repair, repair
+from ..engine.fixing.strays import remove_strays
+from ..engine.fixing.write import write_changes, write_text
 from ..engine.judge import Judge
-from ..engine.locate import Located, locate
-from ..engine.session import Results, Session
-from ..engine.strays import remove_strays
-from ..engine.write import write_changes, write_text
+from ..engine.run.session import Results, Session
 from ..fence import Fence
 from ..finding import Safety, Severity
 from ..here import absolute, here

@@ -10,14 +10,14 @@ from pathlib import Path
 from .. import __version__
 from ..config import Config
 from ..disk import DiskTree
-from ..engine.locate import Located
-from ..engine.plugged import plug_in
-from ..engine.pool import SERIAL_BELOW, ProcessPool
+from ..engine.discovery.locate import Located
+from ..engine.run.plugged import plug_in
+from ..engine.run.pool import SERIAL_BELOW, ProcessPool
+from ..engine.run.session import Pool, Session
 from ..engine.selection import Selection, codes_named, rule_names
-from ..engine.session import Pool, Session
 from ..index import NamesError
 from ..index.cache import names
-from ..model.settings import Settings
+from ..package.settings import Settings
 from ..report import FORMATS
 from ..ros.distros import Targets, fault_of_name
 from ..ros.names import BUILT_IN, Names

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import IO
 
-from ..engine.write import write_text
+from ..engine.fixing.write import write_text
 from ..finding import Safety
 from ..report import Report, render
 from ..visible import no_command, visible_lines

@@ -12,8 +12,8 @@ from itertools import pairwise
 from typing import Any
 
 from ..finding import Edit
-from ..model.manifest import Manifest
-from ..model.xml_tree import Comment, Element
+from ..languages.xml.xml_tree import Comment, Element
+from ..package.manifest import Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, ORDER, place_of
 from ..source import Span
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from ..finding import Edit
-from ..model.cmake.read import CMakeFile
-from ..model.cmake.syntax import Command
+from ..languages.cmake.read import CMakeFile
+from ..languages.cmake.syntax import Command
 from ..source import Source, Span
 
 MAX_RUN = 200

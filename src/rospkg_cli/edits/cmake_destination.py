@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ..checks.cmake.astray import Astray
 from ..finding import Edit
-from ..model.cmake.astray import Astray
-from ..model.cmake.project import CMake
-from ..model.cmake.syntax import Argument
+from ..languages.cmake.syntax import Argument
+from ..package.cmake.project import CMake
 from ..source import Span
 from .cmake import add_after
 from .cmake_install import LIBEXEC, block

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..model.cmake.project import CMake
-from ..model.cmake.syntax import Command
+from ..languages.cmake.syntax import Command
+from ..package.cmake.project import CMake
 from .cmake import add_after, add_argument
 from .cmake_install import add_rule
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..model.cmake.call import Call
-from ..model.cmake.project import CMake
-from ..model.cmake.syntax import Command
+from ..languages.cmake.call import Call
+from ..languages.cmake.syntax import Command
+from ..package.cmake.project import CMake
 from .cmake import add_after, add_before
 from .plain import PLAIN
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ..finding import Edit
-from ..model.cmake.call import Call
-from ..model.cmake.installs import InstallRule
-from ..model.cmake.project import CMake
-from ..model.cmake.read import CMakeFile
-from ..model.cmake.syntax import Command
-from ..model.cmake.targets import Target
+from ..languages.cmake.call import Call
+from ..languages.cmake.read import CMakeFile
+from ..languages.cmake.syntax import Command
+from ..languages.cmake.targets import Target
+from ..package.cmake.installs import InstallRule
+from ..package.cmake.project import CMake
 from ..source import Span
 from .cmake import add_after, add_argument, add_at_end, add_before
 

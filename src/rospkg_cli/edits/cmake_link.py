@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..checks.cmake.linking import Part, Removed, Replacement
 from ..finding import Edit
-from ..model.cmake.linking import Part, Removed, Replacement
 from ..source import Span
 from .cmake import remove
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..model.cmake.project import CMake
+from ..package.cmake.project import CMake
 from .cmake import add_after
 from .cmake_install import add_rule
 

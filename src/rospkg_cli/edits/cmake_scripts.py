@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ..checks.cmake.scripts import Script, Scripts
 from ..finding import Chmod, Edit, Operation
-from ..model.cmake.project import CMake
-from ..model.cmake.scripts import Script, Scripts
+from ..package.cmake.project import CMake
 from ..source import Span
 
 SHEBANG = "#!/usr/bin/env python3\n"

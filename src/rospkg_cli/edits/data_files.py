@@ -5,9 +5,9 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 
 from ..finding import Create, Edit, Operation
-from ..model.evaluate.values import Globbed, Sequence, Symbol
-from ..model.setup.data_files import DataFile
-from ..model.setup.setup_py import SetupPy
+from ..languages.python.evaluate.values import Globbed, Sequence, Symbol
+from ..package.setup.data_files import DataFile
+from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from . import commas
 from .setup import add_argument, add_item, import_code, name_code, quoted, replace_text

@@ -7,9 +7,9 @@ import re
 import tokenize
 
 from ..finding import Edit
-from ..model.setup.entry_points import EntryPoint, parse_entry_point
-from ..model.setup.said import Said
-from ..model.setup.setup_py import SetupPy
+from ..package.setup.entry_points import EntryPoint, parse_entry_point
+from ..package.setup.said import Said
+from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from .setup import add_item, quoted, replace_text
 

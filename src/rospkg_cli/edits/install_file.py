@@ -5,8 +5,8 @@ from __future__ import annotations
 import posixpath
 
 from ..finding import Edit
-from ..model.cmake.project import CMake
-from ..model.setup.setup_py import SetupPy
+from ..package.cmake.project import CMake
+from ..package.setup.setup_py import SetupPy
 from .cmake_install import SHARE, block, extend_or_add
 from .data_files import add_data_entry, share_code
 from .plain import PLAIN

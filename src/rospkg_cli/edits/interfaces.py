@@ -6,10 +6,10 @@ import posixpath
 from collections.abc import Sequence
 
 from ..finding import Edit
-from ..model.cmake.project import CMake
-from ..model.cmake.words import Word
-from ..model.interface.declared import Interface
-from ..model.interface.generated import GeneratedInterfaces, UnlistedNeed
+from ..languages.cmake.words import Word
+from ..package.cmake.project import CMake
+from ..package.interfaces.declared import Interface
+from ..package.interfaces.generated import GeneratedInterfaces, UnlistedNeed
 from ..source import Span
 from .cmake import add_argument
 

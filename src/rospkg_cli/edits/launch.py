@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 
 from ..finding import Edit
-from ..model.python import PythonFile
+from ..languages.python.python import PythonFile
 from ..source import Span
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from ..finding import Edit
-from ..model.evaluate.values import Argument, Mapping, Sequence, Text
-from ..model.setup.packages import Search
-from ..model.setup.said import Said
-from ..model.setup.setup_py import SetupPy
+from ..languages.python.evaluate.values import Argument, Mapping, Sequence, Text
+from ..package.setup.packages import Search
+from ..package.setup.said import Said
+from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from . import commas
 

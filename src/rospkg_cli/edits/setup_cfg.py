@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..finding import Create, Edit
-from ..model.setup.cfg import SetupCfg
-from ..model.setup.said import Said
+from ..package.setup.cfg import SetupCfg
+from ..package.setup.said import Said
 from ..source import Span
 
 

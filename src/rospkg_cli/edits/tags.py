@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..model.manifest import Manifest
-from ..model.xml_tree import Element
+from ..languages.xml.xml_tree import Element
+from ..package.manifest import Manifest
 from ..source import Span
 
 

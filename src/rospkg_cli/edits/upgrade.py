@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ..finding import Edit
-from ..model.manifest import Manifest
+from ..package.manifest import Manifest
 from ..ros.manifest import FORMATS, XML_MODEL
 from ..source import Span
 from .manifest import indentation, remove_element

@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..finding import Finding
-from .session import Results
+from .run.session import Results
 
 SCHEMA = 1
 REASON = "in the baseline"

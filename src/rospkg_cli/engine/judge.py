@@ -10,10 +10,10 @@ from pathlib import Path
 
 from ..config import Config, Ignores, Section
 from ..finding import Finding, Severity
-from ..model.happenings import UnknownRuleName, UnusedSuppression
-from .config_names import Keys, complaints
+from ..package.happenings import UnknownRuleName, UnusedSuppression
+from .run.session import Results, Session
 from .selection import codes_named
-from .session import Results, Session
+from .suppression.config_names import Keys, complaints
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from ..engine.write import WriteError, write_text
+from ..engine.fixing.write import WriteError, write_text
 from ..ros.index import BrokenIndexError, Index, check, dump, parse
 from ..ros.names import BUILT_IN, FetchedNames, Names
 from . import NamesError

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
-from ..engine.session import Results
+from ..engine.run.session import Results
 from ..finding import Finding, Severity
 from ..visible import no_command, visible
 from .shown import shown

@@ -7,8 +7,8 @@ from pathlib import PurePosixPath
 from typing import IO, Any
 
 from .. import __version__
-from ..model.inspection import Inspection
-from ..model.install import PYTHON, Installed, What
+from ..package.inspection import Inspection
+from ..package.install import PYTHON, Installed, What
 from ..visible import no_command, visible
 from .dump import dump
 from .launched import launch_document, launch_lines

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from ..model.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
-from ..model.launch.text import LaunchText
+from ..package.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
+from ..package.launch.text import LaunchText
 from ..visible import visible
 from .style import paint
 

@@ -9,21 +9,21 @@ from functools import cached_property
 from pathlib import Path
 
 from ..disk import DiskTree
-from ..engine.elsewhere import lists_others
-from ..engine.prefixes import prefix_names
+from ..engine.discovery.discover import packages_below
+from ..engine.discovery.elsewhere import lists_others
+from ..engine.discovery.prefixes import prefix_names
+from ..files import PackageFiles
 from ..index import NamesError
 from ..index.cache import names
-from ..model.discover import packages_below
-from ..model.facts import PackageFacts
-from ..model.files import PackageFiles
-from ..model.gather import gather
-from ..model.launch.file import LaunchFile
-from ..model.manifest import Manifest
-from ..model.package import Package
-from ..model.unreadable import UnreadableError
+from ..package.facts import PackageFacts
+from ..package.gather import gather
+from ..package.launch.file import LaunchFile
+from ..package.manifest import Manifest
+from ..package.package import Package
 from ..ros.distros import Targets
 from ..ros.names import BUILT_IN, Names
 from ..tree import MemoryTree, Tree
+from ..unreadable import UnreadableError
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..disk import read_entry
-from ..engine.signals import stopped_by_signals, undisturbed
+from ..engine.fixing.signals import stopped_by_signals, undisturbed
 from ..tree import Entry
 from . import ScaffoldError
 from .render import Written

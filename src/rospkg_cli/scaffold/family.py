@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..engine.signals import stopped_by_signals, undisturbed
+from ..engine.fixing.signals import stopped_by_signals, undisturbed
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request

@@ -8,7 +8,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..model.interface.text import parse_interface
+from ..package.interfaces.text import parse_interface
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import INTERFACE_NAME, SEPARATORS
 from ..source import Source

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..model.interface.declared import Interface, Member
+from ..package.interfaces.declared import Interface, Member
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME
 from ..ros.manifest import PACKAGE_NAME

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ..engine.run.session import Results, Scope, Session
 from ..engine.selection import EVERYTHING
-from ..engine.session import Results, Scope, Session
 from ..ros.distros import Targets
 from ..tree import MemoryTree
 from .answers import Answers

@@ -33,7 +33,7 @@ def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
 def load_plugins() -> None:
     """Make the rules known that the config of the current folder plugs in."""
     from ...config import find_config
-    from ...engine.plugged import plug_in
+    from ...engine.run.plugged import plug_in
 
     plug_in(find_config(Path()).plugins)
 

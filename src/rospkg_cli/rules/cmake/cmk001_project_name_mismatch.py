@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...edits.cmake import literal
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.cmake.package import CMakePackage
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...edits.cmake import literal
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.cmake.package import CMakeForTargets
+from ...package.cmake.package import CMakeForTargets
 from ...ros.distros import Targets
 from ...rule import rule
 

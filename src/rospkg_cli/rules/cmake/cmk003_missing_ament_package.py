@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.package import CMakePackage
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 
 GOOD = """\

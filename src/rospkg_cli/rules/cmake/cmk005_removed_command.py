@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.linking import LinkedPackages, Removed, Replacement
 from ...edits.cmake_link import link_instead
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.linking import LinkedPackages, Removed, Replacement
 from ...ros.distros import Targets
 from ...rule import rule
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.shared import RuntimeFolders
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.shared import RuntimeFolders
 from ...rule import rule
 
 LAUNCH = {

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...model.cmake.named import Named, NamedPaths
-from ...model.cmake.package import CMakePackage
+from ...package.cmake.named import Named, NamedPaths
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 from ...suggest import did_you_mean
 

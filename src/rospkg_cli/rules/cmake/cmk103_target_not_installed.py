@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.references import References
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.cmake.forgotten import Forgotten, ForgottenTargets
-from ...model.cmake.package import CMakePackage
-from ...model.cmake.references import References
+from ...package.cmake.forgotten import Forgotten, ForgottenTargets
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 from ...suggest import near
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.astray import Astray, AstrayExecutables
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.astray import Astray, AstrayExecutables
 from ...rule import rule
 
 MAIN = "int main() {return 0;}\n"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.scripts import Script, Scripts
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.scripts import Script, Scripts
 from ...rule import rule
 
 BARE = "print('hello')\n"

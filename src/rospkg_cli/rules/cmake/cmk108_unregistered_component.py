@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.registered import MACRO, Components
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.cmake.components import Component
-from ...model.cmake.registered import MACRO, Components
+from ...package.cmake.components import Component
 from ...rule import rule
 from ...suggest import did_you_mean, nearest
 

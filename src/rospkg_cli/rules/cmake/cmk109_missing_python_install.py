@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.python_packages import PythonPackages
 from ...edits.cmake_python import install_python_package
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.cmake.python_packages import PythonPackages
 from ...rule import rule
 
 SCRIPT = "#!/usr/bin/env python3\nfrom my_pkg.words import HELLO\n\nprint(HELLO)\n"

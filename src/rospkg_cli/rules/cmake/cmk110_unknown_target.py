@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.references import Reference, References
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...model.cmake.package import CMakePackage
-from ...model.cmake.references import Reference, References
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 from ...suggest import did_you_mean
 

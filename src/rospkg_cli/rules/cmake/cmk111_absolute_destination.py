@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.cmake.installs import InstallRule
-from ...model.cmake.package import CMakePackage
-from ...model.cmake.words import Word
+from ...languages.cmake.words import Word
+from ...package.cmake.installs import InstallRule
+from ...package.cmake.package import CMakePackage
 from ...rule import rule
 
 SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/share/${PROJECT_NAME}»)\nament_package")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.scripts import Scripts
 from ...edits.cmake_install import install_script
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.scripts import Scripts
 from ...rule import rule
 
 SCRIPT = "#!/usr/bin/env python3\nprint('hello')\n"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.exported import ExportedDependencies
 from ...edits.cmake_export import export_dependency
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.cmake.exported import ExportedDependencies
 from ...rule import rule
 
 LINES = """\

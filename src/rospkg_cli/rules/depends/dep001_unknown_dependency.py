@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.strange import NamesDeclared
 from ...edits.manifest import rename_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.strange import NamesDeclared
 from ...rule import rule
 
 LINE = "  <exec_depend>{}</exec_depend>\n"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.strange import NamesDeclared
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.uses.strange import NamesDeclared
 from ...rule import Profile, rule
 
 

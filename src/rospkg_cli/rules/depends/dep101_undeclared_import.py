@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.imported import Imported, Missing
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.imported import Imported, Missing
 from ...rule import rule
 
 BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"

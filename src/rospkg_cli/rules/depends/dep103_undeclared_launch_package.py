@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.launched import Launched
+from ...checks.launch.uses import PackageUse
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.launch.uses import PackageUse
-from ...model.uses.launched import Launched
 from ...ros.stands_for import LAUNCH
 from ...rule import rule
 from ...suggest import did_you_mean

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.sought import Sought, SoughtAndDeclared
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.uses.sought import Sought, SoughtAndDeclared
 from ...ros.manifest import is_buildtool
 from ...rule import rule
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.described import Described
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.described import Described
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.unfound import UnfoundPackages
 from ...edits.cmake_find import find_among
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.uses.unfound import UnfoundPackages
 from ...rule import rule
 
 DECLARED = manifest("  <depend>geometry_msgs</depend>\n", "ament_cmake")

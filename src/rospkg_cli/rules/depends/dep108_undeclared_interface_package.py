@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.typed import Typed
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.uses.typed import Typed
 from ...rule import rule
 
 CMAKE_MSG = CMAKE.replace(

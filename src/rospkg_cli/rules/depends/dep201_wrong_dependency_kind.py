@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.kinds import Kinds, WrongKind
 from ...edits.manifest import add_dependency, change_tag
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.uses.kinds import Kinds, WrongKind
 from ...rule import rule
 
 BAD = manifest("  <build_depend>rclpy</build_depend>\n")

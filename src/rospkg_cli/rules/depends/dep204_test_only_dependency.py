@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.tested import UsedInTests
 from ...edits.manifest import change_tag
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.uses.tested import UsedInTests
 from ...rule import Profile, rule
 
 USED = "  <exec_depend>rclpy</exec_depend>\n"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.gathered import Gathered
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.uses.gathered import Gathered
 from ...rule import Profile, rule
 
 PARTS = ("arm", "base", "camera", "driver", "msgs")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.scope import InterfaceInWorkspace
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.interface.scope import InterfaceInWorkspace
 from ...rule import rule
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.names import is_valid, language_of, repeated, suggestion
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.interface.declared import Interface, Member
-from ...model.interface.names import is_valid, language_of, repeated, suggestion
+from ...package.interfaces.declared import Interface, Member
 from ...rule import rule
 
 HARM = {

@@ -8,7 +8,7 @@ from ...edits.interfaces import list_interface
 from ...edits.plain import only_plain
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.interface.generated import GeneratedInterfaces
+from ...package.interfaces.generated import GeneratedInterfaces
 from ...rule import rule
 from ...source import Span
 

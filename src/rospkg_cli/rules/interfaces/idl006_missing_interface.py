@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
-from ...model.interface.generated import GeneratedInterfaces
+from ...package.interfaces.generated import GeneratedInterfaces
 from ...rule import rule
 from ...suggest import did_you_mean
 

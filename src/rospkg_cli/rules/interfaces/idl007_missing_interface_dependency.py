@@ -9,7 +9,7 @@ from ...edits.interfaces import list_need
 from ...edits.plain import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.interface.generated import GeneratedInterfaces
+from ...package.interfaces.generated import GeneratedInterfaces
 from ...rule import rule
 
 FIND = INTERFACES_CMAKE.replace("rosidl_generate", "find_package(std_msgs REQUIRED)\nrosidl_generate").replace(

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from ...checks.interfaces.named_files import NamedFiles
 from ...example import Example
 from ...finding import Hit, Severity
-from ...model.named_files import NamedFiles
 from ...rule import rule
 from ...source import Span
 

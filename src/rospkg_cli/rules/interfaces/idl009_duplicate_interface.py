@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake import remove_argument
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.interface.generated import GeneratedInterfaces
+from ...package.interfaces.generated import GeneratedInterfaces
 from ...rule import rule
 
 

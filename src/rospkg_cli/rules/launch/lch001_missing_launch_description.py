@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.file import LaunchFile
-from ...model.uses.roles import role_of
+from ...package.file_role import role_of
+from ...package.launch.file import LaunchFile
 from ...rule import rule
 from ...source import Span
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.started import Started, StartedNode
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.launch.started import Started, StartedNode
 from ...rule import rule
 
 SETUP = SETUP_PY_FOR_ALL.replace(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.scope import LaunchScope, Missing
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.launch.named_paths import Use
-from ...model.launch.scope import LaunchScope, Missing
+from ...package.launch.named_paths import Use
 from ...rule import rule
 
 LAUNCH = """\

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.installing import LaunchedFiles
+from ...checks.launch.scope import Missing
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.launch.installing import LaunchedFiles
-from ...model.launch.scope import Missing
 from ...rule import rule
 
 LAUNCH = """\

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.launch.file import LaunchFile
+from ...package.launch.file import LaunchFile
 from ...rule import rule
 
 PYTHON = """\

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.scope import LaunchScope
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.launch.faults import OldSyntax
-from ...model.launch.scope import LaunchScope
+from ...package.launch.faults import OldSyntax
 from ...rule import rule
 from ...source import Span
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.expressions import expression_faults
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.expressions import expression_faults
-from ...model.launch.file import LaunchFile
+from ...package.launch.file import LaunchFile
 from ...rule import rule
 
 BAD = '<launch>\n  <let name="speed" «valeu»="1.0"/>\n</launch>\n'

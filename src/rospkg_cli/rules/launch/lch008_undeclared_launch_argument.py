@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.configurations import Configurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.configurations import Configurations
 from ...rule import rule
 from ...suggest import did_you_mean
 

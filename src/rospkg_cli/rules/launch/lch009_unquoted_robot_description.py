@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.robots import Robots
 from ...edits.launch import import_name, wrap
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.launch.file import LaunchFile
-from ...model.launch.robots import Robots
-from ...model.launch.unquoted import Unquoted
+from ...package.launch.file import LaunchFile
+from ...package.launch.unquoted import Unquoted
 from ...rule import rule
 
 NEEDED = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("robot_state_publisher", "ros2launch", "xacro"))

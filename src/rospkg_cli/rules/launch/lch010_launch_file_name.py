@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.collected import InstalledLaunchFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.collected import InstalledLaunchFiles
 from ...rule import Profile, rule
 from ...source import Span
 

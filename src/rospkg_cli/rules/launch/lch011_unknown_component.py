@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.components import Loaded, UnknownComponent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.launch.components import Loaded, UnknownComponent
 from ...rule import rule
 
 BAD = """\

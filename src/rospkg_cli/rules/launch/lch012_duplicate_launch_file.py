@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.collected import InstalledLaunchFiles
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...model.launch.collected import InstalledLaunchFiles
 from ...rule import rule
 
 EMPTY = "<launch>\n</launch>\n"

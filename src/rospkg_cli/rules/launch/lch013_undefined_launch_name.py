@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.imported import misimports
+from ...checks.launch.names import Unbound, undefined_names
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.file import LaunchFile
-from ...model.launch.imported import misimports
-from ...model.launch.names import Unbound, undefined_names
+from ...package.launch.file import LaunchFile
 from ...ros.launch_names import home_of
 from ...rule import rule
 from ...suggest import nearest

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.launch.file import LaunchFile
-from ...model.launch.misuse import Misuse
+from ...package.launch.file import LaunchFile
+from ...package.launch.misuse import Misuse
 from ...rule import rule
 
 NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.including import Including, Mismatch
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.launch.including import Including, Mismatch
 from ...rule import rule
 
 ARM = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="$(var speed)"/>\n</launch>\n'

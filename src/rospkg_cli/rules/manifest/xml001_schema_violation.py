@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest import Manifest
-from ...model.violation import Kind, Violation
-from ...model.xml_tree import Element
+from ...languages.xml.xml_tree import Element
+from ...package.manifest import Manifest
+from ...package.schema.violation import Kind, Violation
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED
 from ...rule import rule
 from ...source import Span

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from ...edits.arrange import arrange, schema_order
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
-from ...model.schema import misplaced
-from ...model.xml_tree import Element
+from ...languages.xml.xml_tree import Element
+from ...package.manifest import Manifest
+from ...package.schema.schema import misplaced
 from ...ros.manifest import place_of
 from ...rule import rule
 

@@ -8,7 +8,7 @@ from ...edits.tags import set_attribute
 from ...edits.upgrade import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.manifest import FORMATS, NEW_IN
 from ...rule import rule
 

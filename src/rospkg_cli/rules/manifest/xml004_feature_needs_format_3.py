@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.upgrade import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...rule import rule
 
 GOOD = manifest('  <exec_depend condition="$ROS_VERSION == 2">rclpy</exec_depend>\n')

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.upgrade import add_schema_line, schema_line
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.manifest import XML_MODEL
 from ...rule import Profile, rule
 

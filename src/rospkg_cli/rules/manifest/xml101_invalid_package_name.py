@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest_slices import ManifestAndFiles
 from ...ros.manifest import PACKAGE_NAME
 from ...rule import rule
 

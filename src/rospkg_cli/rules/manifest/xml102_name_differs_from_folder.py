@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from ...checks.manifest.manifest_slices import ManifestInFolder
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest_slices import ManifestInFolder
 from ...rule import Profile, rule
 
 CMAKE = "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"

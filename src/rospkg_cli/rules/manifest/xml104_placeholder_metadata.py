@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...rule import rule
 from ...source import Span
 

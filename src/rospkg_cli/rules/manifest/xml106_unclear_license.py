@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.license_words import is_prose, licenses_in
 from ...rule import rule
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.tags import remove_attribute, set_attribute
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.manifest import URL_MEANT, URL_TYPES
 from ...rule import rule
 from ...suggest import nearest

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...rule import Profile, rule
 
 GOOD = manifest()

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.tags import set_text
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.licenses import spdx_id
 from ...rule import Profile, rule
 

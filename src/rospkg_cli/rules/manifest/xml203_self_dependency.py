@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.manifest import RELATIONS
 from ...rule import rule
 

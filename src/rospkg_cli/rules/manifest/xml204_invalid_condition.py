@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.condition import Comparison, ConditionError, parse_condition
-from ...model.manifest import Manifest
-from ...model.xml_tree import Attribute
+from ...languages.condition import Comparison, ConditionError, parse_condition
+from ...languages.xml.xml_tree import Attribute
+from ...package.manifest import Manifest
 from ...ros.manifest import ENVIRONMENT
 from ...rule import rule
 from ...source import Span

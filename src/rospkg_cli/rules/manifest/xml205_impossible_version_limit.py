@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest import Dependency, Manifest
-from ...model.version_range import is_empty
+from ...languages.version_range import is_empty
+from ...package.manifest import Dependency, Manifest
 from ...ros.manifest import VERSION_LIMIT
 from ...rule import rule
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from ...edits.arrange import arrange, sorted_in_place
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest import Manifest
+from ...package.manifest import Manifest
 from ...ros.manifest import DEPENDENCY_TAGS
 from ...rule import Profile, rule
 

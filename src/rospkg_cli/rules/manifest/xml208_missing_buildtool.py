@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndCMake
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest_slices import ManifestAndCMake
 from ...rule import rule
 
 GOOD = manifest(build_type="ament_cmake")

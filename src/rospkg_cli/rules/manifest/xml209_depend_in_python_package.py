@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndFiles
 from ...edits.tags import rename_tag
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest_slices import ManifestAndFiles
 from ...rule import Profile, rule
 
 

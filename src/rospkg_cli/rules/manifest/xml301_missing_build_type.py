@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndCMake
 from ...edits.manifest import add_export
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.manifest_slices import ManifestAndCMake
 from ...rule import rule
 
 GOOD = manifest()

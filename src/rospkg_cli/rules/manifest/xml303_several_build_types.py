@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestForTargets
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.condition import together
-from ...model.manifest_slices import ManifestForTargets
+from ...languages.condition import together
 from ...rule import rule
 
 GOOD = manifest()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndFiles
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest_slices import ManifestAndFiles
 from ...ros.manifest import BUILD_FILES
 from ...rule import rule
 

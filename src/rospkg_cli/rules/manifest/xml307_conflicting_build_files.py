@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_slices import ManifestAndCMake
 from ...example import CMAKE, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
-from ...model.manifest_slices import ManifestAndCMake
 from ...rule import rule
 
 PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example
 from ...finding import Hit, Related, Severity
-from ...model.params.file import ParameterFile
+from ...package.params.file import ParameterFile
 from ...rule import rule
 
 GOOD = """\

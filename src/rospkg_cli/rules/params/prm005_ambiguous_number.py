@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.launched import LaunchedParameters
+from ...checks.params.numbers import ambiguous_numbers
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.params.launched import LaunchedParameters
-from ...model.params.numbers import ambiguous_numbers
 from ...rule import rule
 
 GOOD = """\

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.params.owners import PackageParameters, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.params.file import Parameter
-from ...model.params.owners import PackageParameters, given_type
-from ...model.yaml import Scalar, Sequence
+from ...languages.yaml.yaml import Scalar, Sequence
+from ...package.params.file import Parameter
 from ...rule import rule
 
 NODE = """\

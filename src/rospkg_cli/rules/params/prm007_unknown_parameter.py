@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.owners import PackageParameters
 from ...edits.plain import only_plain
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.params.owners import PackageParameters
 from ...rule import rule
 
 NODE = """\

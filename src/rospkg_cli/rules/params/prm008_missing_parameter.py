@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.params.missing import MissingParameters
+from ...checks.params.plugin_lists import unfound_plugins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...model.params.missing import MissingParameters
-from ...model.params.plugin_lists import unfound_plugins
 from ...rule import rule
 
 NODE = """\

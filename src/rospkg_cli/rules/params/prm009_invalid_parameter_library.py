@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...model.params.library import ParameterLibrary
+from ...package.params.library import ParameterLibrary
 from ...rule import rule
 
 GOOD = """\

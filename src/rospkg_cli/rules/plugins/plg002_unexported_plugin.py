@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.exported import ExportedClass
+from ...checks.plugins.package import Entry, PluginPackage
 from ...edits.cmake import add_before
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.plugins.description import PluginDescription
-from ...model.plugins.exported import ExportedClass
-from ...model.plugins.package import Entry, PluginPackage
+from ...package.plugins.description import PluginDescription
 from ...rule import rule
 
 EXPORT = "pluginlib_export_plugin_description_file(nav2_core plugins.xml)\n"
@@ -25,6 +25,7 @@ install(TARGETS my_planner DESTINATION lib)
 {EXPORT}ament_package()""",
 )
 NEEDS = manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake")
+PLUGIN = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE}
 XML = """\
 <library path="my_planner">
   <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
@@ -46,8 +47,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
         Example(
             on="ament_cmake",
             bad={
-                "package.xml": NEEDS,
-                "CMakeLists.txt": PACKAGE,
+                **PLUGIN,
                 "plugins.xml": XML.replace("my_pkg::Planner", "«my_pgk::Planner»"),
                 "src/planner.cpp": SOURCE,
             },
@@ -57,8 +57,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
         Example(
             on="ament_cmake",
             bad={
-                "package.xml": NEEDS,
-                "CMakeLists.txt": PACKAGE,
+                **PLUGIN,
                 "plugins.xml": XML,
                 "src/planner.cpp": SOURCE + "PLUGINLIB_EXPORT_CLASS(«my_pkg::Other», nav2_core::GlobalPlanner)\n",
             },
@@ -67,7 +66,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
         Example(
             on="ament_cmake",
             bad={
-                "package.xml": NEEDS,
+                **PLUGIN,
                 "CMakeLists.txt": PACKAGE.replace(EXPORT, ""),
                 "plugins.xml": "«" + XML.replace('">\n', '">»\n', 1),
                 "src/planner.cpp": SOURCE,

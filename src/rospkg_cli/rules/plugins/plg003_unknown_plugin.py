@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.sought import Sought, Unknown
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...model.plugins.sought import Sought, Unknown
-from ...model.workspace import Workspace
+from ...package.workspace import Workspace
 from ...rule import rule
 
 PACKAGE = CMAKE.replace(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.library import PluginLibraries, WrongLibrary
 from ...edits.cmake import add_before
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.plugins.library import PluginLibraries, WrongLibrary
 from ...rule import rule
 from ...suggest import did_you_mean
 

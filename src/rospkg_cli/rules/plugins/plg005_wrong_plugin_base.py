@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.bases import Astray, Misnamed, Misplaced, PluginBases
 from ...edits.cmake import literal
 from ...edits.plain import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.plugins.bases import Astray, Misnamed, Misplaced, PluginBases
 from ...rule import rule
 from ...source import Source
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.rqt import RqtPlugins
 from ...edits.manifest import add_export
 from ...edits.plain import only_plain
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.manifest import Manifest
-from ...model.plugins.description import PluginDescription
-from ...model.plugins.rqt import RqtPlugins
+from ...package.manifest import Manifest
+from ...package.plugins.description import PluginDescription
 from ...rule import rule
 
 NEEDS = manifest("  <exec_depend>rqt_gui_py</exec_depend>\n")

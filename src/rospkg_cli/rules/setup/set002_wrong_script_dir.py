@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.script_home import ScriptHome
 from ...edits.setup_cfg import put_option, replace_value
 from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.script_home import ScriptHome
 from ...rule import rule
 
 NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n"

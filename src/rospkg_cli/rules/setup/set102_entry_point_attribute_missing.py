@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
-from ...model.setup.slices import PythonPackage
 from ...rule import rule
 from ...suggest import nearest
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.entry_points import repair
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.entry_points import EntryPoint
-from ...model.setup.slices import PythonPackage
+from ...package.setup.entry_points import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"

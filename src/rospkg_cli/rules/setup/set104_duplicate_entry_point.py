@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Related, Severity
-from ...model.setup.entry_points import EntryPoint
-from ...model.setup.slices import PythonPackage
+from ...package.setup.entry_points import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"

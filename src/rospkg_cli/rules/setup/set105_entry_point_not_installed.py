@@ -5,10 +5,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
+from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup import add_package
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 
 LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.entry_points import add_entry
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
 from ...rule import Profile, rule
 
 NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n"

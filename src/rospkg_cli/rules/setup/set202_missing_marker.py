@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles
 from ...example import SETUP_PY, Example
 from ...finding import Create, Fix, Hit, Safety, Severity
-from ...model.setup.shared import SharedFiles
 from ...rule import rule
 
 BAD = SETUP_PY.replace("'resource/' + package_name", "«'resource/' + package_name»")

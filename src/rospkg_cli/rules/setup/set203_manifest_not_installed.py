@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles
 from ...edits.data_files import add_data_entry, share_code
 from ...edits.setup import quoted
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.shared import SharedFiles
 from ...rule import rule
 
 LINE = "        ('share/' + package_name, ['package.xml']),\n"

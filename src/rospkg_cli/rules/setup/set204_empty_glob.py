@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles, folder_of
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
-from ...model.setup.shared import SharedFiles, folder_of
 from ...rule import rule
 
 LAUNCH = "<launch>\n</launch>\n"

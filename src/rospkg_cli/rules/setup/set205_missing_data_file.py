@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
-from ...model.setup.data_files import DataEntry, DataFile
-from ...model.setup.shared import SharedFiles
+from ...package.setup.data_files import DataEntry, DataFile
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.shared import SharedFiles
 from ...rule import rule
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"

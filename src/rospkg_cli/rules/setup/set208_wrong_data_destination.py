@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.destinations import Destinations
 from ...edits.setup import replace_text
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.destinations import Destinations
 from ...rule import rule
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.shared import SharedFiles
 from ...edits.data_files import drop_source
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.setup.shared import SharedFiles
 from ...rule import rule
 
 LINE = "        ('share/' + package_name, ['package.xml']),\n"

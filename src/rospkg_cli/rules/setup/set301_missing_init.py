@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.module_tree import ModuleTree
 from ...example import Example
 from ...finding import Create, Fix, Hit, Safety, Severity
-from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 from ...source import Span
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup import add_package
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.module_tree import ModuleTree
 from ...rule import rule
 
 FILES = {

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.setup import exclude_packages
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
 from ...rule import rule
 
 FOUND = "find_packages(exclude=['test'])"

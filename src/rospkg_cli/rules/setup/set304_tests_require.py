@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.setup import move_tests_require
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.slices import PythonPackage
 from ...rule import rule
 
 NEW = "extras_require={'test': ['pytest']}"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.setup import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.setup_py import SetupPy
+from ...package.setup.setup_py import SetupPy
 from ...rule import Profile, rule
 
 TOPIC = "        'Topic :: Software Development',\n"

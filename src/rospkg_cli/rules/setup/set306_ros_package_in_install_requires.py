@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.requirements import Requirements
 from ...edits.setup import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...model.setup.requirements import Requirements
 from ...rule import rule
 
 GOOD = setup_py()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.python_build import PythonBuild
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...model.setup.python_build import PythonBuild
 from ...rule import rule
 
 BAD = manifest().replace("ament_python", "«ament_python»")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.setup import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.setup.slices import PythonPackage
 from ...rule import rule
 
 BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.slices import PythonPackage
 from ...edits.setup import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...model.setup.slices import PythonPackage
 from ...ros.manifest import VERSION
 from ...rule import rule
 from ...source import Span

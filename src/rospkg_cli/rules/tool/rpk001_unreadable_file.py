@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...model.unreadable import Unreadable
 from ...rule import rule
+from ...unreadable import Unreadable
 
 BAD = """\
 <package format="3">

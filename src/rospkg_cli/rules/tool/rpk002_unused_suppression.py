@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...model.happenings import UnusedSuppression
+from ...package.happenings import UnusedSuppression
 from ...rule import rule
 
 IGNORE = "  <!-- rospkg: ignore[«XML104»] the text will come -->\n"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...finding import Hit, Severity
-from ...model.unreadable import Unreadable
 from ...rule import rule
+from ...unreadable import Unreadable
 
 
 @rule(

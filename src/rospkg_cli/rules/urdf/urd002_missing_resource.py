@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.urdf.scope import Missing, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
-from ...model.urdf.scope import Missing, RobotInWorkspace
 from ...rule import rule
 
 GOOD = """\

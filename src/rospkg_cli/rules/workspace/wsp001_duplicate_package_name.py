@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.workspace import Workspace
+from ...package.workspace import Workspace
 from ...rule import rule
 
 MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_pkg»")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.workspace.cycles import Step, cycles
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.cycles import Step, cycles
-from ...model.workspace import Workspace
+from ...package.workspace import Workspace
 from ...rule import rule
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.workspace.versions import deviants
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.versions import deviants
-from ...model.workspace import Workspace
+from ...package.workspace import Workspace
 from ...rule import Profile, rule
 
 

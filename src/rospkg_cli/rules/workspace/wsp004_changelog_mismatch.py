@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...model.changelog import Released, number_of
+from ...package.changelog import Released, number_of
 from ...ros.manifest import VERSION
 from ...rule import Profile, rule
 

@@ -1,0 +1,1 @@
+"""Judgements over CMakeLists.txt."""

@@ -1,0 +1,1 @@
+"""Judgements over dependencies: what is needed, declared, unknown, unused."""

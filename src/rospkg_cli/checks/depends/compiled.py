@@ -1,0 +1,79 @@
+"""Which C++ files of a package are compiled, or installed for others to include."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Collection, Iterable, Mapping
+
+from ...languages.cmake.call import located
+from ...languages.cpp.file import CppFile
+from ...package.cmake.project import CMake
+from ...package.file_role import Role, role_of
+
+HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
+
+
+def compiled(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
+    """Return the files that a target is made of, the headers beside them, and what these include of the package.
+
+    Those that are there for tests alone are told apart. All files where the sources of a target can't be told.
+    """
+    files = {source.path: source for source in sources}
+    named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
+    if not sources_are_told(cmake):
+        return [(source, as_built(role_of(path))) for path, source in files.items()]
+    public = {path for path in files if "include/" in path}
+    run = reached(files, named[False] | public)
+    tests = reached(files, named[True]) - run
+    headers = {path for path in files if path.endswith(HEADERS) and as_built(role_of(path)) == "run"} - tests
+    headers = headers if run or not tests else set()
+    found: list[tuple[CppFile, Role]] = []
+    for path, source in files.items():
+        if path in run | headers:
+            found.append((source, as_built(role_of(path))))
+        elif path in tests:
+            found.append((source, "test"))
+    return found
+
+
+def as_built(role: Role) -> Role:
+    return "run" if role == "launch" else role
+
+
+def reached(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str]:
+    """Return some files, and those of the package that they include."""
+    by_name: dict[str, list[str]] = {}
+    for path in files:
+        by_name.setdefault(path.rpartition("/")[2], []).append(path)
+    found: set[str] = set()
+    waiting = list(first)
+    while waiting:
+        path = waiting.pop()
+        if path in found:
+            continue
+        found.add(path)
+        for each in files[path].includes:
+            wanted = "/" + posixpath.normpath(each.path).lstrip("./")
+            waiting += [p for p in by_name.get(each.path.rpartition("/")[2], ()) if f"/{p}".endswith(wanted)]
+    return found
+
+
+def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[str]:
+    """Return the files that any command names: one that is run for tests alone, or one that always is."""
+    found: set[str] = set()
+    for target in cmake.targets:
+        base = located(target.folder.text, target.call.folder) if target.folder is not None else None
+        if base is not None and target.call.testing is testing:
+            found |= {path for path in files if path.startswith(f"{base}/")}
+    for call in cmake.calls:
+        if call.testing is testing:
+            paths = (located(word.text, call.folder) for word in call.words)
+            found |= {path for path in paths if path is not None and path in files}
+    return found
+
+
+def sources_are_told(cmake: CMake) -> bool:
+    """Return whether it can be told what every target is made of."""
+    folders = (located(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
+    words = (word.known for target in cmake.targets for word in target.sources)
+    return cmake.complete and all(words) and None not in folders

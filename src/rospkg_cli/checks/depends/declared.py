@@ -1,0 +1,148 @@
+"""What package.xml declares, asked from the side of a use: is it there, and for what?"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.facts import PackageFacts
+from ...package.manifest import Manifest
+from ...package.workspace import Workspace
+from ...ros.aliases import key_for_pip
+from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
+from ...ros.names import Known
+from ...ros.table import rows
+from ...suggest import near
+
+MAX_DEPTH = 20
+
+
+def plain(name: str) -> str:
+    return name.replace("-", "_").lower()
+
+
+COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
+
+
+@dataclass(frozen=True)
+class Declared:
+    """The dependencies of one package, with those that a metapackage of the workspace stands for."""
+
+    manifest: Manifest
+    facts: PackageFacts
+    workspace: Workspace
+
+    @property
+    def judged(self) -> bool:
+        """Whether this is a package of ROS 2 in a language that we can follow."""
+        return self.facts.build_type in BUILD_TYPES and self.facts.build_type != "catkin"
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Every name that is declared, under whatever tag and condition."""
+        return frozenset(self.closure(d.name for d in self.manifest.dependencies))
+
+    def closure(self, names: Iterable[str]) -> set[str]:
+        """Return some names, and those that the metapackages among them name."""
+        found: set[str] = set()
+        waiting = [(name, 0) for name in names]
+        while waiting:
+            name, depth = waiting.pop()
+            if name in found:
+                continue
+            found.add(name)
+            facts = self.workspace.named(name)
+            if depth < MAX_DEPTH:
+                waiting += [(other, depth + 1) for other in gathered(name, facts)]
+        return found
+
+    def has(self, names: Iterable[str]) -> bool:
+        """Return whether one of some names is declared, or is the package itself, or can't be declared."""
+        return any(
+            name in self.names or name == self.facts.name or self.needs_us(name) or self.means(name) for name in names
+        )
+
+    def means(self, name: str) -> bool:
+        """Return whether package.xml names it in a way that is a fault of its own, of which another rule speaks.
+
+        The package itself in other letters, a dependency in a tag that there isn't, or one whose name nobody knows and
+        that is near, or is the one of PyPI.
+        """
+        if plain(name) == plain(self.facts.name) or name in self.in_unknown_tags:
+            return True
+        return name in self.meant or bool(self.unknown and near(name, self.unknown))
+
+    @cached_property
+    def in_unknown_tags(self) -> frozenset[str]:
+        children = self.manifest.root.children
+        return frozenset(e.text for e in children if "depend" in e.tag.lower() and e.tag not in DEPENDENCY_TAGS)
+
+    @cached_property
+    def unknown(self) -> frozenset[str]:
+        """The declared names that are no package and no key."""
+        known = (Known.PACKAGE, Known.KEY)
+        return frozenset(d.name for d in self.manifest.dependencies if self.workspace.what(d.name) not in known)
+
+    @cached_property
+    def meant(self) -> frozenset[str]:
+        """The keys for which the declared names stand elsewhere."""
+        return frozenset(key for name in self.unknown if (key := key_for_pip(name)) is not None)
+
+    @property
+    def brought(self) -> frozenset[str]:
+        """What the declared packages bring with them at build time, as far as that is known."""
+        return self._closure[0]
+
+    @property
+    def brings_all_known(self) -> bool:
+        """Whether it can be told of all declared packages what they bring."""
+        return self._closure[1]
+
+    @cached_property
+    def _closure(self) -> tuple[frozenset[str], bool]:
+        return self.brought_with(self.names)
+
+    def brought_with(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
+        """Return what some packages bring for whoever builds with them, and whether that is known of all of them."""
+        found: set[str] = set()
+        known, table = True, rows("brings.txt")
+        waiting = list(names)
+        while waiting:
+            name = waiting.pop()
+            facts = self.workspace.named(name)
+            if facts is not None:
+                needs = [need.name for need in facts.dependencies if need.tag in EXPORTED]
+            else:
+                needs = list(table.get(name, ()))
+                known &= name in table or name.startswith("ament_") or self.workspace.index.is_key(name)
+            waiting += [need for need in needs if need not in found]
+            found.update(needs)
+        return frozenset(found), known
+
+    @cached_property
+    def put_aside(self) -> frozenset[str]:
+        """The dependencies that stand in comments: somebody thought about them."""
+        comments = "\n".join(comment.text for comment in self.manifest.document.comments)
+        return frozenset(COMMENTED.findall(comments))
+
+    def needs_us(self, name: str) -> bool:
+        """Return whether a package of the workspace needs this one: to depend on it would close a circle."""
+        seen: set[str] = set()
+        waiting = [name]
+        while waiting:
+            facts = self.workspace.named(waiting.pop())
+            if facts is not None and facts.name not in seen:
+                seen.add(facts.name)
+                waiting += [need.name for need in facts.dependencies if need.tag != "doc_depend"]
+            if self.facts.name in waiting:
+                return True
+        return False
+
+
+def gathered(name: str, facts: PackageFacts | None) -> Iterable[str]:
+    """Return what a package names if it is a metapackage: one of the workspace, or one that everybody knows."""
+    if facts is None:
+        return rows("metapackages.txt").get(name, ())
+    return [need.name for need in facts.dependencies] if facts.metapackage else ()

@@ -1,0 +1,129 @@
+"""Robots, layouts and parameters against declarations: the packages whose files and plug-ins they name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.facts import PluginUse
+from ...package.file_role import LAUNCH
+from ...package.install import InstallTable
+from ...package.urdf.file import Reference, RobotFile
+from ...ros.names import Known
+from ...ros.plugins import PLUGIN_HOMES, TOOLS
+from ...ros.stands_for import IN_PARAMETERS, NAVIGATION, brought
+from ...source import Span
+from ..launch.uses import every_use
+from .declared import Declared
+from .launched import Launched
+
+INTERFACES = re.compile(r".*_(?:msgs|srvs|interfaces|actions)")
+GENERATED = frozenset({"msg", "srv", "action"})
+RUN = frozenset({"depend", "exec_depend"})
+
+
+@dataclass(frozen=True, slots=True)
+class DescribedUse:
+    """A place outside of code that names something of another package."""
+
+    path: str
+    span: Span
+    does: str
+    """What is done with the package there, as a sentence goes on."""
+    ends: str
+    """What happens where the package is not there."""
+    mild: bool = False
+    """Whether somebody else may well choose whether it is needed at all."""
+
+
+@dataclass(frozen=True)
+class Described:
+    declared: Declared
+    launched: Launched
+    robots: tuple[RobotFile, ...]
+    table: InstallTable | None
+
+    def missing(self) -> dict[str, list[DescribedUse]]:
+        """Return each package that is named and not declared, but for those that launch files ask for as well."""
+        found: dict[str, list[DescribedUse]] = {}
+        if self.declared.judged:
+            said = self.launched.missing(tests=False)
+            for name, use in (*self.references(), *self.plugins()):
+                if name not in said and not self.declared.has([name]):
+                    found.setdefault(name, []).append(use)
+        return as_one(found)
+
+    def references(self) -> Iterator[tuple[str, DescribedUse]]:
+        """Yield the packages whose files a robot or a world names, where that file is of use to anybody."""
+        for robot in self.robots:
+            for each in robot.references if self.is_used(robot.path) else ():
+                yield each.package, use_of(robot.path, each)
+
+    def plugins(self) -> Iterator[tuple[str, DescribedUse]]:
+        """Yield the packages of plug-ins that are named, but for what others bring for that.
+
+        A layout is shown and a robot is driven by whatever is there, and parameters in a package that starts nothing
+        are there for nodes that somebody else starts.
+        """
+        for use in self.declared.facts.plugin_uses:
+            name = self.home(use) if self.is_used(use.path) else None
+            if name is not None and name not in self.there and name not in TOOLS:
+                mild = not use.path.endswith((".yaml", ".yml")) or not self.launched.launch_files
+                does, ends = f"whose plug-in `{use.name}` is named here", "there it can't be loaded"
+                yield name, DescribedUse(use.path, use.span, does, ends, mild)
+
+    def home(self, use: PluginUse) -> str | None:
+        """Return the package of a plug-in; None for what may be the name of something else."""
+        first, second, *_ = re.split(r"/|::", use.name)
+        if first in PLUGIN_HOMES:
+            return PLUGIN_HOMES[first]
+        owner = self.declared.workspace.named(first)
+        if owner is None and self.declared.workspace.what(first) is Known.PACKAGE:
+            return None if second in GENERATED or INTERFACES.fullmatch(first) else first
+        if owner is not None and any(plugin.name == use.name for plugin in owner.plugins):
+            return first
+        return self.around.get(use.name)
+
+    @cached_property
+    def around(self) -> dict[str, str]:
+        """The plug-ins that packages of the workspace describe, each with its package."""
+        return {plugin.name: facts.name for facts in self.declared.workspace.packages for plugin in facts.plugins}
+
+    @cached_property
+    def there(self) -> frozenset[str]:
+        """What comes where the package runs, with what is declared or what its launch files name, as far as known."""
+        started = {use.name for file in self.launched.launch_files for use in every_use(file)}
+        waiting = list(self.declared.names | started)
+        found = set(brought(waiting, IN_PARAMETERS))
+        while waiting:
+            facts = self.declared.workspace.named(waiting.pop())
+            new = {need.name for need in facts.dependencies if need.tag in RUN} - found if facts else set()
+            found |= new | brought(new, IN_PARAMETERS)
+            waiting += new
+        return frozenset(found)
+
+    def is_used(self, path: str) -> bool:
+        """Return whether a file is installed, as far as that can be told."""
+        if self.table is None or not self.table.knows("share") or LAUNCH.search(path):
+            return True
+        return path in self.sources
+
+    @cached_property
+    def sources(self) -> frozenset[str]:
+        return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
+
+
+def use_of(path: str, reference: Reference) -> DescribedUse:
+    ends = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
+    return DescribedUse(path, reference.span, "whose files are used here", ends)
+
+
+def as_one(found: dict[str, list[DescribedUse]]) -> dict[str, list[DescribedUse]]:
+    """Return what is missing, with the parts of navigation2 put together where several are."""
+    parts = [name for name in found if name in NAVIGATION]
+    if len(parts) < 2:
+        return found
+    whole = [use for name in parts for use in found[name]]
+    return {name: uses for name, uses in found.items() if name not in NAVIGATION} | {"navigation2": whole}

@@ -1,0 +1,107 @@
+"""C++ includes against declarations and find_package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.cpp.file import CppFile
+from ...package.cmake.project import CMake
+from ...package.file_role import Role
+from ...ros.headers import LIBRARIES, SHARED
+from ...ros.names import Known
+from ...ros.stands_for import IN_SOURCES, brought
+from ...source import Span
+from .compiled import compiled
+from .declared import Declared
+from .sought import SoughtAndDeclared
+
+
+@dataclass(frozen=True, slots=True)
+class IncludeUse:
+    """A header of another package, and the file that includes it."""
+
+    path: str
+    span: Span
+    header: str
+
+
+@dataclass(frozen=True, slots=True)
+class FromElsewhere:
+    """What serves some includes: any of the names will do, the first is the one to recommend."""
+
+    names: tuple[str, ...]
+    cmake: str
+    """The name for find_package."""
+    role: Role
+    uses: tuple[IncludeUse, ...]
+
+
+@dataclass(frozen=True)
+class Included:
+    declared: Declared
+    files: PackageFiles
+    cmake: CMake
+    sources: tuple[CppFile, ...]
+
+    @cached_property
+    def sought(self) -> SoughtAndDeclared:
+        return SoughtAndDeclared(self.declared, self.cmake)
+
+    def from_elsewhere(self) -> Iterator[FromElsewhere]:
+        """Yield the packages and libraries whose headers are included, those of tests after those of what is built."""
+        if not self.declared.judged:
+            return
+        found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
+        for source, role in compiled(self.cmake, self.sources):
+            for each in source.includes if role != "aside" else ():
+                if "/" in each.path and not each.conditional and not self.is_own(each.path):
+                    names, cmake = self.serving(each.path)
+                    if names:
+                        use = IncludeUse(source.path, each.span, each.path)
+                        found.setdefault((role, names, cmake), []).append(use)
+        for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
+            if role != "test" or ("run", names, cmake) not in found:
+                yield FromElsewhere(names, cmake, role, tuple(uses))
+
+    def serving(self, header: str) -> tuple[tuple[str, ...], str]:
+        """Return what serves a header, and its name in CMake; nothing where nobody can tell."""
+        folder = header.partition("/")[0]
+        if folder in LIBRARIES:
+            return self.sought.serving(LIBRARIES[folder]), LIBRARIES[folder]
+        around = sorted(self.declared.workspace.with_header(header))
+        if around:
+            return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
+        facts = self.declared.workspace.named(folder)
+        known = self.declared.workspace.what(folder) is Known.PACKAGE and folder not in SHARED
+        if not known or (facts is not None and facts.metapackage):
+            return (), folder
+        return (folder,), folder
+
+    def is_own(self, header: str) -> bool:
+        """Return whether a header is the package's own: it is there, or may be made beside those that are."""
+        folder = header.rpartition("/")[0]
+        return header.partition("/")[0] == self.declared.facts.name or folder in self.tails or header in self.tails
+
+    @cached_property
+    def tails(self) -> frozenset[str]:
+        """The last parts of every path and folder: headers are found from wherever CMake looks."""
+        paths = [path.split("/") for path in (*self.files.paths, *self.files.folders)]
+        return frozenset("/".join(parts[-n:]) for parts in paths for n in (1, 2, 3, 4))
+
+    def undeclared(self) -> Iterator[FromElsewhere]:
+        """Yield what is included and not declared, but for what find_package names as well."""
+        there = brought(self.declared.names, IN_SOURCES)
+        said = {missing.found.name for missing in self.sought.missing()}
+        for each in self.from_elsewhere():
+            if not self.is_declared(each) and each.cmake not in said and not there.intersection(each.names):
+                yield each
+
+    def is_declared(self, each: FromElsewhere) -> bool:
+        return self.declared.has(each.names) or bool(self.sought.fitting(each.cmake, self.declared.names))
+
+    def is_brought(self, each: FromElsewhere) -> bool:
+        """Return whether something that is declared brings these headers for certain."""
+        return bool(self.declared.brought.intersection(each.names))

@@ -1,0 +1,65 @@
+"""What dependencies are declared for, against what they are used for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.manifest import Dependency
+from ...ros.manifest import BUILDS, RUNS
+from ...ros.stands_for import IN_LAUNCH_FILES, IN_SOURCES, brought
+from ...source import Span
+from .declared import Declared
+from .imported import Imported
+from .included import Included
+from .launched import Launched
+
+
+@dataclass(frozen=True, slots=True)
+class WrongKind:
+    """A dependency that is declared, but not for what it is used for."""
+
+    dependency: Dependency
+    """The first of its name."""
+    wanted: str
+    """The tag that is missing."""
+    path: str
+    span: Span
+    does: str
+    """What is done with it there, as a sentence goes on."""
+
+
+@dataclass(frozen=True)
+class Kinds:
+    declared: Declared
+    imported: Imported
+    launched: Launched
+    included: Included | None
+
+    def wrong(self) -> Iterator[WrongKind]:
+        """Yield the dependencies that are used when the package runs, or is built, and are not there then."""
+        if not self.declared.judged:
+            return
+        seen: set[tuple[str, str]] = set()
+        for names, wanted, path, span, does in (*self.run(), *self.built()):
+            tags = RUNS if wanted == "exec_depend" else BUILDS
+            every = [d for d in self.declared.manifest.dependencies if d.name in names]
+            if every and not any(d.tag in tags for d in every) and (every[0].name, wanted) not in seen:
+                seen.add((every[0].name, wanted))
+                yield WrongKind(every[0], wanted, path, span, does)
+
+    def run(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
+        """Yield what is used when the package runs, but for what other dependencies for that time bring."""
+        there = brought([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
+        for place, names in self.imported.uses("run"):
+            yield names, "exec_depend", place.path, place.span, f"is imported here as `{place.module}`"
+        for use in self.launched.uses(tests=False):
+            if use.name not in there:
+                yield (use.name,), "exec_depend", use.path, use.span, "is needed by this launch file"
+
+    def built(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
+        there = brought([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
+        for each in self.included.from_elsewhere() if self.included else ():
+            if each.role == "run" and not there.intersection(each.names):
+                first = each.uses[0]
+                yield each.names, "depend", first.path, first.span, f"is what `{first.header}` comes from"

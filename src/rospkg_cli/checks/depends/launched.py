@@ -1,0 +1,125 @@
+"""Launch files against declarations: the packages that they need and package.xml does not name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...package.cmake.project import CMake
+from ...package.file_role import Role, role_of
+from ...package.install import InstallTable
+from ...package.launch.file import LaunchFile
+from ...package.python.use import OwnModules, PythonUse
+from ...ros.imports import may_serve
+from ...ros.names import Known
+from ...ros.stands_for import IN_LAUNCH_FILES, IN_TESTS, brought
+from ..launch.uses import NAME, PackageUse, package_uses
+from .compiled import named_sources
+from .declared import Declared
+from .serving import served_by
+
+EXAMPLE = re.compile(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
+ENDING = re.compile(r"[._]launch\.\w+$|\.launch$")
+
+
+@dataclass(frozen=True)
+class Launched:
+    """The launch files of a package, and what it declares."""
+
+    declared: Declared
+    files: PackageFiles
+    launch_files: tuple[LaunchFile, ...]
+    cmake: CMake | None
+    table: InstallTable | None
+    python: PythonUse
+
+    def role(self, path: str) -> Role:
+        """Return what a launch file is there for; one that lies about and is not installed is for nobody."""
+        role = role_of(path)
+        if path in self.of_tests or role == "test":
+            return "test"
+        if "launch" in path.split("/")[:-1] or self.table is None or not self.table.knows("share"):
+            return "launch"
+        return "launch" if path in {row.source for row in self.table.rows} else "aside"
+
+    def is_example(self, path: str) -> bool:
+        """Return whether a launch file calls itself an example: not everybody who installs the package starts it.
+
+        MoveIt's `demo.launch.py` is the one that everybody starts.
+        """
+        name = ENDING.sub("", path.rpartition("/")[2])
+        return name != "demo" and EXAMPLE.search(name) is not None
+
+    @cached_property
+    def of_tests(self) -> frozenset[str]:
+        """The launch files that CMake names for tests and for nothing else."""
+        if self.cmake is None:
+            return frozenset()
+        paths = {file.path for file in self.launch_files}
+        named = {testing: named_sources(self.cmake, paths, testing) for testing in (False, True)}
+        return frozenset(named[True] - named[False])
+
+    @property
+    def names_around(self) -> frozenset[str]:
+        """The packages of the workspace and those that are declared."""
+        return self.declared.workspace.names | self.declared.names
+
+    def is_strange(self, name: str) -> bool:
+        """Return whether nobody knows a package of that name."""
+        workspace = self.declared.workspace
+        return not workspace.is_here(name) and workspace.what(name) is not Known.PACKAGE
+
+    def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
+        """Return each package that is needed and not declared, with the places that need it."""
+        if not self.declared.judged:
+            return {}
+        there = brought(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
+        found: dict[str, list[PackageUse]] = {}
+        for use in self.uses(tests=tests):
+            if not self.declared.has([use.name]) and use.name not in there:
+                found.setdefault(use.name, []).append(use)
+        return found
+
+    def described(self) -> dict[str, list[PackageUse]]:
+        """Return each package that installed code describes nodes of, and that is not declared and not missing anyway.
+
+        Such code writes or makes launches for others, who may declare what they start.
+        """
+        found: dict[str, list[PackageUse]] = {}
+        if self.declared.judged:
+            there = brought(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
+            launches = {file.path for file in self.launch_files if file.nodes}
+            for file in self.python.files:
+                for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
+                    if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
+                        use = PackageUse(node.package, file.path, node.span, "describes a node of")
+                        found.setdefault(node.package, []).append(use)
+            found = {name: uses for name, uses in found.items() if name not in there}
+        return found
+
+    def uses(self, *, tests: bool) -> Iterator[PackageUse]:
+        """Yield what launch files need: those of tests, or the others."""
+        for file in self.launch_files:
+            if self.role(file.path) == ("test" if tests else "launch"):
+                yield from package_uses(file)
+                yield from () if tests else self.imported(file)
+
+    def imported(self, file: LaunchFile) -> Iterator[PackageUse]:
+        """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare.
+
+        One that stands among the modules is held against the manifest as these are.
+        """
+        if role_of(file.path) == "run":
+            return
+        own = OwnModules(self.files)
+        for each in file.imports:
+            if each.level or each.optional or each.typing or own.has(each.module, file.path):
+                continue
+            names = served_by(self.declared, each)
+            declared = next((name for name in names if name in self.declared.names), None)
+            if declared or not any(may_serve(name, each.module) for name in self.declared.names):
+                for name in (declared,) if declared else names[:1]:
+                    yield PackageUse(name, file.path, each.span, f"imports `{each.module}` of")

@@ -1,0 +1,27 @@
+"""From an import to the dependency that it asks for."""
+
+from __future__ import annotations
+
+from ...languages.python.python import Import
+from ...ros.imports import may_serve
+from .declared import Declared
+
+GENERATED = frozenset({"msg", "srv", "action"})
+"""Modules that only rosidl makes: whose import they are is a ROS package for certain."""
+
+
+def serving_import(declared: Declared, what: Import) -> str | None:
+    """Return what to declare for an import; None where nothing is missing or nobody can tell."""
+    names = () if what.optional or what.typing else served_by(declared, what)
+    if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
+        return None
+    return names[0]
+
+
+def served_by(declared: Declared, what: Import) -> tuple[str, ...]:
+    """Return the names of which any serves an import, the one to recommend first."""
+    found = declared.workspace.serving(what.module)
+    top, _, rest = what.module.partition(".")
+    if not found and rest.partition(".")[0] in GENERATED and any(name[:1].isupper() for name in what.names):
+        return (top,)
+    return found

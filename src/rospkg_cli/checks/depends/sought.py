@@ -1,0 +1,105 @@
+"""find_package against declarations: what CMake needs and package.xml does not name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import cached_property
+from typing import Literal
+
+from ...package.cmake.packages import FoundPackage
+from ...package.cmake.project import CMake
+from ...package.interfaces.declared import Interface
+from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
+from ...ros.names import Known
+from ...ros.stands_for import IN_CMAKE, brought
+from .declared import Declared
+
+SAID_ELSEWHERE = frozenset({"ament_cmake"})
+"""Packages whose absence from package.xml other rules report."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sought:
+    """What CMake looks for, and the names of which any serves it; the first is the one to recommend."""
+
+    found: FoundPackage
+    names: tuple[str, ...]
+    brought: Literal["surely", "maybe", "no"]
+    """Whether something that is declared brings it for whoever builds with it."""
+
+
+@dataclass(frozen=True)
+class SoughtAndDeclared:
+    """The packages that CMake looks for, and what package.xml declares."""
+
+    declared: Declared
+    cmake: CMake
+    interfaces: tuple[Interface, ...] = ()
+
+    def missing(self) -> Iterator[Sought]:
+        """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
+        if not self.declared.judged:
+            return
+        there = brought(self.declared.names, IN_CMAKE)
+        seen: set[str] = set()
+        for found in sorted(self.cmake.packages, key=lambda each: each.call.testing):
+            if found.name in seen or not self.is_needed(found):
+                continue
+            seen.add(found.name)
+            names = self.serving(found.name)
+            if names and not self.declared.has(names) and not there.intersection(names):
+                yield Sought(found, names, self.is_brought(found, names))
+
+    def is_brought(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["surely", "maybe", "no"]:
+        brings = self.declared.brought
+        if brings.intersection(names) or self.fitting(found.name, brings):
+            return "surely"
+        return "no" if self.declared.brings_all_known else "maybe"
+
+    def is_needed(self, found: FoundPackage) -> bool:
+        """Return whether the configuration fails for certain where this is not there."""
+        certain = found.word.known and not found.word.maybe and not found.call.maybe
+        needed = found.required or found.name in self.used
+        return certain and needed and not found.quiet and not self.is_said_elsewhere(found.name)
+
+    @cached_property
+    def used(self) -> frozenset[str]:
+        """What a target or an export can't do without, whether find_package says REQUIRED or not."""
+        found: set[str] = set()
+        for call in self.cmake.named("ament_target_dependencies", "ament_export_dependencies"):
+            found |= {word.text for word in call.words if not word.maybe and not call.maybe}
+        for call in self.cmake.named("target_link_libraries"):
+            linked = (word.text.partition("::") for word in call.words[1:] if not word.maybe and not call.maybe)
+            found |= {package for package, colons, _ in linked if colons}
+        return frozenset(found)
+
+    def is_said_elsewhere(self, name: str) -> bool:
+        """Return whether another rule asks for it: that for build tools, or those for interfaces."""
+        generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
+        typed = any(each.package == name for interface in self.interfaces for each in interface.types)
+        return name in SAID_ELSEWHERE or generates or typed
+
+    def serving(self, name: str) -> tuple[str, ...]:
+        """Return what serves find_package(name) besides the package itself.
+
+        Nothing where nobody can tell or nothing has to be declared.
+        """
+        listed = keys_for_cmake(name)
+        if NOTHING_NEEDED in listed:
+            return ()
+        own = (name,) if self.declared.workspace.what(name) in (Known.PACKAGE, Known.KEY) else ()
+        itself = self.declared.facts.name
+        known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
+        return (*known, *self.fitting(name, self.declared.names)) if known else ()
+
+    def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
+        """Return the names that fit a pattern of the table, or are called like a package of a vendor or Debian.
+
+        A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.
+        """
+        patterns = [each for each in keys_for_cmake(name) if "*" in each]
+        debian = name.lower().replace("_", "-")
+        alike = {f"{name.lower()}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
+        return tuple(n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns))

@@ -1,0 +1,68 @@
+"""Every word of a package's texts, by what the text is there for: the traces that a use leaves, whatever it is."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import PurePosixPath
+from typing import Literal
+
+from ...files import PackageFiles
+from ...package.cmake.project import CMake
+from ...package.file_role import role_of
+from ...package.manifest import Manifest
+from ...unreadable import UnreadableError
+
+Purpose = Literal["build", "run", "test", "docs"]
+
+COMPILED = frozenset(".c .cc .cpp .cxx .cu .h .hh .hpp .hxx .cuh .ipp .inl .tpp .msg .srv .action .idl .cmake".split())
+DOCS = frozenset(".md .rst .txt .dox".split())
+OTHERS = frozenset(
+    ".py .xml .yaml .yml .launch .urdf .xacro .rviz .sdf .srdf .world .wbt .proto .cfg .toml .json .ini .sh"
+    " .bash .lua .js .html .lisp .rs .in .em .ui .service .rules .perspective .repos .ipynb".split()
+)
+WORD = re.compile(r"[\w-]+")
+
+
+@dataclass(frozen=True)
+class Traces:
+    files: PackageFiles
+    manifest: Manifest
+    cmake: CMake | None
+
+    @cached_property
+    def words(self) -> dict[Purpose, frozenset[str]]:
+        """The words of what is compiled, of tests, of README and its like, and of the rest; not of package.xml."""
+        found: dict[Purpose, set[str]] = {"build": set(), "run": set(), "test": set(), "docs": set()}
+        for path in self.files.paths:
+            purpose = self.purpose(path)
+            if purpose is not None:
+                try:
+                    found[purpose].update(WORD.findall(self.files.source(path).text))
+                except UnreadableError:
+                    continue
+        for call in (*self.cmake.calls, *self.cmake.idle) if self.cmake else ():
+            for word in call.words:
+                found["test" if call.testing else "build"].update(WORD.findall(word.text))
+        found["run"].update(element.tag for element in self.manifest.exports)
+        return {purpose: frozenset(words) for purpose, words in found.items()}
+
+    def purpose(self, path: str) -> Purpose | None:
+        """Return what a file is there for; None for what is no text, or what CMake's calls tell better."""
+        suffix = PurePosixPath(path).suffix
+        if path.rpartition("/")[2].upper().startswith("CHANGELOG"):
+            return None
+        if path == "package.xml" or (path.endswith("CMakeLists.txt") and self.cmake is not None):
+            return None
+        if suffix in DOCS:
+            return "docs"
+        if suffix in COMPILED:
+            return "test" if role_of(path) == "test" else "build"
+        if suffix in OTHERS or (not suffix and self.files.executable(path)):
+            return "test" if role_of(path) == "test" else "run"
+        return None
+
+    def are_in(self, name: str, *purposes: Purpose) -> bool:
+        """Return whether texts of one of some purposes have a name; of any where none is given."""
+        return any(name in self.words[purpose] for purpose in purposes or self.words)

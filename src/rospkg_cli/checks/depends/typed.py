@@ -1,0 +1,36 @@
+"""The types of other packages that interfaces are made of, against declarations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...package.interfaces.declared import Interface
+from ...source import Span
+from .declared import Declared
+
+
+@dataclass(frozen=True, slots=True)
+class TypeUse:
+    path: str
+    span: Span
+    type: str
+
+
+@dataclass(frozen=True)
+class Typed:
+    declared: Declared
+    interfaces: tuple[Interface, ...]
+
+    def undeclared(self) -> dict[str, list[TypeUse]]:
+        """Return the packages whose types are used and which are not declared, with the places."""
+        found: dict[str, list[TypeUse]] = {}
+        for interface in self.interfaces if self.is_generated else ():
+            for each in interface.types:
+                if each.package and not self.declared.has([each.package]):
+                    use = TypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
+                    found.setdefault(each.package, []).append(use)
+        return found
+
+    @property
+    def is_generated(self) -> bool:
+        return self.declared.judged and self.declared.facts.build_type != "ament_python"

@@ -1,0 +1,91 @@
+"""What is built against and declared, and never looked for: find_package is missing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.words import HOLE
+from ...package.cmake.links import Links
+from ...ros.manifest import BUILDS
+from ...ros.names import Known
+from ...source import Span
+from .declared import Declared
+from .included import Included
+
+AUTOMATIC = re.compile(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
+"""Commands that find packages, or may well do so, such as `autoware_package`."""
+
+MIN_LETTERS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Unfound:
+    name: str
+    path: str
+    span: Span
+    testing: bool
+    does: str
+    """What is done with the package there, as a sentence goes on."""
+    brought: bool
+    """Whether another package that is found may bring it."""
+
+
+@dataclass(frozen=True)
+class UnfoundPackages:
+    included: Included
+
+    def all(self) -> Iterator[Unfound]:
+        """Yield each package once: where a target is linked with it, else where its headers are included.
+
+        What comes for certain with a package that is found is left out.
+        """
+        if self.declared.judged and self.is_told:
+            there, known = self.declared.brought_with(self.found)
+            seen = set(self.found | there)
+            for each in (*self.linked(not known), *self.headers(not known)):
+                if each.name not in seen and self.is_declared(each) and not self.has_another_name(each.name):
+                    seen.add(each.name)
+                    yield each
+
+    @property
+    def declared(self) -> Declared:
+        return self.included.declared
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        return frozenset(each.name for each in self.included.cmake.packages)
+
+    def has_another_name(self, name: str) -> bool:
+        """Return whether something is found that may be the same by CMake's name: `realsense2` for `librealsense2`."""
+        return any(each.lower() in name for each in self.found if len(each) >= MIN_LETTERS)
+
+    @property
+    def is_told(self) -> bool:
+        """Whether all that is looked for is known."""
+        cmake = self.included.cmake
+        automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
+        return cmake.complete and not cmake.clouded and not automatic and not any(HOLE in name for name in self.found)
+
+    def is_declared(self, each: Unfound) -> bool:
+        tags = BUILDS | {"test_depend"} if each.testing else BUILDS
+        package = self.declared.workspace.what(each.name) is Known.PACKAGE
+        return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
+
+    def linked(self, maybe: bool) -> Iterator[Unfound]:
+        own = {target.name for target in self.included.cmake.targets}
+        for link in Links(self.included.cmake).all:
+            name, colons, _ = link.word.text.partition("::")
+            certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
+            if certain and (colons or link.package):
+                does = f"`{link.target}` is linked with it"
+                yield Unfound(name, link.word.path, link.word.span, link.call.testing, does, maybe)
+
+    def headers(self, maybe: bool) -> Iterator[Unfound]:
+        for each in self.included.from_elsewhere():
+            if each.cmake == each.names[0]:
+                first = each.uses[0]
+                does = f"`{first.header}` is included here"
+                yield Unfound(each.cmake, first.path, first.span, each.role == "test", does, maybe)

@@ -1,0 +1,147 @@
+"""Declarations without a use: what package.xml declares, and nothing in the package names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.cpp.file import CppFile
+from ...languages.python.python import Import
+from ...package.cmake.project import CMake
+from ...package.manifest import Dependency
+from ...package.python.use import PythonUse
+from ...ros.headers import SHARED
+from ...ros.imports import may_serve
+from ...ros.names import Known
+from .declared import Declared
+from .serving import served_by
+from .traces import Traces
+
+BUILT_IN = frozenset({"depend", "build_depend"})
+"""Tags that say "something here is made with it"; in a Python package that is an import."""
+
+IMPORTED_ONLY = re.compile(r".*_(msgs|srvs|interfaces|actions)")
+"""Packages that nothing but an import uses; another exec_depend may be there for a node started by name."""
+
+BY_GENERATORS = frozenset({"action_msgs", "service_msgs", "builtin_interfaces", "unique_identifier_msgs"})
+"""What the code that is made of interfaces uses."""
+
+TOOLS = frozenset({"launch", "launch_ros", "launch_testing", "launch_testing_ament_cmake", "launch_testing_ros"})
+"""What tests that are written with them name."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnusedDependency:
+    dependency: Dependency
+    runs: bool = False
+    """Whether something names it that is not built: then exec_depend is enough."""
+
+
+@dataclass(frozen=True)
+class Unused:
+    """What package.xml declares, and everything in the package that may use it."""
+
+    declared: Declared
+    python: PythonUse
+    files: PackageFiles
+    cmake: CMake | None
+    sources: tuple[CppFile, ...]
+
+    @cached_property
+    def traces(self) -> Traces:
+        return Traces(self.files, self.declared.manifest, self.cmake)
+
+    def dependencies(self) -> Iterator[UnusedDependency]:
+        """Yield the dependencies that nothing uses, or nothing that is built."""
+        if self.declared.facts.build_type == "ament_python":
+            yield from self.of_python()
+        elif self.cmake is not None and self.declared.judged and self.is_told(self.cmake):
+            yield from self.of_cmake()
+
+    def of_python(self) -> Iterator[UnusedDependency]:
+        """Yield the dependencies that are there for an import and that nothing imports or names.
+
+        Only where all of the Python could be read, and only where there is some: a package without code gathers
+        dependencies on purpose.
+        """
+        code = [file for file in self.python.files if not file.path.endswith(("setup.py", "__init__.py"))]
+        if not self.python.complete or not code:
+            return
+        for dependency in self.declared.manifest.dependencies:
+            for_import = dependency.tag == "exec_depend" and self.is_for_import(dependency.name)
+            used = self.is_imported(dependency.name) or self.traces.are_in(dependency.name)
+            if (dependency.tag in BUILT_IN or for_import) and not used:
+                yield UnusedDependency(dependency)
+
+    def is_for_import(self, name: str) -> bool:
+        """Return whether nothing but an import can use a package: interfaces, or a Python library of Debian's."""
+        return IMPORTED_ONLY.fullmatch(name) is not None or (name.startswith("python") and "-" in name)
+
+    def of_cmake(self) -> Iterator[UnusedDependency]:
+        """Yield the ROS packages that are declared for the build, or as tools for tests, and that leave no trace."""
+        for dependency in self.declared.manifest.dependencies:
+            name, tag = dependency.name, dependency.tag
+            package = self.declared.workspace.what(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
+            if not package or self.traces.are_in(name, "test", "docs"):
+                continue
+            if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.traces.are_in(name):
+                yield UnusedDependency(dependency)
+            elif tag in BUILT_IN and not self.is_built_with(name):
+                runs = self.is_imported(name) or self.traces.are_in(name, "run")
+                if (runs or self.has_code) and not (runs and self.runs_already(name)):
+                    yield UnusedDependency(dependency, runs)
+
+    def is_tool_used(self, name: str) -> bool:
+        """Return whether tests import a tool, or launch_testing, which others of its family bring."""
+        return self.is_imported(name) or (name.startswith("launch_testing") and self.is_imported("launch_testing"))
+
+    @property
+    def has_code(self) -> bool:
+        """Return whether the package makes anything: one without code gathers dependencies on purpose."""
+        return bool(self.cmake and self.cmake.targets) or bool(self.sources) or bool(self.declared.facts.modules)
+
+    def runs_already(self, name: str) -> bool:
+        """Return whether a package is declared for running under a tag of its own: it is needed for both."""
+        return any(each.name == name and each.tag == "exec_depend" for each in self.declared.manifest.dependencies)
+
+    def is_told(self, cmake: CMake) -> bool:
+        """Return whether all that CMake does is known."""
+        return cmake.complete and not cmake.clouded
+
+    def is_built_with(self, name: str) -> bool:
+        """Return whether something that is built may use a package.
+
+        Where its headers stand is known of packages around; those of others stand in folders of their names.
+        """
+        if self.traces.are_in(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
+            return True
+        folders = {each.path.partition("/")[0] for source in self.sources for each in source.includes}
+        shared = any(name.startswith(folder) for folder in folders & SHARED)
+        around = any(
+            name in self.declared.workspace.with_header(each.path)
+            for source in self.sources
+            for each in source.includes
+        )
+        return shared or around or name.endswith(("_vendor", "_cmake"))
+
+    def is_imported(self, name: str) -> bool:
+        """Return whether an import may use it; `tf2_ros_py` holds the module `tf2_ros`, so its `_py` doesn't count."""
+        if name.removesuffix("_py") in {module.partition(".")[0] for module in self.modules}:
+            return True
+        return name in self.served or any(may_serve(name, module) for module in self.modules)
+
+    @cached_property
+    def modules(self) -> frozenset[str]:
+        return frozenset(each.module for file in self.python.files for each in file.imports)
+
+    @cached_property
+    def served(self) -> frozenset[str]:
+        """Every name that may stand behind an import."""
+        imports = (each for file in self.python.files for each in file.imports)
+        return frozenset(name for each in imports for name in self.serving(each))
+
+    def serving(self, what: Import) -> tuple[str, ...]:
+        return served_by(self.declared, what)

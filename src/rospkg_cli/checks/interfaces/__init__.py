@@ -1,0 +1,1 @@
+"""Judgements over messages, services and actions."""

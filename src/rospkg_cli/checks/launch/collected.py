@@ -1,0 +1,57 @@
+"""Joined slices: the launch files of a package together, as `ros2 launch` finds them by their names."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.facts import PackageFacts
+from ...package.file_role import role_of
+from ...package.install import Installed, InstallTable
+from ...package.launch.file import LaunchFile
+from ...ros.launch import LAUNCH_SUFFIXES
+from ...ros.share import LAUNCH
+
+
+@dataclass(frozen=True)
+class InstalledLaunchFiles:
+    table: InstallTable
+    package: PackageFacts
+    files: tuple[LaunchFile, ...]
+
+    @cached_property
+    def parts(self) -> frozenset[str]:
+        """The files that others of the package include by their paths."""
+        return frozenset(each.path for file in self.files for each in file.paths if each.use == "include")
+
+    def doubles(self) -> Iterator[tuple[Installed, str, tuple[str, ...]]]:
+        """Yield each name that several installed launch files have: the row of the last, the name, and where they go.
+
+        Files that others include by their path are parts of these, and not meant to be started by name.
+        """
+        named: dict[str, dict[str, Installed]] = {}
+        for path, row in self.table.below(f"share/{self.package.name}"):
+            if LAUNCH.fullmatch(posixpath.basename(path)):
+                named.setdefault(posixpath.basename(path), {})[path] = row
+        for name, rows in named.items():
+            free = [path for path in rows if path not in self.parts]
+            if len(rows) > 1 and free:
+                yield rows[free[-1]], name, tuple(sorted(rows))
+
+    def oddly_named(self) -> Iterator[tuple[LaunchFile, str]]:
+        """Yield the installed launch files whose names `ros2 launch` does not complete, and better names."""
+        sources = {row.source for _, row in self.table.below(f"share/{self.package.name}")}
+        for file in self.files:
+            name = posixpath.basename(file.path)
+            told = file.path.endswith(LAUNCH_SUFFIXES) or file.path in self.parts or role_of(file.path) == "test"
+            if file.path in sources and not told and starts_something(file):
+                suffix = "py" if file.frontend == "python" else file.frontend
+                stem = name.rpartition(".")[0].removesuffix(".launch")
+                yield file, f"{stem}.launch.{suffix}"
+
+
+def starts_something(file: LaunchFile) -> bool:
+    """Return whether a file is one to be started: in Python, with the function that launch calls."""
+    return file.entry and not file.ros1 and (file.frontend != "python" or bool(file.nodes or file.includes))

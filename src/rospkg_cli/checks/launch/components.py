@@ -1,0 +1,74 @@
+"""The components that launch files load, against what packages register."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.facts import PackageFacts
+from ...package.launch.file import LaunchFile
+from ...package.launch.text import LaunchText
+from ...package.workspace import Workspace
+from ...ros.names import Known
+from ...suggest import nearest
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownComponent:
+    """A component that its package does not register."""
+
+    package: str
+    plugin: LaunchText
+    name: str
+    facts: PackageFacts | None
+    """Of the package; None where no package of that name is known at all."""
+    elsewhere: tuple[tuple[str, str], ...] = ()
+    """Package and class of what other packages register under the same or the same last name."""
+
+    @property
+    def meant(self) -> str | None:
+        """The one class of the package that is near."""
+        return nearest(self.name, self.facts.components) or same_class(self.name, self.facts) if self.facts else None
+
+
+@dataclass(frozen=True)
+class Loaded:
+    workspace: Workspace
+    file: LaunchFile
+
+    def unknown(self) -> Iterator[UnknownComponent]:
+        """Yield components of packages around that these, as far as can be told, don't register."""
+        for node in self.file.nodes if not self.file.ros1 else ():
+            package = node.package.literal if node.package else None
+            name = node.plugin.literal if node.plugin else None
+            if node.kind != "composable_node" or not package or not name or node.plugin is None:
+                continue
+            facts = self.workspace.named(package)
+            if facts is not None:
+                if facts.knows("components") and name not in facts.components:
+                    yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts))
+            elif found := self.renamed(package, name):
+                yield UnknownComponent(package, node.plugin, name, None, found)
+
+    def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
+        """Return who registers the class now, of a package that nobody knows; nothing where that may be another."""
+        known = self.workspace.what(package)
+        found = () if known is Known.PACKAGE else self.elsewhere(name, None)
+        longer = len(found) == 1 and found[0][0].endswith(f"_{package}")
+        return found if known is Known.UNKNOWN or longer else ()
+
+    def elsewhere(self, name: str, but: PackageFacts | None) -> tuple[tuple[str, str], ...]:
+        """Return who registers a class of this name, or, where nobody does, one of the same last name."""
+        every = [
+            (facts.name, each) for facts in self.workspace.packages if facts is not but for each in facts.components
+        ]
+        last = name.rpartition("::")[2]
+        exact = tuple(sorted(pair for pair in every if pair[1] == name))
+        return exact or tuple(sorted(pair for pair in every if pair[1].rpartition("::")[2] == last))
+
+
+def same_class(name: str, facts: PackageFacts) -> str | None:
+    """Return the one component whose class has the same name, in whatever namespace."""
+    last = name.rpartition("::")[2]
+    found = [each for each in facts.components if each.rpartition("::")[2] == last]
+    return found[0] if len(found) == 1 else None

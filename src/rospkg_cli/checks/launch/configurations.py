@@ -1,0 +1,128 @@
+"""Launch configurations: which are asked for before, or without, anybody setting them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from ...package.file_role import role_of
+from ...package.launch.events import Event
+from ...package.launch.file import DeclaredArgument, LaunchFile
+from ...package.workspace import Workspace
+from ...source import Span
+from ...suggest import nearest
+
+State = Literal["undeclared", "late", "not added"]
+"""`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""
+
+OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeout sigkill_timeout log_dir".split())
+"""Those that launch and launch_ros ask for and set themselves."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unset:
+    name: str
+    span: Span
+    state: State
+    declared: tuple[str, ...]
+    """The arguments that the file declares."""
+    handed_on: bool = False
+    """Whether it is only passed on to an included file, under its own name."""
+
+
+@dataclass(frozen=True)
+class Configurations:
+    workspace: Workspace
+    file: LaunchFile
+
+    @cached_property
+    def started(self) -> bool:
+        """Whether this is a launch file that people start, and of which everything can be told."""
+        told = self.file.entry and self.file.complete and self.file.events is not None and not self.file.ros1
+        return told and not self.file.faults and role_of(self.file.path) == "launch"
+
+    @property
+    def file_name(self) -> str:
+        return self.file.path.rpartition("/")[2]
+
+    @property
+    def included(self) -> bool:
+        """Whether a launch file around includes it, or its name says that one does."""
+        named = "include" in self.file.path.rpartition("launch/")[2]
+        return named or self.file_name in self.workspace.launch.included
+
+    def unset(self) -> Iterator[Unset]:
+        """Yield each name once, where it is first asked for."""
+        if not self.started:
+            return
+        inherited = self.workspace.launch.inherited(self.file_name)
+        if inherited is None:
+            return
+        events = self.file.events or ()
+        declared = tuple(event.name for event in events if event.kind == "declare")
+        seen: set[str] = set()
+        for index, event in self.missing(events, inherited | OWN):
+            if event.name not in seen:
+                seen.add(event.name)
+                state = self.state(event.name, events, index)
+                if state is not None:
+                    yield Unset(event.name, event.span, state, declared, event.passed_as == event.name)
+
+    def state(self, name: str, events: tuple[Event, ...], index: int) -> State | None:
+        """Return why a name is not set at an event; None where it is, for all that can be told, set in some scope."""
+        if any(each.kind == "open" for each in events):
+            return "late" if any(each.kind == "declare" and each.name == name for each in events[index:]) else None
+        setting = [at for at, each in enumerate(events) if each.kind in ("declare", "define") and each.name == name]
+        if any(at > index for at in setting):
+            return "late"
+        if setting:
+            return None
+        return "not added" if name in self.file.set_somewhere else "undeclared"
+
+    def missing(self, events: tuple[Event, ...], known: frozenset[str]) -> Iterator[tuple[int, Event]]:
+        """Yield the uses of what nothing has set by then."""
+        names, open_ = set(known), False
+        stack: list[tuple[set[str], bool]] = []
+        for index, event in enumerate(events):
+            match event.kind:
+                case "declare" | "define" | "pass":
+                    names.add(event.name)
+                    open_ = open_ or not event.name
+                case "open":
+                    open_ = True
+                case "include":
+                    found = self.workspace.launch.defined_by(event.name)
+                    open_ = open_ or found is None
+                    names |= found or set()
+                case "push":
+                    stack.append((set(names), open_))
+                case "pop":
+                    names, open_ = stack.pop()
+                case "later":
+                    names |= {each.name for each in events if each.kind in ("declare", "define")}
+                case "use" if event.name and not event.optional and not open_ and event.name not in names:
+                    yield index, event
+
+    def unused(self) -> Iterator[DeclaredArgument]:
+        """Yield the arguments that nothing in the file asks for; none where it hands all of them on to others."""
+        events = self.file.events or ()
+        handed_on = any(event.kind in ("include", "open") for event in events)
+        if not self.started or handed_on or "launch_configurations" in self.file.source.text:
+            return
+        used = {event.name for event in events if event.kind == "use"}
+        used |= {nearest(each.name, each.declared) or "" for each in self.unset()} - {""}
+        used |= {s.arguments[0].literal or "" for s in self.file.configurations() if s.arguments}
+        if "" in used:
+            return
+        for argument in self.file.arguments:
+            name = argument.name.literal
+            if name and name not in used | OWN and not self.said_elsewhere(name, argument.span):
+                yield argument
+
+    def said_elsewhere(self, name: str, declared: Span) -> bool:
+        """Return whether a Python file says the name in quotes at another place."""
+        text = self.file.source.text
+        outside = text[: declared.start] + text[declared.end :]
+        return self.file.frontend == "python" and any(f"{q}{name}{q}" in outside for q in "'\"")

@@ -1,0 +1,46 @@
+"""What a Python launch file imports from launch and launch_ros, against what these export."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...languages.python.python import PythonFile
+from ...ros.launch_names import EXPORTS, home_of
+from ...source import Span
+from ...suggest import nearest
+
+OPEN = frozenset({"launch_ros.parameter_descriptions", "ament_index_python.packages"})
+"""Modules that are one file, with whatever it imports itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Misimport:
+    """A name that the module does not export; it is exported by `home`, or `near` was meant."""
+
+    name: str
+    module: str
+    span: Span
+    home: str = ""
+    near: str = ""
+
+
+def misimports(file: PythonFile) -> Iterator[Misimport]:
+    """Yield imports of names that another module of launch has, or that are misspelt."""
+    optional = {each.module for each in file.imports if each.optional}
+    for node in ast.walk(file.tree):
+        if not isinstance(node, ast.ImportFrom) or node.level or not node.module:
+            continue
+        module = node.module
+        if module not in EXPORTS or module in OPEN or module in optional:
+            continue
+        for alias in node.names:
+            if alias.name in EXPORTS[module] or alias.name == "*":
+                continue
+            start = file.span(alias).start
+            span = Span(start, start + len(alias.name))
+            home = home_of(alias.name)
+            near = "" if home or alias.name.islower() else nearest(alias.name, EXPORTS[module], 1) or ""
+            if home or near:
+                yield Misimport(alias.name, module, span, home, near)

@@ -1,0 +1,67 @@
+"""Joined slice: what launch files name, against the rules that install it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.cmake.project import CMake
+from ...package.setup.setup_py import SetupPy
+from ..cmake.shared import RuntimeFolders
+from ..setup.shared import SharedFiles, folder_of
+from .scope import LaunchScope, Missing
+
+
+@dataclass(frozen=True)
+class LaunchedFiles:
+    scope: LaunchScope
+    shared: SharedFiles | None
+    folders: RuntimeFolders | None
+
+    @property
+    def name(self) -> str:
+        return self.scope.package.name
+
+    @property
+    def cmake(self) -> CMake | None:
+        return self.scope.cmake
+
+    @property
+    def setup(self) -> SetupPy | None:
+        return self.shared.package.setup if self.shared is not None and self.cmake is None else None
+
+    def missing(self) -> Iterator[Missing]:
+        """Yield what is named, is there, and is not installed, and of which nothing else speaks."""
+        for each in self.scope.missing():
+            if each.state in ("not installed", "elsewhere") and not self.is_said(each):
+                yield each
+
+    def is_said(self, missing: Missing) -> bool:
+        """Return whether a finding at the install rules says so.
+
+        CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.
+        """
+        project = self.cmake.project_name if self.cmake is not None else self.name
+        astray = ("/", f"share/{project}/") if project != self.name else ("/",)
+        if missing.state == "elsewhere" and (missing.meant or "").startswith(astray):
+            return True
+        top = missing.path.partition("/")[0]
+        if missing.package == self.name:
+            return top in self.said_folders or missing.path in self.said_files
+        facts = self.scope.workspace.named(missing.package)
+        given = facts is not None and facts.folder in self.scope.workspace.given
+        return given and facts is not None and not any(path.startswith(f"{top}/") for path in facts.share_files)
+
+    @cached_property
+    def said_folders(self) -> frozenset[str]:
+        """The folders of which nothing is installed, and those whose glob matches nothing."""
+        found = set(self.folders.forgotten()) if self.folders is not None and self.cmake is not None else set()
+        if self.setup is not None and self.shared is not None:
+            found |= {*self.shared.forgotten, *(folder_of(glob.pattern) for glob in self.shared.empty_globs)}
+        return frozenset(found)
+
+    @cached_property
+    def said_files(self) -> frozenset[str]:
+        """The files that lie beside those which a glob finds."""
+        return frozenset(each.path for each in self.shared.missed) if self.setup and self.shared else frozenset()

@@ -1,0 +1,123 @@
+"""A launch file among the files that it names: those of its package, and what other packages install."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+from ...files import PackageFiles
+from ...package.cmake.project import CMake
+from ...package.facts import PackageFacts
+from ...package.file_role import role_of
+from ...package.install import InstallTable
+from ...package.launch.file import LaunchFile
+from ...package.launch.named_paths import NamedPath, Use
+from ...package.workspace import Workspace
+from ...source import Span
+from ...unreadable import UnreadableError
+from ..near_files import meant_file
+
+State = Literal["absent", "not installed", "elsewhere", "no slash"]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A file that is named and won't be there."""
+
+    span: Span
+    package: str
+    path: str
+    """Relative to the share directory of the package."""
+    state: State
+    use: Use
+    meant: str | None = None
+    """The file that was probably meant, or where the file goes that stands at the path in the source."""
+    again: tuple[Span, ...] = ()
+    """Other places that name it."""
+
+
+@dataclass(frozen=True)
+class LaunchScope:
+    file: LaunchFile
+    files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
+    table: InstallTable | None
+    cmake: CMake | None
+
+    @cached_property
+    def places(self) -> tuple[str, ...]:
+        """Where the file itself goes, relative to the share directory."""
+        rows = self.table.below(f"share/{self.package.name}") if self.table is not None else ()
+        return tuple(path for path, row in rows if row.source == self.file.path)
+
+    @cached_property
+    def idle(self) -> bool:
+        """Whether it is a test that nobody runs: CMake does not name it, as far as that can be told."""
+        test = role_of(self.file.path) == "test"
+        told = self.cmake is not None and self.cmake.complete
+        return test and told and self.cmake is not None and not self.cmake.speaks_of(self.file.path)
+
+    @property
+    def left_over(self) -> bool:
+        """Whether the file is one for ROS 1 that a package for ROS 2 alone installs."""
+        try:
+            manifest = self.files.source("package.xml").text
+        except UnreadableError:
+            return False
+        alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
+        return self.file.ros1 and bool(self.places) and alone
+
+    def missing(self) -> Iterator[Missing]:
+        """Yield each file that is named and is not there, once, as far as that can be told."""
+        found: dict[tuple[str, str], list[Missing]] = {}
+        for named in self.file.paths if not (self.file.ros1 or self.idle) else ():
+            missing = self.judge(named) if not self.file.reckons_with(named.span) else None
+            if missing is not None:
+                found.setdefault((missing.package, missing.path), []).append(missing)
+        for first, *others in found.values():
+            yield replace(first, again=tuple(other.span for other in others if other.span != first.span))
+
+    def judge(self, named: NamedPath) -> Missing | None:
+        if not named.package:
+            return self.beside(named)
+        own = named.package == self.package.name
+        facts = self.package if own else self.workspace.named(named.package)
+        if facts is None or not facts.knows("share_files") or facts.makes(named.path):
+            return None
+        there = named.path in facts.share_files
+        if not named.parted:
+            return Missing(named.span, facts.name, named.path, "no slash", named.use) if there else None
+        if there:
+            return None
+        state, meant = self.state(facts, named.path)
+        return Missing(named.span, facts.name, named.path, state, named.use, meant)
+
+    def state(self, facts: PackageFacts, path: str) -> tuple[State, str | None]:
+        if facts is self.package and self.files.is_there(path):
+            goes = self.goes_to(path)
+            return ("elsewhere", goes) if goes else ("not installed", None)
+        if path in facts.uninstalled:
+            return "not installed", None
+        return "absent", meant_file(path, facts.share_files)
+
+    def goes_to(self, path: str) -> str | None:
+        """Return where a file of the package goes below the prefix."""
+        rows = self.table.rows if self.table is not None else ()
+        return next((row.destination for row in rows if row.source == path), None)
+
+    def beside(self, named: NamedPath) -> Missing | None:
+        """Judge a file that is reckoned from the launch file: from where it stands, and from where it is installed."""
+        if self.files.is_there(named.path) or self.package.makes(named.path):
+            return None
+        if not self.package.knows("share_files"):
+            return None
+        away = posixpath.relpath(named.path, posixpath.dirname(self.file.path) or ".")
+        for place in self.places:
+            if posixpath.normpath(posixpath.join(posixpath.dirname(place), away)) in self.package.share_files:
+                return None
+        meant = meant_file(named.path, self.files.paths)
+        return Missing(named.span, self.package.name, named.path, "absent", named.use, meant)

@@ -1,0 +1,62 @@
+"""What launch files start, against what packages install."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.facts import PackageFacts
+from ...source import Span
+from ...suggest import nearest
+from .scope import LaunchScope
+
+
+@dataclass(frozen=True, slots=True)
+class StartedNode:
+    """A node whose package is one of the workspace and whose executable is literal."""
+
+    path: str
+    span: Span
+    """Of the executable."""
+    executable: str
+    plain: bool
+    """Whether the span holds the name and nothing else."""
+    facts: PackageFacts
+
+    @property
+    def meant(self) -> str | None:
+        """The one executable whose name is near, or that differs by words that a rename put on or took off."""
+        if near := nearest(self.executable, self.facts.executables):
+            return near
+        words = set(self.executable.split("_"))
+        renamed = [
+            name for name in self.facts.executables if words <= (other := set(name.split("_"))) or other <= words
+        ]
+        return renamed[0] if len(renamed) == 1 else None
+
+
+@dataclass(frozen=True)
+class Started:
+    scope: LaunchScope
+
+    def nodes(self) -> Iterator[StartedNode]:
+        """Yield what is started of packages of the workspace, under literal names; a component is no program."""
+        file = self.scope.file
+        for package, executable, span in file.programs():
+            facts = self.scope.workspace.named(package)
+            if facts is not None:
+                plain = file.source.slice(span) == executable
+                yield StartedNode(file.path, span, executable, plain, facts)
+
+    def unknown_executables(self) -> Iterator[StartedNode]:
+        """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere.
+
+        Launch files of tests that CMake does not run are left alone.
+        """
+        if self.scope.idle:
+            return
+        for node in self.nodes():
+            facts = node.facts
+            known = node.executable in facts.executables | facts.astray or facts.makes(node.executable)
+            if facts.knows("executables") and not known:
+                yield node

@@ -1,0 +1,89 @@
+"""The packages that a launch file needs when it runs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.launch.file import LaunchFile
+from ...package.launch.text import LaunchText, Literal, Substitution
+from ...source import Span
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+
+PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
+"""Programs on the PATH that come with a package of ROS."""
+
+
+@dataclass(frozen=True, slots=True)
+class PackageUse:
+    """A package that a launch file needs, and where it says so."""
+
+    name: str
+    path: str
+    span: Span
+    does: str
+    """What the file does with it, as a sentence goes on: "starts a node of"."""
+
+
+def package_uses(file: LaunchFile) -> Iterator[PackageUse]:
+    """Yield the packages that are named for certain, in the order of the text; none of a file for ROS 1."""
+    if file.ros1:
+        return
+    found = {(use.name, use.span): use for use in every_use(file)}
+    for use in sorted(found.values(), key=lambda each: each.span):
+        if not any(guard.start <= use.span.start < guard.end for guard in file.guarded):
+            yield use
+
+
+def every_use(file: LaunchFile) -> Iterator[PackageUse]:
+    for node in file.nodes:
+        does = "loads a component of" if node.kind == "composable_node" else "starts a node of"
+        yield from named(file, node.package, does)
+    for each in file.substitutions:
+        yield from found_by(file, each)
+    for command in file.commands:
+        yield from run_by(file, list(command.words))
+
+
+def named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageUse]:
+    name = text.literal if text is not None else None
+    if text is not None and name and NAME.fullmatch(name):
+        yield PackageUse(name, file.path, text.span, does)
+
+
+def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageUse]:
+    match each:
+        case Substitution(name="find-pkg-share" | "find-pkg-prefix", arguments=(package, *_)):
+            yield from named(file, package, "looks for files of")
+        case Substitution(name="exec-in-pkg", arguments=(_, package, *_)):
+            yield from named(file, package, "runs a program of")
+        case Substitution(name="find-exec", arguments=(program, *_)):
+            yield from program_of(file, program)
+        case Substitution(name="command", arguments=(command, *_)):
+            yield from run_by(file, [command])
+
+
+def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageUse]:
+    """Yield what a command needs: the package of its program, and of `ros2 run` and `ros2 launch`."""
+    first = next((word.parts[0] for word in words if word.parts), None)
+    if isinstance(first, Literal):
+        program = first.text.split(" ")[0].strip()
+        if program in PROGRAMS:
+            start = first.span.start + first.text.index(program)
+            span = (
+                Span(start, start + len(program))
+                if first.span.end - first.span.start == len(first.text)
+                else first.span
+            )
+            yield PackageUse(PROGRAMS[program], file.path, span, f"runs `{program}` of")
+    literals = [word.literal for word in words]
+    if literals[:1] == ["ros2"] and literals[1:2] in (["run"], ["launch"]):
+        yield from named(file, words[2] if len(words) > 2 else None, "runs a program of")
+
+
+def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageUse]:
+    name = program.literal
+    if name in PROGRAMS:
+        yield PackageUse(PROGRAMS[name], file.path, program.span, f"runs `{name}` of")

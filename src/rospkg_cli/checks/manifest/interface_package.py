@@ -1,0 +1,41 @@
+"""A package that generates interfaces, as far as its manifest has to say so."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.call import Call
+from ...package.cmake.project import CMake
+from ...package.manifest import Manifest
+from ...ros.interfaces import GROUP
+
+GENERATE = "rosidl_generate_interfaces"
+SKIP_INSTALL, SKIP_CHECK = "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"
+"""Options of the call (rosidl_cmake/cmake/rosidl_generate_interfaces.cmake)."""
+
+
+@dataclass(frozen=True)
+class InterfacePackage:
+    manifest: Manifest
+    cmake: CMake
+
+    @cached_property
+    def installed(self) -> tuple[Call, ...]:
+        """The calls that generate interfaces for others than the package itself; what may skip that is left out."""
+        calls = self.cmake.named(GENERATE)
+        return tuple(call for call in calls if SKIP_INSTALL not in call.texts)
+
+    @property
+    def installs(self) -> bool:
+        """Whether interfaces are generated that are of use without the package's tests."""
+        return any(not call.testing for call in self.installed)
+
+    @property
+    def checks_group(self) -> bool:
+        """Whether rosidl looks for the group."""
+        return any(SKIP_CHECK not in call.texts for call in self.installed)
+
+    @property
+    def is_member(self) -> bool:
+        return any(element.text == GROUP for element in self.manifest.all("member_of_group"))

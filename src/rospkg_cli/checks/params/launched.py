@@ -1,0 +1,145 @@
+"""Parameter files and values that launch files give to nodes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.facts import PackageFacts
+from ...package.install import InstallTable
+from ...package.launch.file import LaunchedNode, LaunchFile
+from ...package.launch.text import LaunchText, Literal, Substitution
+from ...package.params.declared import DeclaredParameter
+from ...package.params.file import NodeBlock, ParameterFile
+from ...package.workspace import Workspace
+from ...suggest import near
+
+WILD = ("*", "**")
+MAX_DEPTH = 5
+SHARE = "\0share"
+
+
+@dataclass(frozen=True)
+class Given:
+    """A node that a launch file starts, and the parameter files of this package that it may be given."""
+
+    launch: LaunchFile
+    node: LaunchedNode
+    files: tuple[ParameterFile, ...]
+    complete: bool
+    """Whether these are all, for certain: then all that the node is given is known."""
+
+    @property
+    def name(self) -> str | None:
+        return self.node.name.literal if self.node.name else None
+
+    def blocks(self) -> Iterator[NodeBlock]:
+        """Yield the blocks that the node reads."""
+        for file in self.files:
+            for block in file.blocks:
+                if self.name is None or last(block) in (*WILD, self.name):
+                    yield block
+
+    def names(self) -> set[str]:
+        """Return the names of the parameters that the node is given."""
+        values = [name.literal for entry in self.node.parameters for name, _ in entry.values]
+        return {each.name for block in self.blocks() for each in block.parameters} | {name for name in values if name}
+
+
+@dataclass(frozen=True)
+class LaunchedParameters:
+    files: tuple[ParameterFile, ...]
+    launches: tuple[LaunchFile, ...]
+    table: InstallTable | None
+    package: PackageFacts
+    workspace: Workspace
+
+    @cached_property
+    def given(self) -> tuple[Given, ...]:
+        return tuple(self.of(launch, node) for launch in self.launches if not launch.ros1 for node in launch.nodes)
+
+    def is_read_by_python(self, file: ParameterFile) -> bool:
+        """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
+        return any(each.node.kind == "composable_node" and file in each.files for each in self.given)
+
+    def of(self, launch: LaunchFile, node: LaunchedNode) -> Given:
+        found: list[ParameterFile] = []
+        complete = node.complete and node.certain
+        for entry in node.parameters:
+            complete = complete and entry.complete and all(name.literal is not None for name, _ in entry.values)
+            if entry.file is not None:
+                files = list(self.files_at(entry.file, launch))
+                complete = complete and len(files) == 1
+                found += files
+        return Given(launch, node, tuple(found), complete)
+
+    def files_at(self, text: LaunchText, launch: LaunchFile) -> Iterator[ParameterFile]:
+        """Yield the files of this package that a path may mean; what is unknown in it may be any name."""
+        pattern = "".join(self.pattern(text, launch, 0))
+        if pattern.startswith(SHARE):
+            path = re.compile(re.sub("/+", "/", pattern[len(SHARE) :]).lstrip("/"))
+            for file in self.files:
+                if any(path.fullmatch(each) for each in self.share_paths(file)):
+                    yield file
+
+    def pattern(self, text: LaunchText, launch: LaunchFile, depth: int) -> Iterator[str]:
+        for part in text.parts:
+            match part:
+                case Literal(text=literal):
+                    yield re.escape(literal)
+                case Substitution(name="find-pkg-share", arguments=(package, *_)):
+                    yield SHARE if package.literal == self.package.name else "\0elsewhere"
+                case Substitution(name="var", arguments=(name, *_)) if depth < MAX_DEPTH:
+                    defaults = [each.default for each in launch.arguments if each.name.literal == name.literal]
+                    if len(defaults) == 1 and defaults[0] is not None:
+                        yield from self.pattern(defaults[0], launch, depth + 1)
+                    else:
+                        yield "[^/]*"
+                case _:
+                    yield "[^/]*"
+
+    def share_paths(self, file: ParameterFile) -> list[str]:
+        """Return where a file stands in the share folder."""
+        rows = self.table.below(f"share/{self.package.name}") if self.table else ()
+        return [path for path, row in rows if row.source == file.path] or [file.path]
+
+    def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, Given]]:
+        """Yield the blocks that no node reads, where a node that gets the file and has none has a near name."""
+        started = {each.name for each in self.given}
+        for file in self.files:
+            readers = [each for each in self.given if file in each.files and each.name]
+            named = {last(block) for block in file.blocks}
+            lonely = [each for each in readers if each.name not in named]
+            for block in file.blocks:
+                key = last(block)
+                if key not in started and key not in WILD and "$" not in key:
+                    found = [each for each in lonely if is_near(key, each.name or "")]
+                    if found and len({each.name for each in found}) == 1:
+                        yield file, block, found[0]
+
+    def missing(self) -> Iterator[tuple[Given, list[DeclaredParameter]]]:
+        """Yield each node that is not given all that its code declares without a default, and what is missing."""
+        for each in self.given:
+            package = each.node.package.literal if each.node.package else None
+            facts = self.workspace.named(package) if package else None
+            started = each.node.executable or each.node.plugin
+            if facts is None or not each.complete or started is None or started.literal is None:
+                continue
+            code = next((code for code in facts.node_code if code.starts == started.literal), None)
+            if code is not None:
+                needed = [one for one in facts.parameters if one.required and not one.tail and one.path in code.paths]
+                names = each.names()
+                if missing := [one for one in needed if one.name not in names]:
+                    yield each, missing
+
+
+def last(block: NodeBlock) -> str:
+    """Return the name of a block's node, without its namespace."""
+    return block.name.rpartition("/")[2]
+
+
+def is_near(key: str, name: str) -> bool:
+    short, long = sorted((key, name), key=len)
+    return long in (f"{short}_node", f"{short}node") or bool(near(key, [name], 1))

@@ -1,0 +1,188 @@
+"""Which packages declare the parameters of a block: told by their names, as no file says whose it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cpp.file import CppFile
+from ...languages.yaml.yaml import Scalar, YamlNode
+from ...languages.yaml.yaml import Sequence as YamlSequence
+from ...package.facts import PackageFacts
+from ...package.params.cpp import read_in
+from ...package.params.declared import DeclaredParameter, type_named
+from ...package.params.file import NodeBlock, Parameter, ParameterFile
+from ...package.params.index import ParameterIndex
+from ...package.params.value import type_of
+from ...package.workspace import Workspace
+from ...source import Span
+from ...suggest import near, nearest
+
+OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
+EVERYWHERE = ("qos_overrides.", "bond_")
+ENOUGH = 0.6
+"""The share of a block's names that a package has to declare to be taken for its owner."""
+ALMOST = 0.8
+"""The same, where something is concluded from what a block lacks."""
+MOST = 0.7
+"""The share of what a source file needs that a block has to give to be taken for its file."""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Parameters of a block that belong together: those without a prefix, or all of one prefix, and their owners."""
+
+    file: ParameterFile
+    block: NodeBlock
+    prefix: str
+    parameters: tuple[Parameter, ...]
+    owners: tuple[PackageFacts, ...]
+    """The packages that declare most of them; none where that can't be told."""
+
+    def fitting(self, name: str) -> list[DeclaredParameter]:
+        return [each for facts in self.owners for each in facts.parameters if each.fits(name)]
+
+    def unknown(self) -> Iterator[tuple[Parameter, str]]:
+        """Yield the parameters that no owner declares, where one that is declared and not given has a near name."""
+        given = {each.name for each in self.block.parameters}
+        for parameter in self.parameters:
+            if not self.fitting(parameter.name):
+                before, _, last = parameter.name.rpartition(".")
+                prefix = f"{before}." if before else ""
+                free = {name for name in self.last_names if prefix + name not in given and self.fitting(prefix + name)}
+                found = near(last, free)
+                if len(found) == 1:
+                    yield parameter, prefix + found[0]
+
+    @cached_property
+    def last_names(self) -> frozenset[str]:
+        """The last pieces of the names that the owners declare."""
+        return frozenset(each.name.rpartition(".")[2] for facts in self.owners for each in facts.parameters)
+
+    def wanted_type(self, parameter: Parameter) -> tuple[str, DeclaredParameter] | None:
+        """Return the type that every owner declares a parameter with, and one declaration; None where they differ."""
+        fitting = self.fitting(parameter.name)
+        wanted = type_named(fitting, parameter.name)
+        return (wanted, fitting[0]) if wanted else None
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownRead:
+    path: str
+    span: Span
+    name: str
+    meant: str
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    file: ParameterFile
+    block: NodeBlock
+    facts: PackageFacts
+    path: str
+    """The source file that declares them."""
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class PackageParameters:
+    """The parameter files of a package, its code, and the code of its neighbours."""
+
+    files: tuple[ParameterFile, ...]
+    cpp: tuple[CppFile, ...]
+    package: PackageFacts
+    workspace: Workspace
+
+    def groups(self) -> Iterator[Group]:
+        """Yield the groups of parameters whose owners can be told."""
+        for file in self.files:
+            yield from self.groups_of(file)
+
+    def groups_of(self, file: ParameterFile) -> Iterator[Group]:
+        index = self.workspace.parameters
+        for block in file.blocks:
+            parts: dict[str, list[Parameter]] = {}
+            for each in block.parameters:
+                if is_its_own(each.name):
+                    parts.setdefault(each.name.rpartition(".")[0].partition(".")[0], []).append(each)
+            for prefix, parameters in parts.items():
+                owners = self.owners(index, frozenset(each.name for each in parameters))
+                if owners:
+                    yield Group(file, block, prefix, tuple(parameters), tuple(owners))
+
+    def left_out(self) -> Iterator[LeftOut]:
+        """Yield the blocks that are copies of one that the declaring package ships, and lack what that one has.
+
+        That is what a source file declares without a default, and what the copy does give is most of it.
+        """
+        index = self.workspace.parameters
+        for file in self.files:
+            for block in file.blocks:
+                names = frozenset(each.name for each in block.parameters if is_its_own(each.name))
+                counts = index.counts(names)
+                own = max((count for facts, count in counts if facts.folder == self.package.folder), default=0)
+                for facts, count in counts:
+                    if count < max(ALMOST * len(names), own + 1):
+                        break  # the most come first
+                    for path, needed in index.required(facts).items():
+                        given = needed & names
+                        shipped = [each for each in facts.given_parameters if len(each & needed) >= MOST * len(needed)]
+                        missing = needed.intersection(*shipped) - names if shipped else set()
+                        enough = len(given) >= max(3, MOST * len(needed))
+                        if enough and missing and facts.folder != self.package.folder:
+                            yield LeftOut(file, block, facts, path, tuple(sorted(missing)))
+
+    def unknown_reads(self) -> Iterator[UnknownRead]:
+        """Yield what a C++ file gets and nobody declares, where the same file declares something that nobody gets.
+
+        That is a near name, or the only one of each sort.
+        """
+        reads = [read for file in self.cpp for read, _ in read_in(file)]
+        for file in self.cpp:
+            own = [each for each in self.package.parameters if each.path == file.path]
+            idle = {each.name for each in own if not any(same(each, read) for read in reads)}
+            lost = [
+                (read, call)
+                for read, call in read_in(file)
+                if idle and is_its_own(read.name) and not self.is_declared(read)
+            ]
+            for read, call in lost:
+                only = len(idle) == 1 and len({read.name for read, _ in lost}) == 1
+                meant = next(iter(idle)) if only else nearest(read.name, idle)
+                if meant is not None and call.arguments:
+                    yield UnknownRead(file.path, call.arguments[0].span, read.name, meant)
+
+    def is_declared(self, read: DeclaredParameter) -> bool:
+        return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
+
+    def owners(self, index: ParameterIndex, names: frozenset[str]) -> list[PackageFacts]:
+        """Return the packages that declare most of the names; of a single name only the own package is believed."""
+        found = []
+        for facts, count in index.counts(names):
+            if count < ENOUGH * len(names):
+                break
+            least = 1 if facts.folder == self.package.folder and len(names) < 3 else 2
+            if count >= max(ENOUGH * len(names), least):
+                found.append(facts)
+        return found
+
+
+def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:
+    """Return whether a read may mean what is declared."""
+    return declared.name == read.name or declared.fits(read.name) or read.fits(declared.name)
+
+
+def is_its_own(name: str) -> bool:
+    return name not in OF_EVERY_NODE and not name.startswith(EVERYWHERE)
+
+
+def given_type(value: YamlNode) -> str:
+    """Return the type that rcl gives a value; "" where it has none, or it is filled in later."""
+    if isinstance(value, Scalar):
+        return "" if "$(" in value.text or (value.plain and not value.text) else type_of(value)
+    if isinstance(value, YamlSequence) and value.items:
+        types = {given_type(item) for item in value.items}
+        only = types.pop() if len(types) == 1 else ""
+        return f"{only}[]" if only and "[" not in only else ""
+    return ""

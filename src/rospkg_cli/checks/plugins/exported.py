@@ -1,0 +1,61 @@
+"""The classes that a package's sources export for pluginlib or class_loader."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from ...languages.cpp.file import CppFile
+from ...source import Span
+
+MACROS = frozenset(
+    {
+        "PLUGINLIB_EXPORT_CLASS", "PLUGINLIB_EXPORT_CLASS_WITH_MESSAGE", "PLUGINLIB_REGISTER_CLASS",
+        "CLASS_LOADER_REGISTER_CLASS", "CLASS_LOADER_REGISTER_CLASS_WITH_MESSAGE",
+    }
+)  # fmt: skip
+"""The first argument is the class, the second its base; both are kept as they are written."""
+
+CLASS = re.compile(r"(::)?[A-Za-z_]\w*(::[A-Za-z_]\w*)*(<.*>)?")
+MACRO_NAME = re.compile(r"_*[A-Z][A-Z0-9_]*_*")
+
+
+@dataclass(frozen=True)
+class ExportedClass:
+    type: str
+    """As the macro has it: pluginlib looks for exactly this text."""
+    base: str
+    path: str
+    span: Span
+    """Of the class, in the macro."""
+    conditional: bool
+
+
+def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
+    for file in files:
+        for call in file.called(*MACROS):
+            if call.arguments and len(call.arguments) > 1:
+                kind, base = call.arguments[:2]
+                yield ExportedClass(kind.text, base.text, file.path, kind.span, call.conditional)
+
+
+def is_plain(name: str) -> bool:
+    """Return whether a name is that of a class, and not of a macro that stands for one."""
+    return CLASS.fullmatch(name) is not None and not any(MACRO_NAME.fullmatch(part) for part in name.split("::"))
+
+
+def tail(name: str) -> str:
+    """Return a class's name without its namespaces and template arguments."""
+    return name.partition("<")[0].rpartition("::")[2].rpartition("/")[2]
+
+
+def is_registered_otherwise(files: Iterable[CppFile], name: str) -> bool:
+    """Return whether a macro that we don't know is given a class (or what it is a template of): it may export it."""
+    tails = "|".join(re.escape(tail(each)) for each in re.findall(r"[\w:]+", name))
+    pattern = re.compile(rf"\b(?!{HARMLESS})([A-Z][A-Z0-9]*_[A-Z0-9_]+)\s*\([^;{{}}()]*\b(?:{tails})\b")
+    return any(match.group(1) not in MACROS for file in files for match in pattern.finditer(file.source.text))
+
+
+HARMLESS = r"(?:RCLCPP|RCUTILS|ROS|EXPECT|ASSERT|TEST|INSTANTIATE|GTEST)_"
+"""Macros that log, or that test."""

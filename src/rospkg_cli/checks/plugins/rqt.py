@@ -1,0 +1,45 @@
+"""Plug-ins of rqt: those in Python are found by package.xml alone, those in C++ by what CMake exports."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.facts import PackageFacts
+from ...package.file_role import role_of
+from ...package.manifest import Manifest
+from ...package.plugins.description import PluginDescription
+
+PYTHON = {"rqt_gui_py::": "rqt_gui", "qt_gui_py::": "qt_gui"}
+"""The namespace of the base class, and the tag under which package.xml has the description."""
+CPP = "rqt_gui_cpp::"
+
+
+@dataclass(frozen=True)
+class RqtPlugins:
+    manifest: Manifest
+    facts: PackageFacts
+    descriptions: tuple[PluginDescription, ...]
+
+    def hidden(self) -> Iterator[tuple[PluginDescription, str]]:
+        """Yield the descriptions of plug-ins in Python that package.xml lacks, and the tag that they want."""
+        if self.facts.build_type == "catkin":
+            return
+        exported = {each.type.value for one in self.descriptions if one.for_rqt for each in one.classes}
+        for description in self.descriptions:
+            python = [each for each in description.classes if each.base.value.startswith(tuple(PYTHON))]
+            types = {each.type.value for each in python}
+            if types and not description.for_rqt and not types & exported and role_of(description.file) == "run":
+                yield description, PYTHON[python[0].base.value.partition("::")[0] + "::"]
+
+    def odd(self) -> Iterator[tuple[PluginDescription, list[PluginDescription]]]:
+        """Yield the descriptions in C++ that CMake alone exports, where package.xml has all others of the package."""
+        cpp = [
+            each
+            for each in self.descriptions
+            if each.indexed and any(found.base.value.startswith(CPP) for found in each.classes)
+        ]
+        listed = [each for each in cpp if each.for_rqt]
+        for description in cpp:
+            if listed and not description.for_rqt:
+                yield description, listed

@@ -1,0 +1,1 @@
+"""Judgements over setup.py and setup.cfg."""

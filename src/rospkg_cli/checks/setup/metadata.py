@@ -1,0 +1,77 @@
+"""Joined slice: what setup.py and package.xml both say."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.xml.xml import Element
+from ...package.manifest import Manifest
+from ...package.setup.said import Said
+from ...package.setup.setup_py import SetupPy
+from ...ros.licenses import spdx_id
+
+SEVERAL = re.compile(r"\s*(?:,|;|\band\b|&|\|)\s*")
+ADDRESS = re.compile(r"\s*<[^>]*>")
+TODO = re.compile(r"todo\b.*", re.IGNORECASE | re.DOTALL)
+
+REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
+"""An address that is one, and not a template's."""
+
+Difference = tuple[str, Said, str, Element]
+"""The argument of setup(), what it says, what it should say ("" where that is not one text), and who says so."""
+
+
+@dataclass(frozen=True)
+class Metadata:
+    manifest: Manifest
+    setup: SetupPy
+
+    @cached_property
+    def differing(self) -> tuple[Difference, ...]:
+        return (*self.description(), *self.license(), *self.maintainer(), *self.email())
+
+    def description(self) -> Iterator[Difference]:
+        """Two descriptions may well be worded differently; one that a template left may not."""
+        said, element = self.setup.said("description"), self.manifest.first("description")
+        if said is None or element is None or element.children or not element.text or TODO.fullmatch(element.text):
+            return
+        if TODO.fullmatch(said.text.strip()) or not said.text.strip():
+            yield "description", said, " ".join(element.text.split()), element
+
+    def license(self) -> Iterator[Difference]:
+        said, elements = self.setup.said("license"), self.manifest.all("license")
+        texts = [element.text for element in elements]
+        if said is None or not texts or any(TODO.fullmatch(text) or not text for text in texts):
+            return
+        known = {spdx(text) for text in texts}
+        if spdx(said.text) not in known and not {spdx(part) for part in SEVERAL.split(said.text)} <= known:
+            yield "license", said, texts[0] if len(texts) == 1 else "", elements[0]
+
+    def maintainer(self) -> Iterator[Difference]:
+        said, elements = self.setup.said("maintainer"), self.manifest.all("maintainer")
+        if said is None or not elements:
+            return
+        ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(said.text)}
+        theirs = {folded(element.text) for element in elements}
+        if not ours <= theirs and folded(said.text) not in theirs:
+            yield "maintainer", said, elements[0].text if len(elements) == 1 else "", elements[0]
+
+    def email(self) -> Iterator[Difference]:
+        said, elements = self.setup.said("maintainer_email"), self.manifest.all("maintainer")
+        addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
+        if said is None or not addresses or not all(map(REAL.fullmatch, addresses)):
+            return
+        if not {folded(part) for part in SEVERAL.split(said.text)} <= {folded(address) for address in addresses}:
+            yield "maintainer_email", said, addresses[0] if len(addresses) == 1 else "", elements[0]
+
+
+def folded(text: str) -> str:
+    """Return a text by its words alone."""
+    return " ".join(text.casefold().split()).strip(" .")
+
+
+def spdx(text: str) -> str:
+    return (spdx_id(text) or text).casefold()

@@ -1,0 +1,102 @@
+"""Joined slice: the folders of Python modules of a package, against what is installed of them."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.setup.setup_py import SetupPy
+from .exports import absolute
+from .slices import PythonPackage
+
+TESTS = frozenset({"test", "tests", "testing"})
+
+
+@dataclass(frozen=True)
+class ModuleTree:
+    package: PythonPackage
+
+    @property
+    def setup(self) -> SetupPy:
+        return self.package.setup
+
+    @cached_property
+    def missing_inits(self) -> tuple[str, ...]:
+        """Folders of modules without an `__init__.py`: find_packages() passes them over.
+
+        Where `packages` is a list, those that are listed, and those below them that are not.
+        """
+        found: dict[str, None] = {}
+        for search in self.setup.searches:
+            if not search.namespace:
+                for folder in (search.where, *[posixpath.join(search.where, *p.split(".")) for p in search.found]):
+                    found |= dict.fromkeys(self.without_init(folder, top=folder == search.where))
+        listed = {} if self.setup.searches else {self.setup.folder_of(said.text): None for said in self.setup.packages}
+        for folder in listed:
+            found |= {folder: None} if self.lacks_init(folder) else {}
+            found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
+        return tuple(found)
+
+    def lacks_init(self, folder: str) -> bool:
+        """Return whether a folder holds modules and no `__init__.py`."""
+        names = self.setup.folder.children.get(folder, {})
+        return bool(folder) and "__init__.py" not in names and any(name.endswith(".py") for name in names)
+
+    def without_init(self, folder: str, *, top: bool) -> Iterator[str]:
+        children = self.setup.folder.children
+        for name, kind in children.get(folder, {}).items():
+            path = posixpath.join(folder, name)
+            if kind != "dir" or not name.isidentifier() or name in TESTS or (top and name != self.package.name):
+                continue
+            if self.lacks_init(path):
+                yield path
+
+    def dotted(self, folder: str) -> str:
+        """Return the name under which a folder of modules would be imported."""
+        base = self.setup.package_dir.get("", "")
+        return (folder[len(base) + 1 :] if base and folder.startswith(f"{base}/") else folder).replace("/", ".")
+
+    def imports_from(self, folder: str) -> bool:
+        """Return whether a module of the package outside of a folder, or an entry point, needs what is in it."""
+        wanted = self.dotted(folder)
+        return any(
+            name == wanted or name.startswith(f"{wanted}.") for name, path in self.imported if not inside(path, folder)
+        )
+
+    @cached_property
+    def imported(self) -> frozenset[tuple[str, str]]:
+        """Every dotted name that the modules or entry points name, and the file that does."""
+        found = {(entry.module, entry.path) for entry in self.setup.entry_points}
+        for path in self.package.on_disk.values():
+            file = self.package.modules.at(path)
+            for each in file.imports if file else ():
+                module = absolute(each, path, self.setup)
+                found |= {(module, path), *[(f"{module}.{name}", path) for name in each.names]}
+        return frozenset(found)
+
+    @cached_property
+    def unlisted(self) -> tuple[str, ...]:
+        """The Python packages below listed ones that `packages` leaves out; those of entry points are told apart."""
+        listed = {said.text for said in self.setup.packages}
+        started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
+        found: dict[str, None] = {}
+        for name in sorted(
+            {m.rpartition(".")[0] if not p.endswith("__init__.py") else m for m, p in self.package.on_disk.items()}
+        ):
+            parts = name.split(".")
+            above = {".".join(parts[:i]) for i in range(1, len(parts))}
+            path = self.package.on_disk.get(name, "")
+            if (
+                name not in listed | started
+                and above & listed
+                and path.endswith("__init__.py")
+                and not TESTS & set(parts)
+            ):
+                found[name] = None
+        return tuple(found)
+
+
+def inside(path: str, folder: str) -> bool:
+    return path.startswith(f"{folder}/")

@@ -1,0 +1,1 @@
+"""Judgements over several packages together."""

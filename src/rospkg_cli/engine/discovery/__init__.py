@@ -1,0 +1,1 @@
+"""Which packages a path means, and what lies around them."""

@@ -1,0 +1,124 @@
+"""Find packages: every folder with a package.xml, as colcon finds them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+from ...fence import is_within
+from ...leftovers import is_left_out, is_no_source
+from ...tree import Tree
+
+REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
+"""What stands in the root of a repository; in an export without its .git, what its host reads."""
+
+IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+
+MAX_LINKED_FOLDERS = 1_000
+"""How many links to folders are followed from one folder, so that links in circles end."""
+
+
+def packages_below(root: Path, *, given: bool = True, marked: bool = False) -> Iterator[Path]:
+    """Yield the package folders below a folder, sorted; nothing inside a package, nothing below an ignore marker.
+
+    A folder that is `given` is looked into even when it is marked; every folder is where `marked` ones count.
+    Links to folders are followed as colcon does, each package once, and under its own path where it has one here.
+    """
+    found: dict[str, Path] = {}
+    links = list(crawl(root, found, given, marked))
+    top = os.path.realpath(root)
+    seen = {top}
+    for _ in range(MAX_LINKED_FOLDERS):
+        if not links:
+            break
+        link = links.pop(0)
+        real = os.path.realpath(link)
+        if real not in seen and not is_within(top, real):
+            seen.add(real)
+            links += crawl(link, found, False, marked)
+    yield from sorted(found.values())
+
+
+def crawl(root: Path, found: dict[str, Path], given: bool, marked: bool) -> Iterator[Path]:
+    """Add the packages below a folder to `found`, by where they really lie; yield the links to folders met."""
+    waiting = [root]
+    while waiting:
+        folder = waiting.pop()
+        try:
+            with os.scandir(folder) as listing:
+                entries = {entry.name: entry for entry in listing if not is_no_source(entry.name)}
+        except OSError:
+            continue
+        if not (marked or (given and folder == root)) and not entries.keys().isdisjoint(IGNORE_MARKERS):
+            continue
+        if "package.xml" in entries and is_there(entries["package.xml"]):
+            found.setdefault(os.path.realpath(folder), folder)
+        elif folder == root or not is_left_out(folder.name, entries.keys()):
+            waiting += [Path(each.path) for each in entries.values() if each.is_dir(follow_symlinks=False)]
+            yield from sorted(Path(each.path) for each in entries.values() if each.is_symlink() and is_folder(each))
+
+
+def is_there(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_file()
+    except OSError:
+        return False
+
+
+def is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
+
+
+def marker_above(package: Path, below: Path) -> Path | None:
+    """Return the outermost ignore marker that hides a package from a walk that starts at `below`."""
+    inner = [folder for folder in (package, *package.parents) if folder != below and folder.is_relative_to(below)]
+    marks = (folder / name for folder in reversed(inner) for name in IGNORE_MARKERS)
+    return next((mark for mark in marks if mark.exists()), None)
+
+
+def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple[frozenset[str], ...]:
+    """Return the packages of each repository: those whose nearest marked folder is the same.
+
+    Folders are relative to the root of the run; what lies above that is not looked at.
+    """
+    found: dict[str, set[str]] = {}
+    for folder in folders:
+        here = folder
+        while here and not marked(here):
+            here = here.rpartition("/")[0]
+        if marked(here):
+            found.setdefault(here, set()).add(folder)
+    return tuple(frozenset(found[root]) for root in sorted(found))
+
+
+def enclosing_package(path: Path) -> Path | None:
+    """Return the nearest folder at or above a path that holds a package.xml."""
+    for folder in (path, *path.parents):
+        if (folder / "package.xml").is_file():
+            return folder
+    return None
+
+
+def repositories_in(tree: Tree) -> tuple[frozenset[str], ...]:
+    """Return the packages of each repository of a tree in memory."""
+    paths = [path + "/" for path in tree.files()]
+
+    def marked(folder: str) -> bool:
+        marks = tuple(f"{folder}/{mark}/".lstrip("/") for mark in REPOSITORY_MARKS)
+        return any(path.startswith(marks) for path in paths)
+
+    return repositories(packages_in(tree), marked)
+
+
+def packages_in(tree: Tree) -> list[str]:
+    """Return the folders of the packages of a tree in memory ("" for its root)."""
+    found = sorted(p.rpartition("/")[0] for p in tree.files() if p.rpartition("/")[2] == "package.xml")
+    return [
+        f
+        for f in found
+        if not any(f != outer and (f + "/").startswith(outer + "/" if outer else "") for outer in found)
+    ]

@@ -1,0 +1,117 @@
+"""From the paths that a user gave to the packages they mean, and the workspace around them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path
+
+from ...config import Config
+from ...fence import is_shared
+from ...here import absolute, here
+from ..run.session import Scope
+from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
+from .elsewhere import lists_others
+from .hidden import ONLY_WHEN_GIVEN, hidden_below
+from .prefixes import prefix_names
+
+NO_CONFIG = Config()
+
+
+class LocateError(Exception):
+    """A path that can't be linted; the message says why."""
+
+
+@dataclass(frozen=True)
+class Located:
+    root: Path
+    """Everything lies below it."""
+    scope: Scope
+    hidden: str = ""
+    """Why packages were left out, where all were."""
+
+
+def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config = NO_CONFIG) -> Located:
+    """Find the packages; raises LocateError for a path that is not there. The config's `exclude` leaves some out."""
+    exclude = [(config.folder, pattern) for pattern in config.exclude]
+    given: list[Path] = []
+    for path in paths:
+        if not path.exists():
+            raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
+        given += packages_at(absolute(path))
+    kept = [p for p in each_once(given) if not is_excluded(p, exclude)]
+    around = absolute(workspace) if workspace else workspace_of(kept)
+    others = packages_below(around) if around else siblings(kept)
+    every = sorted(each_once([*kept, *(p for p in others if not is_excluded(p, exclude))]))
+    anchors = [*every, *([around] if around else []), *([config.folder] if config.path else [])]
+    root = Path(os.path.commonpath(anchors)) if every else here()
+    scope = Scope(
+        folders=tuple(relative(p, root) for p in every),
+        given=frozenset(relative(p, root) for p in kept),
+        name=root.name,
+        complete=not lists_others(around, kept),
+        prefix_names=prefix_names(os.environ),
+        repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
+    )
+    return Located(root, scope, "" if kept else "the config excludes them" if given else hidden_below(paths))
+
+
+def each_once(packages: Iterable[Path]) -> list[Path]:
+    """Return each package under the first of the paths that lead to it."""
+    found: dict[str, Path] = {}
+    for package in packages:
+        found.setdefault(os.path.realpath(package), package)
+    return list(found.values())
+
+
+def siblings(packages: Iterable[Path]) -> Iterator[Path]:
+    """Yield the packages that lie beside some others, where there is no workspace around them."""
+    for folder in dict.fromkeys(package.parent for package in packages):
+        if not is_shared(folder):
+            yield from (path.parent for path in sorted(folder.glob("*/package.xml")) if path.is_file())
+
+
+def is_repository(folder: Path) -> bool:
+    return any((folder / mark).exists() for mark in REPOSITORY_MARKS)
+
+
+def packages_at(path: Path) -> list[Path]:
+    """Return the packages that a path means: the one it lies in, else those below it."""
+    around = enclosing_package(path if path.is_dir() else path.parent)
+    if around:
+        return [around]
+    return [p for p in packages_below(path) if not ONLY_WHEN_GIVEN.intersection(p.relative_to(path).parts)]
+
+
+def is_excluded(path: Path, exclude: Iterable[tuple[Path, str]]) -> bool:
+    for base, pattern in exclude:
+        if path.is_relative_to(base):
+            parts = path.relative_to(base).parts
+            if any(fnmatch("/".join(parts[:n]), pattern.rstrip("/")) for n in range(1, len(parts) + 1)):
+                return True
+    return False
+
+
+def relative(path: Path, root: Path) -> str:
+    found = path.relative_to(root).as_posix()
+    return "" if found == "." else found
+
+
+def workspace_of(packages: Sequence[Path]) -> Path | None:
+    """Return the outermost folder around the packages that looks like a workspace, or None."""
+    if not packages:
+        return None
+    common = Path(os.path.commonpath(packages))
+    found = [p for p in (common, *common.parents) if not is_shared(p) and looks_like_one(p, common)]
+    return found[-1] if found else None
+
+
+def looks_like_one(folder: Path, holds: Path) -> bool:
+    """Return whether a folder is a colcon workspace, the parent of the `src` that holds the paths, or a git root."""
+    if all((folder / name).is_dir() for name in ("build", "install", "log")):
+        return True
+    if (folder / "colcon.meta").exists() or (folder / ".colcon").exists() or (folder / ".git").exists():
+        return True
+    return holds.is_relative_to(folder / "src")

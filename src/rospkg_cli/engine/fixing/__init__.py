@@ -1,0 +1,1 @@
+"""Fixes: which fit together, until nothing changes, and how they are written."""

@@ -1,0 +1,100 @@
+"""Apply the operations of fixes to a tree in memory: equal operations once, whatever else touches waits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from ...finding import Chmod, Create, Delete, Edit, Fix, Move, Operation
+from ...source import Span
+from ...tree import Entry, Tree
+
+Changes = dict[str, Entry | None]
+"""Path to its new entry; None where the file is gone."""
+
+
+@dataclass
+class Round:
+    """The operations that are applied together."""
+
+    _chosen: set[Operation] = field(default_factory=set)
+    edits: dict[str, list[Edit]] = field(default_factory=dict)
+    whole: dict[str, Operation] = field(default_factory=dict)
+    """Files that an operation other than an edit claims."""
+
+    def take(self, fix: Fix) -> bool:
+        """Add a fix if nothing in it touches what was taken before; equal operations count once."""
+        fresh = [operation for operation in fix.operations if operation not in self._chosen]
+        if any(self.clashes(operation) for operation in fresh):
+            return False
+        for operation in fresh:
+            self._chosen.add(operation)
+            if isinstance(operation, Edit):
+                self.edits.setdefault(operation.path, []).append(operation)
+            else:
+                self.whole |= dict.fromkeys(paths_of(operation), operation)
+        return True
+
+    def clashes(self, operation: Operation) -> bool:
+        if any(path in self.whole for path in paths_of(operation)):
+            return True
+        if isinstance(operation, Edit):
+            return any(touch(operation.span, other.span) for other in self.edits.get(operation.path, ()))
+        return any(path in self.edits for path in paths_of(operation))
+
+
+def paths_of(operation: Operation) -> tuple[str, ...]:
+    return (operation.path, operation.to) if isinstance(operation, Move) else (operation.path,)
+
+
+def touch(a: Span, b: Span) -> bool:
+    """Return whether two edits get in each other's way; two insertions at one place do not."""
+    if a.start == a.end and b.start == b.end:
+        return False
+    return (a.start < b.end and b.start < a.end) or a.start == b.start or a.end == b.start or b.end == a.start
+
+
+def apply_round(tree: Tree, round_: Round) -> Changes:
+    """Return what the operations make of the files they touch; raises UnicodeError, FileNotFoundError."""
+    changes: Changes = {}
+    for path, edits in round_.edits.items():
+        changes[path] = edited(tree.entry(path), edits)
+    for operation in dict.fromkeys(round_.whole.values()):
+        changes |= outcome(tree, operation)
+    return changes
+
+
+def edited(entry: Entry, edits: Sequence[Edit]) -> Entry:
+    """Return the entry with the edits made, in the encoding and line ends that it had."""
+    text = entry.text.text
+    pieces: list[str] = []
+    at = 0
+    for edit in sorted(edits, key=lambda e: e.span):
+        pieces += [text[at : edit.span.start], edit.text]
+        at = edit.span.end
+    return Entry(entry.kind, entry.text.encode("".join([*pieces, text[at:]])), entry.mode)
+
+
+def outcome(tree: Tree, operation: Operation) -> Changes:
+    match operation:
+        case Create(path, text, executable):
+            return {path: Entry("file", text.encode(), 0o755 if executable else 0o644)}
+        case Delete(path):
+            return {path: None}
+        case Move(path, to):
+            return {path: None, to: tree.entry(path)}
+        case Chmod(path, executable):
+            entry = tree.entry(path)
+            bits = (entry.mode & 0o444) >> 2
+            return {path: Entry(entry.kind, entry.data, entry.mode | bits if executable else entry.mode & ~0o111)}
+        case _:
+            raise TypeError(f"{type(operation).__name__} is not an operation on a whole file")
+
+
+def apply_fixes(tree: Tree, fixes: Iterable[Fix]) -> tuple[Changes, list[Fix]]:
+    """Apply as many fixes as fit together, in order; return the changes and the fixes that were taken."""
+    round_, taken = Round(), []
+    for fix in fixes:
+        if round_.take(fix):
+            taken.append(fix)
+    return apply_round(tree, round_), taken

@@ -1,0 +1,91 @@
+"""Repair in rounds: apply what fits together, lint again, until nothing changes; nothing here touches the disk."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from ...finding import Finding, Safety
+from ...package.happenings import RuleCrash
+from ..run.session import Results, Session
+from .apply import Changes
+from .overlay import Overlay
+from .round import one_round
+from .settle import MAX_ROUNDS, restless
+
+MAX_STARTS = 5
+"""How often fixing begins anew without the fixes that did not come to rest, before nothing is fixed at all."""
+
+Ban = tuple[str, str]
+"""Code and path."""
+
+
+@dataclass
+class Repair:
+    """What fixing came to."""
+
+    results: Results
+    """Of the last round."""
+    changes: Changes = field(default_factory=dict)
+    """Against the tree as it was; paths relative to the root of the run."""
+    applied: list[Finding] = field(default_factory=list)
+    refused: list[tuple[Finding, str]] = field(default_factory=list)
+    """Findings whose fix was taken back, and why."""
+
+
+def repair(session: Session, safety: Sequence[Safety]) -> Repair:
+    """Fix everything that may be fixed and that the session's judge leaves; it always ends.
+
+    Each round applies at least one fix or is the last. A fix that is still wanted after MAX_ROUNDS never comes to
+    rest: fixing begins anew without it.
+    """
+    first = session.run()
+    banned: set[Ban] = set()
+    refused: list[tuple[Finding, str]] = []
+    for _ in range(MAX_STARTS):
+        found, left = repair_without(session, first, safety, banned)
+        if not left:
+            found.refused = refused + found.refused
+            found.changes = {p: e for p, e in found.changes.items() if e != original(session, p)}
+            return found
+        guilty = restless(found.applied, left)
+        refused += [(each, "it wants the same again after each repair; please report this") for each in guilty]
+        banned |= {(each.code, each.place.path) for each in guilty}
+    return Repair(first, refused=refused)
+
+
+def repair_without(
+    session: Session, first: Results, safety: Sequence[Safety], banned: set[Ban]
+) -> tuple[Repair, list[Finding]]:
+    """Return what MAX_ROUNDS of fixing come to, and the findings whose fix is wanted even then."""
+    found, taken_back, crashes = Repair(first), set[tuple[str, str, str]](), list[RuleCrash]()
+
+    def wanted() -> list[Finding]:
+        may_be = [f for f in found.results.findings if f.fix and f.fix.safety in safety]
+        return [f for f in may_be if identity(f) not in taken_back and (f.code, f.place.path) not in banned]
+
+    for _ in range(MAX_ROUNDS):
+        if not (left := wanted()):
+            break
+        changes, applied, refused = one_round(Overlay(session.tree, found.changes), session.scope.folders, left)
+        taken_back |= {identity(each.finding) for each in refused}
+        found.refused += [(each.finding, each.why) for each in refused]
+        crashes += [each.crash for each in refused if each.crash]
+        if applied:
+            found.changes = {**found.changes, **changes}
+            found.applied += applied
+            found.results = replace(session, tree=Overlay(session.tree, found.changes)).run()
+    if crashes:
+        found.results = session.with_crashes(found.results, crashes)
+    return found, wanted()
+
+
+def identity(finding: Finding) -> tuple[str, str, str]:
+    return finding.code, finding.place.path, finding.message
+
+
+def original(session: Session, path: str) -> object:
+    try:
+        return session.tree.entry(path)
+    except OSError:
+        return None

@@ -1,0 +1,95 @@
+"""One round of fixing: the fixes that fit together, without those that fail or would break a file."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...files import PackageFiles
+from ...finding import Finding, Fix
+from ...package.happenings import RuleCrash
+from ...package.package import Package
+from ...tree import Tree
+from .apply import Changes, apply_fixes
+from .overlay import Overlay
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """A fix that was not made, and why; with the crash where that is our fault."""
+
+    finding: Finding
+    why: str
+    crash: RuleCrash | None = None
+
+
+def one_round(
+    tree: Overlay, folders: Sequence[str], wanted: Sequence[Finding]
+) -> tuple[Changes, list[Finding], list[Refusal]]:
+    """Apply what fits together; what would make a readable file unreadable is taken back and said."""
+    refused = [] if can_apply(tree, wanted) else [found for each in wanted if (found := cannot_apply(tree, each))]
+    failing = {id(each.finding) for each in refused}
+    left = [each for each in wanted if id(each) not in failing]
+    while left:
+        changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])
+        broken = newly_broken(tree, changes, folders)
+        if not broken:
+            return changes, [each for each in left if is_taken(each.fix, taken)], refused
+        guilty = breakers(tree, folders, left, broken)
+        path, why = next(iter(broken.items()))
+        refused += [Refusal(each, f"it would break `{path}`: {why}") for each in guilty]
+        left = [each for each in left if each not in guilty]
+    return {}, [], refused
+
+
+def can_apply(tree: Overlay, findings: Sequence[Finding]) -> bool:
+    try:
+        apply_fixes(tree, [each.fix for each in findings if each.fix])
+    except Exception:
+        return False
+    return True
+
+
+def cannot_apply(tree: Overlay, finding: Finding) -> Refusal | None:
+    """Return why a fix can't be made even alone, or None."""
+    try:
+        apply_fixes(tree, [finding.fix] if finding.fix else [])
+    except (OSError, UnicodeError) as error:
+        return Refusal(finding, str(error))
+    except Exception as error:
+        crash = RuleCrash(finding.code, finding.package, finding.place.path, traceback.format_exc(), "fix of")
+        return Refusal(finding, f"{type(error).__name__}: {error}", crash)
+    return None
+
+
+def breakers(tree: Overlay, folders: Sequence[str], left: Sequence[Finding], broken: dict[str, str]) -> list[Finding]:
+    """Return the findings whose fix breaks a file by itself; all that touch one where only several together do."""
+    touching = [each for each in left if each.fix and any(o.path in broken for o in each.fix.operations)] or list(left)
+    guilty = [each for each in touching if each.fix and newly_broken(tree, apply_fixes(tree, [each.fix])[0], folders)]
+    return guilty or touching
+
+
+def is_taken(fix: Fix | None, taken: Sequence[Fix]) -> bool:
+    return any(fix is each or (fix is not None and fix.operations == each.operations) for each in taken)
+
+
+def newly_broken(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
+    """Return the changed files that could be read before and can't be after, with what is wrong.
+
+    A file that was broken already, and is only now read because another was made, is nobody's fault.
+    """
+    after = Overlay(tree.base, {**tree.changes, **changes})
+    touched = {folder for path in changes for folder in folders if not folder or path.startswith(folder + "/")}
+    before_broken = unreadable(tree, touched)
+    return {p: why for p, why in unreadable(after, touched).items() if p in changes and p not in before_broken}
+
+
+def unreadable(tree: Tree, folders: set[str]) -> dict[str, str]:
+    """Return the files of some packages that can't be read, with what is wrong."""
+    found: dict[str, str] = {}
+    for folder in folders:
+        prefix = folder + "/" if folder else ""
+        package = Package(PackageFiles(tree.sub(folder), folder))
+        found |= {prefix + each.path: each.message for each in package.unreadable()}
+    return found

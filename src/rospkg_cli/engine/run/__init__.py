@@ -1,0 +1,1 @@
+"""One run: read, link, check, stamp; in one process or several."""

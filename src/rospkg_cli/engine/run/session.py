@@ -1,0 +1,178 @@
+"""One run over a tree: read, link, check, silence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from ...files import PackageFiles
+from ...finding import Finding
+from ...package.facts import PackageFacts
+from ...package.happenings import HAPPENINGS, NothingChecked, RuleCrash
+from ...package.settings import Settings
+from ...package.workspace import Workspace
+from ...ros.distros import Targets
+from ...ros.names import BUILT_IN, Names
+from ...rule import Rule
+from ...tree import Tree
+from ..suppression.suppress import Silence
+from .check import check
+from .crashes import one_each
+from .shard import Checked, Shard
+from .slices import Slices
+from .stamp import Stamper, rule_by_code
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What a run looks at. Folders are relative to the root of the tree."""
+
+    folders: tuple[str, ...]
+    """Every package of the workspace."""
+    given: frozenset[str]
+    """Those to report on."""
+    name: str = "package"
+    """The name of the root folder."""
+    complete: bool = True
+    prefix_names: frozenset[str] = frozenset()
+    index: Names = BUILT_IN
+    """The names of the world outside."""
+    repositories: tuple[frozenset[str], ...] = ()
+    """The packages of each repository."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """What a run found; findings are sorted, and `suppressed` ones are kept apart."""
+
+    findings: tuple[Finding, ...] = ()
+    suppressed: tuple[Finding, ...] = ()
+    crashes: tuple[RuleCrash, ...] = ()
+    packages: int = 0
+    files: int = 0
+
+
+class Pool:
+    """Runs everything in this process; `engine.run.pool` has the one that spreads it over several."""
+
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings) -> None:
+        self.shard = Shard(tree, scope.folders, targets, settings, scope.name)
+
+    def gather(self) -> list[PackageFacts]:
+        return self.shard.gather()
+
+    def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
+        return self.shard.check(workspace, codes)
+
+    def close(self) -> None:
+        """Release what the pool holds."""
+
+
+def print_nothing(_: str) -> None:
+    """Keep quiet about progress."""
+
+
+def unjudged(_: Session, results: Results) -> Results:
+    return results
+
+
+@dataclass
+class Session:
+    tree: Tree
+    scope: Scope
+    codes: frozenset[str]
+    targets: Targets = field(default_factory=Targets)
+    settings: Settings = field(default_factory=Settings)
+    make_pool: Callable[[Tree, Scope, Targets, Settings], Pool] = Pool
+    judge: Callable[[Session, Results], Results] = unjudged
+    """Sets aside what the config or a baseline ignores."""
+    phase: Callable[[str], None] = print_nothing
+    """Is told what the run is at."""
+
+    def run(self) -> Results:
+        """Lint everything that is given; never raises for what a package holds."""
+        count = f"{len(self.scope.folders)} packages"
+        self.phase(f"reading {count}")
+        pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
+        try:
+            facts = sorted(pool.gather(), key=lambda f: f.folder)
+            workspace = self.link(facts)
+            self.phase(f"checking {len(self.scope.given)} of {count}")
+            checked = pool.check(workspace, sorted(self.codes))
+        finally:
+            pool.close()
+        return self.judge(self, self.collect(workspace, checked))
+
+    def link(self, facts: Sequence[PackageFacts]) -> Workspace:
+        scope = self.scope
+        around = (scope.given, scope.complete, scope.prefix_names, scope.repositories)
+        return Workspace(tuple(facts), *around, scope.index)
+
+    def collect(self, workspace: Workspace, checked: Sequence[Checked]) -> Results:
+        over_all = list(self.over_all(workspace))
+        findings = [f for each in checked for f in each.findings] + [r for r in over_all if isinstance(r, Finding)]
+        crashes = [c for each in checked for c in each.crashes] + [r for r in over_all if isinstance(r, RuleCrash)]
+        silence = Silence([s for each in checked for s in each.suppressions], self.codes)
+        judged = silence.apply(findings)
+        crashes = one_each(crashes)
+        happened: list[Any] = [*silence.unused(), *silence.unknown(), *crashes]
+        judged += silence.apply(self.report(workspace, happened))
+        judged.sort(key=lambda f: f.sort_key)
+        return Results(
+            tuple(f for f in judged if f.suppressed is None),
+            tuple(f for f in judged if f.suppressed is not None),
+            tuple(crashes),
+            len(workspace.given),
+            sum(each.files for each in checked),
+        )
+
+    def over_all(self, workspace: Workspace) -> Iterable[Finding | RuleCrash]:
+        rules = [r for r in map(rule_by_code, sorted(self.codes)) if r.over is Workspace]
+        return check(Given(workspace), rules, self.stamper(workspace))
+
+    def report(self, workspace: Workspace | None, happened: Sequence[object]) -> list[Finding]:
+        """Turn what happened in the run itself into findings, by the RPK rules."""
+        rules = [rule_by_code(code) for code in sorted(self.codes | {"RPK005", "RPK006"})]
+        stamper = self.stamper(workspace or Workspace())
+        return [
+            stamper.stamp(rule, hit)
+            for rule in rules
+            if rule.over in HAPPENINGS
+            for each in happened
+            if isinstance(each, rule.over)
+            for hit in rule.check(each)
+        ]
+
+    def with_crashes(self, results: Results, crashes: Sequence[RuleCrash]) -> Results:
+        """Return the results with faults of ours that befell what came after the rules, each once."""
+        told = one_each(crashes)
+        said = [replace(finding, package=each.package) for each in told for finding in self.report(None, [each])]
+        findings = sorted((*results.findings, *said), key=lambda f: f.sort_key)
+        return replace(results, findings=tuple(findings), crashes=(*results.crashes, *told))
+
+    def stamper(self, workspace: Workspace) -> Stamper:
+        files = PackageFiles(self.tree)
+        return RootStamper(files, files, "", workspace)
+
+    def nothing(self, paths: Sequence[str], hidden: str = "") -> Results:
+        """Return the results of a run that found no package."""
+        return Results(tuple(self.report(Workspace(), [NothingChecked(tuple(paths), hidden)])))
+
+
+class Given(Slices):
+    """The one slice of rules over the whole workspace."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.provided = {Workspace: workspace}
+
+
+@dataclass
+class RootStamper(Stamper):
+    """Stamps hits whose paths are relative to the root of the run; the package is the one that the path is in."""
+
+    workspace: Workspace
+
+    def stamp(self, rule: Rule[Any], hit: Any) -> Finding:
+        self.package = self.workspace.around(hit.path.lstrip("/"))
+        return super().stamp(rule, hit)

@@ -1,0 +1,81 @@
+"""A hit becomes a finding: code, level, root-relative paths, lines and columns, while the text is at hand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import PurePosixPath
+from typing import Any
+
+from ...files import PackageFiles
+from ...finding import Edit, Finding, Fix, Hit, Move, Operation, Place
+from ...rule import Rule
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+
+
+@dataclass
+class Stamper:
+    """Stamps the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""
+
+    files: PackageFiles
+    whole: PackageFiles
+    package: str
+
+    @property
+    def crash_path(self) -> str:
+        return self.resolve("package.xml")
+
+    def resolve(self, path: str) -> str:
+        """Return a path relative to the root of the run."""
+        if path.startswith("/"):
+            return path[1:]
+        return str(PurePosixPath(self.files.folder, path))
+
+    def source(self, path: str) -> Source:
+        try:
+            if path.startswith("/"):
+                return self.whole.source(path[1:])
+            return self.files.source(path)
+        except UnreadableError:
+            return Source(path, "")
+
+    def place(self, path: str, span: Span) -> Place:
+        source = self.source(path)
+        end = max(span.start, min(span.end, len(source.text)))
+        start = min(span.start, len(source.text))
+        return Place(self.resolve(path), Span(start, end), *source.position(start), *source.position(end))
+
+    def stamp(self, rule: Rule[Any], hit: Hit) -> Finding:
+        place, source = self.place(hit.path, hit.span), self.source(hit.path)
+        return Finding(
+            code=rule.code,
+            name=rule.name,
+            severity=hit.level or rule.severity,
+            message=hit.message,
+            place=place,
+            package=self.package,
+            excerpt=source.slice(source.line_span(place.line)),
+            related=tuple((self.place(each.path, each.span), each.message) for each in hit.related),
+            fix=self.fix(hit.fix),
+            edit_places=tuple(
+                self.place(o.path, o.span) for o in (hit.fix.operations if hit.fix else ()) if isinstance(o, Edit)
+            ),
+        )
+
+    def fix(self, fix: Fix | None) -> Fix | None:
+        if fix is None:
+            return None
+        return replace(fix, operations=tuple(self.rooted(each) for each in fix.operations))
+
+    def rooted(self, operation: Operation) -> Operation:
+        moved = replace(operation, path=self.resolve(operation.path))
+        return replace(moved, to=self.resolve(moved.to)) if isinstance(moved, Move) else moved
+
+
+@cache
+def rule_by_code(code: str) -> Rule[Any]:
+    """Return a rule; raises KeyError."""
+    from ...rule import all_rules
+
+    return {rule.code: rule for rule in all_rules()}[code]

@@ -1,0 +1,1 @@
+"""What sets findings aside: comments, the config, a baseline."""

@@ -1,0 +1,169 @@
+"""The files of one package, and what readers get to read them with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import cached_property
+from typing import Generic, Protocol, TypeVar
+
+from .source import Source, Span
+from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
+from .unreadable import Unreadable, UnreadableError
+
+T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
+
+
+@dataclass
+class PackageFiles:
+    """The files of the package in `folder` (relative to the root of the run, "" for the root itself)."""
+
+    tree: Tree
+    folder: str = ""
+    whole: Tree | None = None
+    """The tree of the run, for what may lie above the package."""
+
+    def __post_init__(self) -> None:
+        self._sources: dict[str, Source] = {}
+
+    @cached_property
+    def every(self) -> tuple[str, ...]:
+        """Every file in the package's folder, sorted; those of packages below it too."""
+        return tuple(sorted(path for path, kind in self.tree.files().items() if kind in FILES))
+
+    @cached_property
+    def paths(self) -> tuple[str, ...]:
+        """Every file of the package, sorted; packages below it are not its own."""
+        inner = tuple(p[: -len("package.xml")] for p in self.every if p.endswith("/package.xml"))
+        return tuple(p for p in self.every if not p.startswith(inner)) if inner else self.every
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """Every folder that holds a file of the package, at any depth."""
+        return folders_of(self.paths)
+
+    @cached_property
+    def places(self) -> frozenset[str]:
+        """Every file and every folder, an empty one too, in packages below too; a dead link is neither."""
+        found = self.tree.files()
+        return folders_of(found).union(path for path, kind in found.items() if kind in EXISTING)
+
+    def holds(self, path: str) -> bool:
+        """Return whether a file stands there, be it in a package below."""
+        return path in self._every
+
+    def is_there(self, path: str) -> bool:
+        """Return whether a file or folder stands there, be it in a package below or behind a link."""
+        parts = path.split("/")
+        links = ("/".join(parts[:end]) for end in range(1, len(parts)))
+        return path in self.places or any(self.tree.files().get(link) in LINKED for link in links)
+
+    @cached_property
+    def _every(self) -> frozenset[str]:
+        return frozenset(self.every)
+
+    @cached_property
+    def _set(self) -> frozenset[str]:
+        return frozenset(self.paths)
+
+    def exists(self, path: str) -> bool:
+        return path in self._set
+
+    def above(self, names: Iterable[str]) -> str | None:
+        """Return the first of some files that a folder above the package holds, nearest first; None where none does."""
+        wanted, parts = tuple(names), self.folder.split("/") if self.folder else []
+        for depth in range(len(parts) - 1, -1, -1):
+            for path in ("/".join([*parts[:depth], name]) for name in wanted):
+                if self.whole is not None and holds(self.whole, path):
+                    return path
+        return None
+
+    def executable(self, path: str) -> bool:
+        """Return whether a file may be executed; one that is not there or may not be looked at is not."""
+        try:
+            return self.tree.entry(path).executable
+        except OSError:
+            return False
+
+    def below(self, folder: str) -> tuple[str, ...]:
+        """Return the files at any depth below a folder ("" for all)."""
+        prefix = folder.rstrip("/") + "/" if folder else ""
+        return tuple(p for p in self.paths if p.startswith(prefix))
+
+    def matching(self, pattern: str) -> tuple[str, ...]:
+        """Return the files whose whole path fits a shell pattern, in which `*` crosses `/`."""
+        return tuple(p for p in self.paths if fnmatchcase(p, pattern))
+
+    def source(self, path: str) -> Source:
+        """Return a file's text; raises UnreadableError where it has none."""
+        if path not in self._sources:
+            try:
+                text = self.tree.entry(path).text.text
+            except UnicodeError as error:
+                raise UnreadableError(path, Span(0, 0), unreadable_bytes(path, error)) from None
+            except SkippedError as error:
+                outside = isinstance(error, LeadsOutError)
+                raise UnreadableError(path, Span(0, 0), str(error), skipped=True, outside=outside) from None
+            except OSError as error:
+                raise UnreadableError(path, Span(0, 0), f"`{path}` can't be read: {error.strerror or error}") from None
+            self._sources[path] = Source(path, text)
+        return self._sources[path]
+
+
+def holds(tree: Tree, path: str) -> bool:
+    """Return whether a file is there, without listing the whole tree."""
+    try:
+        tree.entry(path)
+    except OSError:
+        return False
+    return True
+
+
+def folders_of(paths: Iterable[str]) -> frozenset[str]:
+    found = set()
+    for path in paths:
+        while "/" in path:
+            path = path.rpartition("/")[0]
+            if path in found:
+                break
+            found.add(path)
+    return frozenset(found)
+
+
+def unreadable_bytes(path: str, error: UnicodeError) -> str:
+    if isinstance(error, UnicodeDecodeError):
+        return f"`{path}` is not valid {error.encoding} (byte {error.start}); save it as UTF-8"
+    return f"`{path}`: {error}"
+
+
+@dataclass(frozen=True)
+class Parts(Generic[T_co]):
+    """What a reader made of a package: the models that could be read, and the files that could not."""
+
+    good: tuple[T_co, ...] = ()
+    broken: tuple[Unreadable, ...] = ()
+
+    @property
+    def only(self) -> T_co | None:
+        """The model of a file that a package has once, or None."""
+        return self.good[0] if self.good else None
+
+
+class Reading(Protocol):
+    """What a reader may ask for: the files, and other models of the same package."""
+
+    @property
+    def files(self) -> PackageFiles: ...
+
+    def parts(self, kind: type[T]) -> Parts[T]: ...
+
+
+def each(files: PackageFiles, paths: Iterable[str], read: Callable[[Source], T]) -> Iterator[T | Unreadable]:
+    """Read every path on its own, so that one broken file does not hide the others."""
+    for path in paths:
+        try:
+            yield read(files.source(path))
+        except UnreadableError as error:
+            yield error.unreadable

@@ -1,0 +1,1 @@
+"""CMake: its grammar, and an interpreter that builds nothing."""

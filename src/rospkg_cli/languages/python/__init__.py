@@ -1,0 +1,1 @@
+"""Python: syntax trees with places in characters, and an evaluator that runs nothing."""

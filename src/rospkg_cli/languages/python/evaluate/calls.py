@@ -1,0 +1,131 @@
+"""Evaluate calls: of what is known, of functions of the file, and of what is left alone."""
+
+from __future__ import annotations
+
+import ast
+
+from ....source import Span
+from .containers import Containers
+from .iteration import items_of, many
+from .methods import method
+from .values import (
+    Argument,
+    Call,
+    Class,
+    Constant,
+    Function,
+    Mapping,
+    Scope,
+    Sequence,
+    Symbol,
+    Unknown,
+    Value,
+)
+
+MUTABLE = (Sequence, Mapping)
+
+
+class Calls(Containers):
+    """Evaluates calls; functions of the file are run by a subclass."""
+
+    def on_Lambda(self, node: ast.Lambda, scope: Scope) -> Value:
+        return Function(self.span(node), "<lambda>", node, scope, self.defaults(node.args, scope))
+
+    def defaults(self, arguments: ast.arguments, scope: Scope) -> dict[str, Value]:
+        positional = [*arguments.posonlyargs, *arguments.args]
+        pairs = list(zip(positional[len(positional) - len(arguments.defaults) :], arguments.defaults, strict=True))
+        pairs += [(a, d) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if d is not None]
+        return {argument.arg: self.evaluate(default, scope) for argument, default in pairs}
+
+    def on_Call(self, node: ast.Call, scope: Scope) -> Value:
+        receiver: Value | None = None
+        function: Value
+        if isinstance(node.func, ast.Attribute):
+            receiver = self.evaluate(node.func.value, scope)
+            if isinstance(receiver, Symbol | Class):
+                function, receiver = self.member(receiver, node.func), None
+            else:
+                function = Symbol(self.span(node.func), node.func.attr)
+        else:
+            function = self.evaluate(node.func, scope)
+        arguments, rest = self.arguments(node, scope)
+        name = function.name if isinstance(function, Symbol | Function | Class) else ""
+        call = Call(self.span(node), name, arguments, receiver, self.certain, rest)
+        found = self.known_call(function, receiver, call)
+        return self.leave(call, node, scope) if found is None else found
+
+    def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
+        if receiver is not None:
+            return method(self, receiver, call)
+        if isinstance(function, Function):
+            return None if function.decorated else self.run(function, call)
+        if isinstance(function, Symbol) and function.name in self.library:
+            if call.rest is not None:
+                return None
+            return self.library[function.name](self, call)
+        return None
+
+    def leave(self, call: Call, node: ast.Call, scope: Scope) -> Call:
+        """Record a call that is not known; lists that it was handed by name may have been changed by it."""
+        self.doubts += 1
+        self.calls.append(call)
+        last = call.callee.rpartition(".")[2]
+        if last[:1].islower() and last != "setup":
+            for each in [*node.args, *[keyword.value for keyword in node.keywords]]:
+                handed = scope.find(each.id) if isinstance(each, ast.Name) else None
+                if isinstance(handed, MUTABLE):
+                    self.spoil(handed, call.span, f"{self.shown(call.span)} may change it")
+        return call
+
+    def arguments(self, node: ast.Call, scope: Scope) -> tuple[tuple[Argument, ...], Unknown | None]:
+        found: list[Argument] = []
+        rest: Unknown | None = None
+        for each in node.args:
+            if not isinstance(each, ast.Starred):
+                found.append(Argument("", self.evaluate(each, scope), self.span(each)))
+                continue
+            value = self.evaluate(each.value, scope)
+            items = items_of(self, value)
+            if items is None or any(map(many, items)):
+                rest = self.unknown(
+                    self.span(each), getattr(value, "why", f"{self.shown(self.span(each))} can't be told")
+                )
+            self.tick(len(items or ()))
+            found += [Argument("", item, self.span(each)) for item in items or () if not many(item)]
+        for keyword in node.keywords:
+            value = self.evaluate(keyword.value, scope)
+            if keyword.arg is not None:
+                found.append(Argument(keyword.arg, value, self.span(keyword)))
+            elif isinstance(value, Mapping):
+                found += [Argument(str(k), v, key.span) for k, (key, v) in value.items.items()]
+                rest = value.rest[0] if value.rest else rest
+            else:
+                rest = self.unknown(
+                    self.span(keyword), getattr(value, "why", f"{self.shown(self.span(keyword))} can't be told")
+                )
+        return tuple(found), rest
+
+    def apply(self, function: Value, arguments: list[Value], span: Span) -> Value:
+        self.tick()
+        name = function.name if isinstance(function, Symbol | Function) else ""
+        call = Call(span, name, tuple(Argument("", value, span) for value in arguments), None, self.certain)
+        found = self.known_call(function, None, call)
+        return self.unknown(span, f"{self.shown(span)} can't be evaluated") if found is None else found
+
+    def on_Starred(self, node: ast.Starred, scope: Scope) -> Value:
+        return self.evaluate(node.value, scope)
+
+    def on_Await(self, node: ast.Await, scope: Scope) -> Value:
+        return self.evaluate(node.value, scope)
+
+    def on_Yield(self, node: ast.Yield | ast.YieldFrom, scope: Scope) -> Value:
+        yields = scope.yields
+        value: Value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
+        if yields is not None and isinstance(node, ast.YieldFrom):
+            for item in items_of(self, value) or [self.unknown(self.span(node), "it can't be told", many=True)]:
+                self.put(yields, item, self.span(node))
+        elif yields is not None:
+            self.put(yields, value, self.span(node))
+        return Constant(self.span(node), None)
+
+    on_YieldFrom = on_Yield

@@ -1,0 +1,182 @@
+"""Operators over values: each returns None where the answer can't be told or Python would raise."""
+
+from __future__ import annotations
+
+import ast
+import operator
+import posixpath
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from ....source import Span
+from .bounds import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
+from .formatting import percent
+from .plain import NotPlainError, join, lift, plain
+from .values import (
+    Attribute,
+    Call,
+    Constant,
+    Joined,
+    Mapping,
+    Sequence,
+    Symbol,
+    Text,
+    Unknown,
+    Value,
+)
+
+LARGE = 2**64
+
+ARITHMETIC: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.BitOr: operator.or_,
+    ast.BitAnd: operator.and_,
+    ast.BitXor: operator.xor,
+}
+
+
+def binary(kind: type, left: Value, right: Value, span: Span) -> Value | None:
+    if kind is ast.Add and (found := concatenated(left, right, span)) is not None:
+        return found
+    if (kind is ast.Div and is_path(left)) or (kind is ast.Div and is_path(right)):
+        return path_join([left, right], span, path=True)
+    if kind is ast.Mod and isinstance(left, Text):
+        return percent(left.text, right, span)
+    if kind is ast.Mult and isinstance(left, Sequence | Text):
+        return repeated(left, right, span)
+    if kind is ast.BitOr and isinstance(left, Mapping) and isinstance(right, Mapping):
+        spend((len(left.items) + len(right.items)) * ITEM)
+        return Mapping(span, left.items | right.items, left.rest + right.rest)
+    return computed(kind, left, right, span)
+
+
+def computed(kind: type, left: Value, right: Value, span: Span) -> Value | None:
+    """Return the result over numbers or sets."""
+    try:
+        a, b = plain(left), plain(right)
+        if kind not in ARITHMETIC or not (is_small(a) and is_small(b)):
+            return None
+        return lift(ARITHMETIC[kind](a, b), span)
+    except (NotPlainError, TypeError, ValueError, ArithmeticError):
+        return None
+
+
+def is_small(operand: object) -> bool:
+    """Return whether an operator of this cannot make anything large of it: numbers within bounds, and sets."""
+    return isinstance(operand, set) or (isinstance(operand, int | float) and abs(operand) < LARGE)
+
+
+def concatenated(left: Value, right: Value, span: Span) -> Value | None:
+    if isinstance(left, Sequence) or isinstance(right, Sequence):
+        return chained(left, right, span)
+    textual = isinstance(left, Text | Joined), isinstance(right, Text | Joined)
+    if not any(textual) or isinstance(left, Constant) or isinstance(right, Constant):
+        return None
+    if all(textual) or isinstance(left if textual[1] else right, Call | Unknown | Attribute | Symbol):
+        return join([left, right], span)
+    return None
+
+
+def chained(left: Value, right: Value, span: Span) -> Value | None:
+    """Return the items of two sequences in a new one; one that can't be told leaves its mark."""
+    result = Sequence(span, left.kind if isinstance(left, Sequence) else right.kind)  # type: ignore[union-attr]
+    for side in (left, right):
+        if isinstance(side, Sequence) and side.kind == result.kind:
+            if len(result.items) + len(side.items) > MAX_ITEMS:
+                return None
+            spend(len(side.items) * STEP)
+            result.items += side.items
+            result.places += side.places
+        elif isinstance(side, Unknown | Call | Attribute | Symbol):
+            why = side.why if isinstance(side, Unknown) else "it comes from a call that can't be evaluated"
+            result.add(Unknown(side.span, why, many=True), side.span)
+        else:
+            return None
+    return result
+
+
+def repeated(left: Sequence | Text, right: Value, span: Span) -> Value | None:
+    times = right.value if isinstance(right, Constant) else None
+    if not isinstance(times, int) or times < 0:
+        return None
+    if isinstance(left, Text):
+        if len(left.text) * times > MAX_TEXT:
+            return None
+        spend(len(left.text) * times)
+        return Text(span, left.text * times)
+    if len(left.items) * times > MAX_ITEMS:
+        return None
+    spend(len(left.items) * times * STEP)
+    return Sequence(span, left.kind, left.items * times, left.places * times)
+
+
+def is_path(value: Value) -> bool:
+    return isinstance(value, Text | Joined) and value.path
+
+
+def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
+    """Return the parts joined as os.path.join does it; only the first one may be less than a text.
+
+    Of paths that are joined with `/`, a call may stand behind as well.
+    """
+    if path and len(parts) == 2 and isinstance(parts[0], Joined) and isinstance(parts[1], Call):
+        return join([parts[0], Text(span, "/"), parts[1]], span, path=True)
+    texts = [part.text for part in parts[1:] if isinstance(part, Text)]
+    size = sum(map(len, texts), len(texts)) + (len(parts[0].text) if parts and isinstance(parts[0], Text) else 0)
+    spend(len(parts) * ITEM)
+    if not parts or len(texts) != len(parts) - 1 or size > MAX_TEXT:
+        return None
+    spend(size)
+    first = parts[0]
+    if isinstance(first, Text):
+        found = posixpath.join(first.text, *texts)
+        return Text(span, clean(found) if path else found, path=path)
+    if not isinstance(first, Call | Joined | Unknown | Attribute):
+        return None
+    rest = posixpath.join("/", *texts) if texts else ""
+    if any(text.startswith("/") for text in texts):
+        return Text(span, rest, path=path)
+    return join([first, Text(span, rest)], span, path=path)
+
+
+def clean(text: str) -> str:
+    """Return a path as pathlib writes it: no double slashes, no single dots."""
+    parts = [part for part in text.split("/") if part not in ("", ".")]
+    return ("/" if text.startswith("/") else "") + "/".join(parts) or "."
+
+
+def subscript(value: Value, index: Value, span: Span) -> Value | None:
+    if isinstance(value, Mapping):
+        try:
+            found = value.items.get(plain(index))
+        except (NotPlainError, TypeError):
+            return None
+        return found[1] if found and not value.rest else None
+    at = index.value if isinstance(index, Constant) else None
+    if not isinstance(at, int):
+        return None
+    try:
+        if isinstance(value, Sequence) and value.kind != "set":
+            before = value.items[: at + 1] if at >= 0 else value.items[at:]
+            spend(len(before))
+            return None if any(isinstance(i, Unknown) and i.many for i in before) else value.items[at]
+        return Text(span, value.text[at]) if isinstance(value, Text) else None
+    except IndexError:
+        return None
+
+
+def sliced(value: Value, bounds: slice, span: Span) -> Value | None:
+    if isinstance(value, Text) and not value.path:
+        part = value.text[bounds]
+        spend(len(part))
+        return Text(span, part)
+    if isinstance(value, Sequence) and value.kind != "set" and value.complete:
+        spend(len(value.items) * ITEM)
+        return replace(value, span=span, items=value.items[bounds], places=value.places[bounds], display=False)
+    return None

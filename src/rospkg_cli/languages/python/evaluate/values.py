@@ -1,0 +1,190 @@
+"""Values of the evaluator: each with the span of the expression that made it."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from ....source import Span
+from .atoms import Constant as Constant
+from .atoms import Globbed as Globbed
+from .atoms import Opened as Opened
+from .atoms import Symbol as Symbol
+from .atoms import Text as Text
+from .bounds import spend
+
+if TYPE_CHECKING:
+    import ast
+
+Kind = Literal["list", "tuple", "set"]
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """What can't be evaluated."""
+
+    span: Span
+    why: str
+    """A sentence's part: "`os.environ` depends on the environment"."""
+    many: bool = False
+    """Inside a sequence: any number of items that can't be told."""
+    options: tuple[Value, ...] = ()
+    """What it may be, as far as that could be followed."""
+
+
+@dataclass(slots=True, eq=False)
+class Sequence:
+    """A list, tuple or set. Lists grow in place, as Python's do: two names may hold the same one."""
+
+    span: Span
+    kind: Kind
+    items: list[Value] = field(default_factory=list)
+    """An `Unknown` with `many` stands for items that can't be told."""
+    places: list[Span] = field(default_factory=list)
+    """Where each item was put in: the expression between the commas, or the argument of `append`."""
+    display: bool = False
+    """Whether it was written with brackets at its span."""
+    origin: Globbed | None = None
+    """The glob that it is the result of."""
+    born: int = 0
+    """How many conditions that can't be told were open when it was made."""
+
+    @property
+    def complete(self) -> bool:
+        spend(len(self.items) * 4)
+        return not any(isinstance(item, Unknown) and item.many for item in self.items)
+
+    def add(self, item: Value, place: Span) -> None:
+        self.items.append(item)
+        self.places.append(place)
+
+
+@dataclass(slots=True, eq=False)
+class Mapping:
+    span: Span
+    items: dict[Hashable, tuple[Value, Value]] = field(default_factory=dict)
+    """By plain key: the key and the value."""
+    rest: list[Unknown] = field(default_factory=list)
+    """Why there may be other keys, or other values for these."""
+    display: bool = False
+    born: int = 0
+
+    def get(self, key: Hashable) -> Value | None:
+        found = self.items.get(key)
+        return None if found is None else found[1]
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """A text of which some parts are only known as values: `Call`s, `Unknown`s, texts, one after the other."""
+
+    span: Span
+    parts: tuple[Value, ...]
+    path: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Function:
+    """A function or lambda of the file."""
+
+    span: Span
+    name: str
+    node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+    scope: Scope
+    defaults: dict[str, Value] = field(default_factory=dict)
+    decorated: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Class:
+    """A class of the file; its scope holds what its body defines."""
+
+    span: Span
+    name: str
+    scope: Scope
+    bases: tuple[Value, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """One argument as it was passed; `name` is "" for a positional one."""
+
+    name: str
+    value: Value
+    span: Span
+    """From the keyword's name, or the star, to the end of the value."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Call:
+    """A call that the evaluator left alone."""
+
+    span: Span
+    callee: str
+    """The full name (`launch_ros.actions.Node`), or the method's alone where `receiver` is given."""
+    arguments: tuple[Argument, ...] = ()
+    receiver: Value | None = None
+    certain: bool = True
+    """False under a condition or in a loop that can't be told."""
+    rest: Unknown | None = None
+    """Why there may be other arguments."""
+
+    def get(self, name: str, position: int | None = None) -> Value | None:
+        """Return an argument by keyword, or by its place among the positional ones."""
+        found = self.argument(name, position)
+        return found.value if found else None
+
+    def argument(self, name: str, position: int | None = None) -> Argument | None:
+        positional = [argument for argument in self.arguments if not argument.name]
+        if position is not None and position < len(positional):
+            return positional[position]
+        return next((argument for argument in self.arguments if argument.name == name), None)
+
+    @property
+    def positional(self) -> tuple[Value, ...]:
+        return tuple(argument.value for argument in self.arguments if not argument.name)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Attribute:
+    """An attribute of a value that is only known as a call or the like."""
+
+    span: Span
+    of: Value
+    name: str
+
+
+@dataclass(eq=False)
+class Scope:
+    """The names of a module, a function or a comprehension."""
+
+    parent: Scope | None = None
+    names: dict[str, Value] = field(default_factory=dict)
+    outer: dict[str, Scope] = field(default_factory=dict)
+    """Names declared `global` or `nonlocal`, and where they live."""
+    returns: list[Value] = field(default_factory=list)
+    """What the function returned so far; more than one where a condition could not be told."""
+    yields: Sequence | None = None
+    """What the generator yielded so far."""
+
+    def find(self, name: str) -> Value | None:
+        at: Scope | None = self.outer.get(name, self)
+        while at is not None:
+            if name in at.names:
+                return at.names[name]
+            at = at.parent
+        return None
+
+    def bind(self, name: str, value: Value) -> None:
+        self.outer.get(name, self).names[name] = value
+
+    @property
+    def top(self) -> Scope:
+        at = self
+        while at.parent is not None:
+            at = at.parent
+        return at
+
+
+Value = Unknown | Text | Constant | Sequence | Mapping | Joined | Symbol | Function | Class | Call | Attribute | Opened

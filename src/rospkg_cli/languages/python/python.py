@@ -1,0 +1,175 @@
+"""A Python file as rules see it: what it imports, and which names it has at its top level."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...source import Source, Span
+from .syntax import Syntax, parse
+
+IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
+MACHINE = frozenset({"sys", "os", "platform", "find_spec", "environ"})
+MODULE = re.compile(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """One imported module: `import a.b` and `from .a import b, c` are one each, `import a, b` are two."""
+
+    module: str
+    """Without the leading dots; "" in `from . import x`."""
+    names: tuple[str, ...]
+    """What `from` takes out of it, `*` included; empty for a plain import."""
+    level: int
+    """The number of leading dots."""
+    span: Span
+    """Of the module's name (of the dots and the name)."""
+    optional: bool = False
+    """In a `try` that survives an ImportError or its handler, or under a condition on the machine."""
+    typing: bool = False
+    """Under `if TYPE_CHECKING`."""
+    local: bool = False
+    """In a function."""
+
+
+@dataclass(frozen=True)
+class PythonFile(Syntax):
+    """A Python file."""
+
+    @cached_property
+    def imports(self) -> tuple[Import, ...]:
+        """Every import, wherever it stands, in order."""
+        return tuple(self.imports_in(self.tree.body, Import("", (), 0, Span(0, 0))))
+
+    def imports_in(self, body: Iterable[ast.AST], under: Import) -> Iterator[Import]:
+        """Yield the imports below statements; `under` carries what holds for all of them."""
+        for node in body:
+            match node:
+                case ast.Import():
+                    for alias in node.names:
+                        name = Span(start := self.span(alias).start, start + len(alias.name))
+                        yield Import(alias.name, (), 0, name, under.optional, under.typing, under.local)
+                case ast.ImportFrom():
+                    names = tuple(alias.name for alias in node.names)
+                    module, span = node.module or "", self.module_span(node)
+                    yield Import(module, names, node.level, span, under.optional, under.typing, under.local)
+                case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
+                    inner = Import("", (), 0, under.span, under.optional, under.typing, True)
+                    yield from self.imports_in(ast.iter_child_nodes(node), inner)
+                case ast.Try():
+                    survives = under.optional or any(survives_import_error(handler) for handler in node.handlers)
+                    inner = Import("", (), 0, under.span, survives, under.typing, under.local)
+                    yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
+                    yield from self.imports_in(node.finalbody, under)
+                case ast.If():
+                    typing = under.typing or is_type_checking(node.test)
+                    optional = under.optional or asks_the_machine(node.test)
+                    inner = Import("", (), 0, under.span, optional, typing, under.local)
+                    other = Import("", (), 0, under.span, optional, under.typing, under.local)
+                    yield from self.imports_in(node.body, inner)
+                    yield from self.imports_in(node.orelse, other)
+                case ast.With(items=items) if any(suppresses_import_error(item.context_expr) for item in items):
+                    inner = Import("", (), 0, under.span, True, under.typing, under.local)
+                    yield from self.imports_in(node.body, inner)
+                case ast.stmt() | ast.ExceptHandler() | ast.match_case():
+                    yield from self.imports_in(ast.iter_child_nodes(node), under)
+
+    def module_span(self, node: ast.ImportFrom) -> Span:
+        whole = self.span(node)
+        match = MODULE.match(self.source.text, whole.start)
+        return Span(*match.span(1)) if match else whole
+
+    @cached_property
+    def definitions(self) -> dict[str, Span]:
+        """The names bound at the top level, also under `if`, `try`, `for` and `with`, and where first."""
+        found: dict[str, Span] = {}
+        for name, node in bindings(self.tree.body):
+            found.setdefault(name, self.span(node))
+        return found
+
+    @cached_property
+    def functions(self) -> dict[str, Span]:
+        """The functions defined at the very top level, and where the name of each stands."""
+        found: dict[str, Span] = {}
+        for node in self.tree.body:
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                start = self.source.text.index(node.name, self.span(node).start + len("def "))
+                found[node.name] = Span(start, start + len(node.name))
+        return found
+
+    @cached_property
+    def stars(self) -> tuple[Import, ...]:
+        """The modules of which everything is imported at the top level."""
+        return tuple(each for each in self.imports if "*" in each.names and not each.local)
+
+    @cached_property
+    def dynamic(self) -> bool:
+        """Whether the module may have names that its text doesn't show."""
+        if "__getattr__" in self.definitions:
+            return True
+        touched = {"globals", "setattr", "exec", "vars", "__dict__"}
+        return any(
+            (isinstance(node, ast.Name) and node.id in touched)
+            or (isinstance(node, ast.Attribute) and node.attr == "__dict__")
+            for node in ast.walk(self.tree)
+        )
+
+
+def parse_python(source: Source) -> PythonFile:
+    """Read a Python file; raises UnreadableError, with `grammar` where a newer Python may well understand it."""
+    return PythonFile(source, parse(source))
+
+
+def survives_import_error(handler: ast.ExceptHandler) -> bool:
+    if handler.type is None:
+        return True
+    return any(isinstance(node, ast.Name) and node.id in IMPORT_ERRORS for node in ast.walk(handler.type))
+
+
+def suppresses_import_error(manager: ast.expr) -> bool:
+    """Return whether this is contextlib.suppress(ImportError)."""
+    return isinstance(manager, ast.Call) and {"suppress"} <= words(manager) and bool(words(manager) & IMPORT_ERRORS)
+
+
+def asks_the_machine(test: ast.expr) -> bool:
+    """Return whether a condition asks where the file runs: elsewhere, what stands under it is not needed."""
+    return bool(words(test) & MACHINE)
+
+
+def words(node: ast.expr) -> set[str]:
+    """Return the names and attributes that stand in an expression."""
+    names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+    return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
+
+
+def is_type_checking(test: ast.expr) -> bool:
+    return (isinstance(test, ast.Name) and test.id == "TYPE_CHECKING") or (
+        isinstance(test, ast.Attribute) and test.attr == "TYPE_CHECKING"
+    )
+
+
+def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
+    """Yield the names that statements bind in their own scope, and by which node."""
+    for node in body:
+        match node:
+            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+                yield node.name, node
+                yield from ((name, node) for name in made_global(node))
+            case ast.Import():
+                yield from ((alias.asname or alias.name.partition(".")[0], alias) for alias in node.names)
+            case ast.ImportFrom():
+                yield from ((alias.asname or alias.name, alias) for alias in node.names if alias.name != "*")
+            case ast.Name(id=name, ctx=ast.Store()):
+                yield name, node
+            case ast.Lambda() | ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+                continue
+            case _:
+                yield from bindings(ast.iter_child_nodes(node))
+
+
+def made_global(function: ast.AST) -> set[str]:
+    return {name for node in ast.walk(function) if isinstance(node, ast.Global) for name in node.names}

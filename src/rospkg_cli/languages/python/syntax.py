@@ -1,0 +1,117 @@
+"""A Python file: its syntax tree, and the way from a node to the characters it stands on.
+
+The parser is that of the interpreter that runs us. `ast` counts columns in UTF-8 bytes and takes a lone carriage
+return for a line end; spans here are characters of the decoded text.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import warnings
+from array import array
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from ..char_table import char_table
+from .newer_syntax import needs_newer
+from .python_size import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
+
+LINE_END = re.compile(r"\r\n|\r|\n")
+
+
+class Node(Protocol):
+    """What of a syntax node its span is made of."""
+
+    lineno: int
+    col_offset: int
+    end_lineno: int | None
+    end_col_offset: int | None
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """The syntax tree of one file."""
+
+    source: Source
+    tree: ast.Module
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    @cached_property
+    def lines(self) -> list[int]:
+        """The offset of each line's first character, as Python counts lines."""
+        return [0, *(match.end() for match in LINE_END.finditer(self.source.text))]
+
+    @cached_property
+    def plain(self) -> bool:
+        """Whether a byte is a character throughout."""
+        return self.source.text.isascii()
+
+    @cached_property
+    def columns(self) -> dict[int, array[int] | None]:
+        """By line, for each byte the character that it belongs to; None for a line of which each byte is one."""
+        return {}
+
+    def offset(self, line: int, byte: int) -> int:
+        """Return the character at a line (from 1) and a column in bytes (from 0), as `ast` counts."""
+        start = self.lines[line - 1]
+        if self.plain:
+            return start + byte
+        if line not in self.columns:
+            text = self.source.text[start : self.lines[line] if line < len(self.lines) else len(self.source.text)]
+            self.columns[line] = None if text.isascii() else char_table(text)
+        columns = self.columns[line]
+        return start + (byte if columns is None else columns[min(byte, len(columns) - 1)])
+
+    def span(self, node: Node) -> Span:
+        start = self.offset(node.lineno, node.col_offset)
+        if node.end_lineno is None or node.end_col_offset is None:
+            return Span(start, start)
+        return Span(start, self.offset(node.end_lineno, node.end_col_offset))
+
+    def text(self, node: Node) -> str:
+        """Return what the node says in the file."""
+        return self.source.slice(self.span(node))
+
+
+def parse(source: Source) -> ast.Module:
+    """Parse a file; raises UnreadableError, with `grammar` where a newer Python will understand it.
+
+    With `skipped` where it is too large, or nested too deeply, for what visits the tree.
+    """
+    if is_too_large(source.text):
+        raise skipped(source, f"it has more than {MAX_TOKENS:,} tokens; leave generated files out with `exclude`")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(source.text, source.path)
+    except SyntaxError as error:
+        raise not_python(source, error) from None
+    except (RecursionError, MemoryError):
+        raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is nested too deeply to be read") from None
+    except ValueError as error:
+        raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is not Python: {error}") from None
+    if is_too_deep(tree):
+        raise skipped(source, f"its code is nested deeper than {MAX_DEPTH} levels; spread it over several statements")
+    return tree
+
+
+def skipped(source: Source, why: str) -> UnreadableError:
+    return UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
+
+
+def not_python(source: Source, error: SyntaxError) -> UnreadableError:
+    """Return the complaint at the place that Python names (its columns are characters, from 1)."""
+    starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
+    line = min(max(error.lineno or 1, 1), len(starts))
+    start = min(starts[line - 1] + max((error.offset or 1) - 1, 0), len(source.text))
+    message = f"`{source.path}` is not valid Python: {error.msg}"
+    return UnreadableError(
+        source.path, Span(start, min(start + 1, len(source.text))), message, grammar=needs_newer(source.text)
+    )

@@ -1,1 +1,0 @@
-"""Plug-ins: what descriptions say of them, what sources export, who loads them."""

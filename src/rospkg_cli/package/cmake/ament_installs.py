@@ -1,0 +1,74 @@
+"""What the commands of ament, pluginlib and catkin install."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+from ...languages.cmake.call import Call, flags_and_values
+from ...languages.cmake.words import Word
+from ..install import PYTHON
+from .installs import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, installed
+
+
+def auto_package(project: str) -> Callable[[Call], Iterator[InstallRule]]:
+    """`ament_auto_package(INSTALL_TO_SHARE …)`: folders go to share/, as they are called."""
+
+    def make(call: Call) -> Iterator[InstallRule]:
+        _, values, _ = flags_and_values(call.words, ("INSTALL_TO_PATH",), (), ("INSTALL_TO_SHARE",))
+        if folders := values.get("INSTALL_TO_SHARE"):
+            yield InstallRule("DIRECTORY", tuple(folders), f"share/{project}", call)
+
+    return make
+
+
+def python_package(call: Call) -> Iterator[InstallRule]:
+    """`ament_python_install_package(name)`: a folder goes to where Python looks."""
+    _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
+    for name in rest[:1]:
+        folder = next(iter(values.get("PACKAGE_DIR", [])), name)
+        place = below_prefix(values["DESTINATION"][0].text) if values.get("DESTINATION") else PYTHON
+        target = None if place is None or not name.known else posixpath.join(place, name.text)
+        inside = Word(folder.text.rstrip("/") + "/", folder.path, folder.span, folder.maybe)
+        skip = (Pattern("*.pyc", False, True), Pattern("__pycache__", False, True))
+        yield InstallRule("DIRECTORY", (inside,), target, call, name, patterns=skip)
+
+
+def python_module(call: Call) -> Iterator[InstallRule]:
+    """`ament_python_install_module(file.py)`"""
+    _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), ("DESTINATION_SUFFIX",), ())
+    suffix = "".join(word.text for word in values.get("DESTINATION_SUFFIX", []))
+    place = below_prefix(posixpath.join(PYTHON, suffix))
+    yield InstallRule("FILES", tuple(rest[:1]), place, call)
+
+
+def plugin_description(project: str) -> Callable[[Call], Iterator[InstallRule]]:
+    """`pluginlib_export_plugin_description_file(base folder/file.xml)`: to share/, with its folder."""
+
+    def make(call: Call) -> Iterator[InstallRule]:
+        for word in call.words[1:2]:
+            place = below_prefix(posixpath.join("share", project, posixpath.dirname(word.text)))
+            yield InstallRule("FILES", (word,), place, call)
+
+    return make
+
+
+def catkin_style(call: Call) -> Iterator[InstallRule]:
+    """`catkin_install_python(PROGRAMS … DESTINATION …)`"""
+    yield files_rule(call, "PROGRAMS", call.words[1:])
+
+
+def install_rules(calls: Iterable[Call], project: str) -> Iterator[InstallRule]:
+    """Yield every rule, in order."""
+    makers: Mapping[str, Callable[[Call], Iterator[InstallRule]]] = {
+        "install": installed,
+        "catkin_install_python": catkin_style,
+        "ament_auto_package": auto_package(project),
+        "autoware_ament_auto_package": auto_package(project),
+        "ament_python_install_package": python_package,
+        "ament_python_install_module": python_module,
+        "pluginlib_export_plugin_description_file": plugin_description(project),
+    }
+    for call in calls:
+        if maker := makers.get(call.name):
+            yield from maker(call)

@@ -1,0 +1,49 @@
+"""What the file of a target is called on Linux, and which folder `install(TARGETS …)` puts it into."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.targets import Target
+from ...languages.cmake.words import HOLE
+from .installs import InstallRule
+from .project import CMake
+
+PYTHON_MODULES = frozenset({"pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library"})
+"""Commands whose libraries Python imports: their names have no `lib`, and an end that hangs on the Python."""
+
+
+@dataclass(frozen=True)
+class Artifacts:
+    cmake: CMake
+
+    def place(self, rule: InstallRule, target: Target) -> str | None:
+        """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
+        given = rule.destinations or {}
+        kind = "RUNTIME" if target.executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
+        if kind in given or "" in given:
+            return given.get(kind, given.get(""))
+        return "bin" if target.executable else "lib"
+
+    def file_name(self, target: Target) -> str:
+        """Return the name of a target's file; a library of no said kind is taken for a shared one.
+
+        It is one where BUILD_SHARED_LIBS is on, which ament_cmake_ros sees to, and with it rosidl.
+        """
+        name = self.cmake.output_names.get(target.name, target.name)
+        python = target.call.name in PYTHON_MODULES
+        start = "" if python or target.executable else "lib"
+        end = "" if target.executable else ".a" if "STATIC" in target.options else ".so"
+        return self.prefixes.get(target.name, start) + name + self.suffixes.get(target.name, end)
+
+    @cached_property
+    def prefixes(self) -> dict[str, str]:
+        return self.known("PREFIX")
+
+    @cached_property
+    def suffixes(self) -> dict[str, str]:
+        return self.known("SUFFIX")
+
+    def known(self, name: str) -> dict[str, str]:
+        return {target: value for target, value in self.cmake.properties(name) if HOLE not in value}

@@ -1,0 +1,54 @@
+"""Components (rclcpp_components) and generated interfaces, as CMake is told of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from ...languages.cmake.call import Call, flags_and_values
+from ...languages.cmake.words import Word, as_value
+
+
+@dataclass(frozen=True)
+class Component:
+    target: Word
+    plugin: Word
+    """`namespace::Class`"""
+    executable: Word | None
+    call: Call
+
+
+@dataclass(frozen=True)
+class InterfaceTarget:
+    """`rosidl_generate_interfaces(target files… DEPENDENCIES packages…)`"""
+
+    target: Word
+    files: tuple[Word, ...]
+    """`msg/Name.msg`, relative to the folder of the call; an absolute one is `base:msg/Name.msg`."""
+    dependencies: tuple[Word, ...]
+    skip_install: bool
+    call: Call
+
+
+def components_of(calls: Iterable[Call]) -> Iterator[Component]:
+    for call in calls:
+        if call.name == "rclcpp_components_register_node" and call.words:
+            singles = ("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX")
+            _, values, _ = flags_and_values(call.words[1:], (), singles, ())
+            executable = next(iter(values.get("EXECUTABLE", [])), None)
+            for plugin in values.get("PLUGIN", []):
+                yield Component(call.words[0], plugin, executable, call)
+        elif call.name == "rclcpp_components_register_nodes" and call.words:
+            _, _, plugins = flags_and_values(call.words[1:], (), ("RESOURCE_INDEX",), ())
+            for plugin in plugins:
+                yield Component(call.words[0], plugin, None, call)
+
+
+def interface_targets_of(calls: Iterable[Call]) -> Iterator[InterfaceTarget]:
+    flags = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
+    for call in calls:
+        if call.name == "rosidl_generate_interfaces" and call.words:
+            words = as_value(call.words[1:])  # a macro: what is quoted is split at `;` once more
+            given, values, files = flags_and_values(words, flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
+            needs = tuple(values.get("DEPENDENCIES", []))
+            yield InterfaceTarget(call.words[0], tuple(files), needs, "SKIP_INSTALL" in given, call)

@@ -1,0 +1,41 @@
+"""Which files of a package are interfaces, and what other packages may know of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...files import PackageFiles, Reading, each
+from ...ros.distros import Targets
+from ...ros.interfaces import KINDS
+from ...source import Source, Span
+from ...unreadable import Unreadable
+from ..file_role import role_of
+from ..manifest import Manifest
+from .declared import Interface, Problem
+from .text import parse_interface
+
+
+def read_interfaces(reading: Reading) -> Iterator[Interface | Unreadable]:
+    """Read the .msg, .srv and .action files of a package that ROS 2 builds."""
+    manifest = reading.parts(Manifest).only
+    if manifest is None or manifest.build_type(Targets()) == "catkin":
+        return
+    yield from each(reading.files, interface_paths(reading.files), lambda source: read(reading.files, source))
+
+
+def interface_paths(files: PackageFiles) -> list[str]:
+    return [
+        path
+        for path in files.paths
+        if path.endswith(tuple(f".{kind}" for kind in KINDS)) and role_of(path) not in ("test", "aside")
+    ]
+
+
+def read(files: PackageFiles, source: Source) -> Interface:
+    found = parse_interface(source, source.path.rpartition(".")[2])
+    if not files.tree.entry(source.path).text.bom:
+        return found
+    mark = Problem(
+        Span(0, 0), "the file begins with a byte order mark, which rosidl takes for a part of the first type"
+    )
+    return Interface(source, found.kind, found.sections, (mark, *found.problems))

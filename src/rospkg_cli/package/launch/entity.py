@@ -1,0 +1,128 @@
+"""What the XML and the YAML frontend have in common: a tree of entities with attributes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ...languages.written import Written
+from ...languages.xml.xml import Document, Element, read_xml
+from ...languages.yaml.yaml import Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.yaml_aliases import unfolded
+from ...source import Source, Span
+from .faults import Fault
+
+
+@dataclass(frozen=True)
+class Entity:
+    name: str
+    span: Span
+    name_span: Span
+    attributes: dict[str, Written] = field(default_factory=dict)
+    attribute_spans: dict[str, Span] = field(default_factory=dict)
+    """Of the names."""
+    lists: dict[str, tuple[Written, ...]] = field(default_factory=dict)
+    """Attributes that are a list of plain values, which YAML knows."""
+    children: tuple[Entity, ...] = ()
+
+    def named(self, *names: str) -> tuple[Entity, ...]:
+        return tuple(child for child in self.children if child.name in names)
+
+    def walk(self) -> Iterator[Entity]:
+        yield self
+        for child in self.children:
+            yield from child.walk()
+
+
+def from_xml(source: Source) -> Entity:
+    """Read an XML launch file; raises UnreadableError where it is not well formed."""
+    document = read_xml(source)
+    return xml_entity(document, document.root)
+
+
+def xml_entity(document: Document, element: Element) -> Entity:
+    start, text = element.span.start + 1, document.source.text
+    return Entity(
+        element.tag,
+        element.span,
+        Span(start, start + len(element.tag)),
+        {
+            a.name: Written(a.value, a.value_span, text[a.value_span.start : a.value_span.end] == a.value)
+            for a in element.attributes.values()
+        },
+        {a.name: Span(a.span.start, a.span.start + len(a.name)) for a in element.attributes.values()},
+        children=tuple(xml_entity(document, child) for child in element.children),
+    )
+
+
+def from_yaml(source: Source) -> tuple[Entity | None, list[Fault]]:
+    """Read a YAML file, and what the frontend refuses of it; raises UnreadableError for what is no YAML."""
+    root = unfolded(source)
+    entries = pairs(root) if isinstance(root, Mapping) else []
+    if not entries:
+        return None, []
+    faults: list[Fault] = []
+    if len(entries) > 1:
+        faults.append(Fault(entries[1][0].written.span, "a YAML launch file has one key at its top: `launch:`"))
+    key, value = entries[0]
+    return yaml_entity(key, value, faults), faults
+
+
+def pairs(mapping: Mapping) -> list[tuple[Scalar, YamlNode]]:
+    """Return the entries of a mapping whose keys are scalars."""
+    return [(key, value) for key, value in mapping.entries if isinstance(key, Scalar)]
+
+
+def yaml_entity(name: Scalar, value: YamlNode, faults: list[Fault]) -> Entity:
+    """Make an entity of `name: value`."""
+    place = name.written.span
+    found = Entity(name.text, Span(place.start, value.span.end), place)
+    if isinstance(value, Sequence):
+        return with_children(found, list(children_of(value.items, faults)))
+    children: list[Entity] = []
+    for key, item in pairs(value) if isinstance(value, Mapping) else []:
+        found.attribute_spans[key.text] = key.written.span
+        if isinstance(item, Scalar):
+            found.attributes[key.text] = item.written
+        elif key.text == "children":
+            children += children_of(values_of(item), faults)
+        elif isinstance(item, Sequence) and not all(isinstance(each, Scalar) for each in item.items):
+            children += [yaml_entity(key, each, faults) for each in item.items]
+        else:
+            found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, Scalar))
+    return with_children(found, children)
+
+
+def values_of(node: YamlNode) -> list[YamlNode]:
+    """Return the items of a sequence, or the values of a mapping."""
+    if isinstance(node, Mapping):
+        return [value for _, value in pairs(node)]
+    return node.items if isinstance(node, Sequence) else []
+
+
+def children_of(items: list[YamlNode], faults: list[Fault]) -> Iterator[Entity]:
+    """Yield the entities of a list in which each item is `name: value`."""
+    for item in items:
+        entries = pairs(item) if isinstance(item, Mapping) else []
+        if not entries:
+            said = "an entry of a launch description is `- name:` with its attributes below"
+            faults.append(Fault(item.written.span if isinstance(item, Scalar) else item.span, said))
+            continue
+        key, value = entries[0]
+        yield yaml_entity(key, value, faults)
+        if len(entries) > 1:
+            extra = entries[1][0]
+            message = f"`{extra.text}` stands beside `{key.text}` in one entry of the list"
+            faults.append(Fault(extra.written.span, f"{message}; indent it below, or begin a new entry with `-`"))
+
+
+def with_children(entity: Entity, children: list[Entity]) -> Entity:
+    return Entity(
+        entity.name,
+        entity.span,
+        entity.name_span,
+        entity.attributes,
+        entity.attribute_spans,
+        entity.lists,
+        tuple(children),
+    )

@@ -1,0 +1,118 @@
+"""Parse `$(name arguments)` as the XML and YAML frontends do: by the grammar of ros2/launch (frontend/grammar.lark).
+
+Arguments stand one blank apart; a quoted argument (`'…'`, `"…"`) may hold blanks; a backslash takes the meaning away
+from what follows it.
+"""
+
+from __future__ import annotations
+
+import re
+
+from ...languages.written import Written
+from .text import LaunchText, Literal, Substitution
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+OUTSIDE = re.compile(r"(?:[^$]|\$(?!\()|(?<=\\)\$)+")
+"""Text between substitutions."""
+
+ARGUMENT = {
+    "": re.compile(r"""(?:[^ '\\"$()]|\\["'$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    "'": re.compile(r"""(?:[^ '\\$()]|\\['$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    '"': re.compile(r"""(?:[^ "\\$()]|\\["$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+}
+"""A piece of an argument, by the quotes that stand around the whole substitution."""
+
+QUOTED = {
+    "'": re.compile(r"(?:[^'\\$]|\\'|\$(?!\()|(?<=\\)\$|\\)+"),
+    '"': re.compile(r'(?:[^"\\$]|\\"|\$(?!\()|(?<=\\)\$|\\)+'),
+}
+ESCAPED = re.compile(r"\\(.)")
+MAX_DEPTH = 20
+
+
+class SubstitutionError(ValueError):
+    """The text is not what the grammar takes; `at` is the offset where it stops being it."""
+
+    def __init__(self, message: str, at: int) -> None:
+        super().__init__(message)
+        self.at = at
+
+
+def parse_text(written: Written) -> LaunchText:
+    """Parse a value; raises SubstitutionError."""
+    return Parser(written).template("", 0)
+
+
+class Parser:
+    def __init__(self, written: Written) -> None:
+        self.written, self.text, self.at = written, written.text, 0
+
+    def fail(self, message: str) -> SubstitutionError:
+        return SubstitutionError(message, self.at)
+
+    def piece(self, pattern: re.Pattern[str]) -> Literal | None:
+        match = pattern.match(self.text, self.at)
+        if match is None:
+            return None
+        self.at = match.end()
+        return Literal(ESCAPED.sub(r"\1", match.group()), self.written.part(*match.span()))
+
+    def template(self, quote: str, depth: int) -> LaunchText:
+        """Read text and substitutions up to the end, or up to the closing quote."""
+        start = self.at
+        parts: list[Literal | Substitution] = []
+        while self.at < len(self.text) and not (quote and self.text[self.at] == quote):
+            if self.text.startswith("$(", self.at):
+                parts.append(self.substitution(quote, depth))
+                continue
+            found = self.piece(QUOTED[quote] if quote else OUTSIDE)
+            assert found is not None, "every character that is not `$(` is text"
+            parts.append(found)
+        return LaunchText(self.written.part(start, self.at), tuple(parts))
+
+    def substitution(self, quote: str, depth: int) -> Substitution:
+        start = self.at
+        if depth > MAX_DEPTH:
+            raise self.fail(f"more than {MAX_DEPTH} substitutions inside of each other")
+        name = NAME.match(self.text, start + 2)
+        self.at += 2
+        if name is None:
+            raise self.fail("`$(` wants the name of a substitution right behind it")
+        self.at = name.end()
+        arguments = []
+        while self.text.startswith(" ", self.at):
+            self.at += 1
+            arguments.append(self.argument(quote, depth + 1))
+        if not self.text.startswith(")", self.at):
+            self.refuse(start, name.group())
+        self.at += 1
+        return Substitution(name.group(), tuple(arguments), self.written.part(start, self.at))
+
+    def refuse(self, start: int, name: str) -> None:
+        if self.at >= len(self.text):
+            self.at = start
+            raise self.fail(f"`$({name}` is never closed")
+        raise self.fail(f"`{self.text[self.at]}` can't stand here, inside of `$({name} …)`: quote it")
+
+    def argument(self, quote: str, depth: int) -> LaunchText:
+        """Read one argument: a quoted text where the quotes are not used around it, or pieces without a blank."""
+        start, first = self.at, self.text[self.at : self.at + 1]
+        if not quote and first in QUOTED and first:
+            self.at += 1
+            inner = self.template(first, depth)
+            if not self.text.startswith(first, self.at):
+                self.at = start
+                raise self.fail(f"the quote {first} is never closed")
+            self.at += 1
+            return inner
+        parts: list[Literal | Substitution] = []
+        while self.at < len(self.text):
+            if self.text.startswith("$(", self.at):
+                parts.append(self.substitution(quote, depth))
+            elif (found := self.piece(ARGUMENT[quote])) is not None:
+                parts.append(found)
+            else:
+                break
+        if not parts:
+            raise self.fail("an argument is missing: exactly one blank stands between two")
+        return LaunchText(self.written.part(start, self.at), tuple(parts))

@@ -1,0 +1,23 @@
+"""Metapackages: packages that have nothing of their own and only name others."""
+
+from __future__ import annotations
+
+import re
+
+from ..files import PackageFiles
+from .manifest import Manifest
+
+PAPER = re.compile(
+    r"(.*/)?(README|CHANGELOG|LICENSE|LICENCE|CONTRIBUTING|QUALITY_DECLARATION|NOTICE|Doxyfile)[^/]*", re.I
+)
+FRAME = re.compile(
+    r"package\.xml|CMakeLists\.txt|setup\.(py|cfg)|resource/[^/]*|\.[^/]*|docs?/.*|rosdoc2?\.ya?ml|(.*/)?__init__\.py|COLCON_IGNORE"
+)
+
+
+def is_metapackage(files: PackageFiles, manifest: Manifest) -> bool:
+    """Return whether a package says that it is one, or holds nothing but the frame of a package and runs others."""
+    if any(element.tag == "metapackage" for element in manifest.exports):
+        return True
+    runs = any(d.tag in ("exec_depend", "depend", "run_depend") for d in manifest.dependencies)
+    return runs and all(PAPER.fullmatch(path) or FRAME.fullmatch(path) for path in files.paths)

@@ -1,0 +1,1 @@
+"""Parameters: what files give, and what code declares."""

@@ -1,0 +1,56 @@
+"""Which files of a package's code run behind an executable or a component."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...languages.cmake.call import located
+from ...languages.cmake.targets import Target
+from ...languages.cpp.read import SUFFIXES
+from ...unreadable import UnreadableError
+from ..cmake.project import CMake
+from .declared import NodeCode
+
+REGISTERED = re.compile(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")
+
+
+def node_code(reading: Reading) -> tuple[NodeCode, ...]:
+    """Return, for what CMake builds, the files that certainly run: those of the executable, or of the component."""
+    cmake = reading.parts(CMake).only
+    if cmake is None:
+        return ()
+    registered = {name: path for path, name in registrations(reading)}
+    found = []
+    for component in cmake.components:
+        path = registered.get(component.plugin.text)
+        if path is not None:
+            names = [component.plugin.text, *([component.executable.text] if component.executable else [])]
+            found += [NodeCode(name, frozenset({path})) for name in names]
+    for target in cmake.targets:
+        if target.executable and target.word.known:
+            found.append(NodeCode(target.name, frozenset(sources(cmake, target))))
+    return tuple(found)
+
+
+def registrations(reading: Reading) -> Iterator[tuple[str, str]]:
+    """Yield each file that registers a component, with the class."""
+    for path in reading.files.paths:
+        if path.endswith(SUFFIXES):
+            try:
+                text = reading.files.source(path).text
+            except UnreadableError:
+                continue
+            if "RCLCPP_COMPONENTS_REGISTER_NODE" in text:
+                yield from ((path, match.group(1)) for match in REGISTERED.finditer(text))
+
+
+def sources(cmake: CMake, target: Target) -> Iterator[str]:
+    for word in target.sources:
+        path = located(word.text, target.call.folder)
+        if path:
+            yield path
+    folder = located(target.folder.text, target.call.folder) if target.folder else None
+    if folder is not None:
+        yield from (path for path in cmake.package.below(folder) if path.endswith(SUFFIXES))

@@ -1,0 +1,142 @@
+"""Parameters declared in C++: `declare_parameter<T>(name, default)` and its like in nav2_util and others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+from ...languages.cpp.call import Argument, Call
+from ...languages.cpp.enclosing import last_word, unconditional
+from ...languages.cpp.file import CppFile
+from ...source import Source
+from .declared import DeclaredParameter
+
+NAMED = re.compile(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
+"""Functions of rclcpp, nav2 and autoware that declare one parameter."""
+NODE = re.compile("node|parent|shared_from_this", re.IGNORECASE)
+"""What is in the name of a first argument that is the node, where the function is none of its own."""
+MAX_LENGTH = 500
+"""Of a name, a type or a value, in characters; what is longer is none that can be told."""
+
+WRAPPED = re.compile(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
+TAIL = re.compile(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
+NUMBER = re.compile(r"-?\s*(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+[eE])[0-9eE.+-]*[fFlL]?|-?\s*[0-9]+[eE.]?[fF]")
+WHOLE = re.compile(r"-?\s*(?:0[xX][0-9a-fA-F]+|[0-9']+)[uUlLzZ]*")
+TEXT = re.compile(r'(?:R?"[^"]*"\s*)+s?|std::string\s*[({].*[)}]')
+OUTER = re.compile(r"(?:rclcpp::)?ParameterValue\s*[({](?P<inside>.*)[)}]", re.DOTALL)
+CAST = re.compile(r"(?:static_cast\s*<\s*(?P<cast>[^<>]+)>|(?P<plain>double|float|int|bool|std::string))\s*[({].*[)}]")
+VECTOR = re.compile(r"(?P<type>std::vector\s*<.*?>)\s*[({].*[)}]", re.DOTALL)
+NAMED_TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_(?P<type>[A-Z_]+)")
+VARIABLE = re.compile(r"(?:[A-Za-z_]\w*\s*(?:\.|->|::)\s*)*(?P<name>[A-Za-z_]\w*)")
+
+TYPES = {"bool": "bool", "double": "double", "float": "double", "std::string": "string", "string": "string"}
+WHOLE_TYPES = re.compile(
+    r"(?:std::)?(?:u?int(?:8|16|32|64)?(?:_t)?|size_t)|(?:unsigned |signed )?(?:long )*(?:int|long)|unsigned"
+)
+LIST = re.compile(r"std::vector<(.*)>")
+RCL_TYPES = {
+    "BOOL": "bool", "INTEGER": "int", "DOUBLE": "double", "STRING": "string", "BOOL_ARRAY": "bool[]",
+    "INTEGER_ARRAY": "int[]", "DOUBLE_ARRAY": "double[]", "STRING_ARRAY": "string[]",
+}  # fmt: skip
+
+TypeOf = Callable[[str], str]
+"""The type of a variable by its name, "" where that can't be told."""
+
+
+def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
+    """Yield what a file declares under a name of which at least the end is literal."""
+    certain = unconditional(file.source.text, [call.span.start for call in file.calls if call.template])
+    for call in file.calls:
+        arguments = call.arguments or ()
+        if not NAMED.fullmatch(call.name) or call.variable:
+            continue
+        free = call.name != "declare_parameter" and arguments and is_node(arguments[0].text)
+        place = 1 if free else 0
+        if len(arguments) <= place:
+            continue
+        name = name_in(arguments[place])
+        if name is not None:
+            rest = arguments[place + 1 :]
+            kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
+            required = bool(call.template) and not rest and not call.conditional
+            required = required and call.span.start in certain
+            yield DeclaredParameter(name[0], name[1], kind, required, file.path)
+
+
+def is_node(text: str) -> bool:
+    """Return whether an argument is a node: `this`, or what ends with a name like `node_` or `get_parent()`."""
+    bare = text.removesuffix("()")
+    return text.lower() in ("this", "*this") or NODE.search(last_word(bare)) is not None
+
+
+def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, Call]]:
+    """Yield the parameters that a file gets by name."""
+    for call in file.calls:
+        if call.name in ("get_parameter", "get_parameter_or") and call.arguments:
+            name = name_in(call.arguments[0])
+            if name is not None:
+                yield DeclaredParameter(*name, "", False, file.path), call
+
+
+def name_in(argument: Argument) -> tuple[str, bool] | None:
+    """Return a name, and whether only its end is known; None where nothing is."""
+    if len(argument.text) > MAX_LENGTH:
+        return None
+    found = TAIL.fullmatch(WRAPPED.sub(r"\1", argument.text))
+    if found is None or not found.group("text").strip("."):
+        return None
+    return found.group("text"), found.group("before") is not None
+
+
+def typed(text: str) -> str:
+    """Return the type of parameter that a C++ type becomes."""
+    bare = re.sub(r"\bconst\b|&", "", " ".join(text[: MAX_LENGTH + 1].split())).strip()
+    if found := LIST.fullmatch(bare.replace(" ", "") if "unsigned" not in bare else bare):
+        inside = typed(found.group(1))
+        return f"{inside}[]" if inside and "[" not in inside else ""
+    return TYPES.get(bare) or ("int" if WHOLE_TYPES.fullmatch(bare) else "")
+
+
+def inferred(text: str, type_of: TypeOf) -> str:
+    """Return the type of a default value, "" where that can't be told."""
+    if len(text) > MAX_LENGTH:
+        return ""
+    if found := OUTER.fullmatch(text):
+        return inferred(found.group("inside").strip(), type_of)
+    if text in ("true", "false"):
+        return "bool"
+    if NUMBER.fullmatch(text):
+        return "double"
+    if WHOLE.fullmatch(text):
+        return "int"
+    if TEXT.fullmatch(text):
+        return "string"
+    if found := NAMED_TYPE.fullmatch(text):
+        return RCL_TYPES.get(found.group("type"), "")
+    if found := VECTOR.fullmatch(text) or CAST.fullmatch(text):
+        return typed(next(group for group in found.groups() if group))
+    found = VARIABLE.fullmatch(text)
+    return type_of(found.group("name")) if found else ""
+
+
+def variables_of(texts: Iterable[Source], names: Iterable[str]) -> dict[str, str]:
+    """Return the types of the variables of these names, as far as all texts declare them with one type."""
+    wanted = "|".join(sorted(set(names)))
+    if not wanted:
+        return {}
+    pattern = re.compile(
+        rf"\b(bool|double|float|std::string|(?:std::)?u?int\d*(?:_t)?|(?:std::)?size_t|std::vector\s*<[\w:\s]*>)"
+        rf"[\s&]+({wanted})\b"
+    )
+    found: dict[str, set[str]] = {}
+    for source in texts:
+        for match in pattern.finditer(source.text):
+            found.setdefault(match.group(2), set()).add(typed(match.group(1)))
+    return {name: types.pop() for name, types in found.items() if len(types) == 1}
+
+
+def asked_variables(file: CppFile) -> Iterator[str]:
+    """Yield the variables whose types the declarations of a file ask for."""
+    asked: list[str] = []
+    list(declared_in(file, lambda name: asked.append(name) or ""))  # type: ignore[func-returns-value]
+    yield from asked

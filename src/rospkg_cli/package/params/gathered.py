@@ -1,0 +1,67 @@
+"""All parameters that a package's code declares, for whoever writes files of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...languages.cpp.file import read_cpp
+from ...languages.cpp.read import SUFFIXES
+from ...source import Source
+from ...unreadable import UnreadableError
+from ..file_role import role_of
+from ..modules import Modules
+from . import cpp, python
+from .declared import DeclaredParameter
+from .file import ParameterFile
+from .library import defined_parameters
+
+DECLARES = re.compile("declare_parameter|declare_or_get_parameter")
+DYNAMIC = "dynamic_typing"
+"""Where a descriptor allows this, a parameter takes values of any type."""
+
+
+def declared_parameters(reading: Reading) -> tuple[DeclaredParameter, ...]:
+    """Return what a package declares, in C++, in Python, and for generate_parameter_library; each once."""
+    found = [*in_cpp(reading), *in_python(reading), *defined_parameters(reading)]
+    return tuple(dict.fromkeys(found))
+
+
+def in_cpp(reading: Reading) -> Iterator[DeclaredParameter]:
+    sources = [source for path in reading.files.paths if path.endswith(SUFFIXES) for source in text_of(reading, path)]
+    declaring = [read_cpp(source) for source in sources if DECLARES.search(source.text)]
+    asked = {name for file in declaring for name in cpp.asked_variables(file)}
+    types = cpp.variables_of(sources, asked)
+    for file in declaring:
+        loose = DYNAMIC in file.source.text
+        for each in cpp.declared_in(file, lambda name: types.get(name, "")):
+            yield untyped(each) if loose else each
+
+
+def in_python(reading: Reading) -> Iterator[DeclaredParameter]:
+    modules = reading.parts(Modules).only
+    for path in reading.files.paths:
+        if modules and path.endswith(".py") and role_of(path) == "run":
+            for source in text_of(reading, path):
+                if "declare_parameter" in source.text and (file := modules.at(path)):
+                    found = python.declared_in(file)
+                    yield from (map(untyped, found) if DYNAMIC in source.text else found)
+
+
+def given_parameters(reading: Reading) -> tuple[frozenset[str], ...]:
+    """Return the names that each block of the package's parameter files gives."""
+    blocks = (block for file in reading.parts(ParameterFile).good for block in file.blocks)
+    return tuple(frozenset(each.name for each in block.parameters) for block in blocks)
+
+
+def untyped(each: DeclaredParameter) -> DeclaredParameter:
+    return DeclaredParameter(each.name, each.tail, "", each.required, each.path)
+
+
+def text_of(reading: Reading, path: str) -> Iterator[Source]:
+    if role_of(path) not in ("test", "aside"):
+        try:
+            yield reading.files.source(path)
+        except UnreadableError:
+            return

@@ -1,0 +1,67 @@
+"""Parameters declared in Python: `declare_parameter(name, default)` and `declare_parameters(namespace, [...])`."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ...languages.python.python import PythonFile
+from .declared import DeclaredParameter
+
+RCL_TYPES = {
+    "BOOL": "bool", "INTEGER": "int", "DOUBLE": "double", "STRING": "string", "BOOL_ARRAY": "bool[]",
+    "INTEGER_ARRAY": "int[]", "DOUBLE_ARRAY": "double[]", "STRING_ARRAY": "string[]",
+}  # fmt: skip
+PLAIN_TYPES = {bool: "bool", int: "int", float: "double", str: "string"}
+
+
+def declared_in(file: PythonFile) -> Iterator[DeclaredParameter]:
+    """Yield what a file declares under literal names."""
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if node.func.attr == "declare_parameter":
+                given = {keyword.arg: keyword.value for keyword in node.keywords}
+                name = node.args[0] if node.args else given.get("name")
+                value = node.args[1] if len(node.args) > 1 else given.get("value")
+                yield from declaration(file, "", name, value)
+            elif node.func.attr == "declare_parameters":
+                yield from several(file, node)
+
+
+def several(file: PythonFile, call: ast.Call) -> Iterator[DeclaredParameter]:
+    given = {keyword.arg: keyword.value for keyword in call.keywords}
+    space = call.args[0] if call.args else given.get("namespace")
+    listed = call.args[1] if len(call.args) > 1 else given.get("parameters")
+    if isinstance(space, ast.Constant) and isinstance(space.value, str) and isinstance(listed, ast.List | ast.Tuple):
+        prefix = f"{space.value}." if space.value else ""
+        for each in listed.elts:
+            if isinstance(each, ast.Tuple | ast.List) and each.elts:
+                yield from declaration(file, prefix, each.elts[0], each.elts[1] if len(each.elts) > 1 else None)
+
+
+def declaration(
+    file: PythonFile, prefix: str, name: ast.expr | None, value: ast.expr | None
+) -> Iterator[DeclaredParameter]:
+    if isinstance(name, ast.Constant) and isinstance(name.value, str) and name.value:
+        kind = type_of(value) if value is not None else ""
+        yield DeclaredParameter(prefix + name.value, False, kind, False, file.source.path)
+
+
+def type_of(value: ast.expr) -> str:
+    """Return the type of parameter that a default value makes; "" where that can't be told."""
+    match value:
+        case ast.Constant(value=plain):
+            return PLAIN_TYPES.get(type(plain), "")
+        case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=inner):
+            return type_of(inner)
+        case ast.List(elts=[first, *others]) | ast.Tuple(elts=[first, *others]):
+            kinds = {type_of(each) for each in (first, *others)}
+            kind = kinds.pop()
+            return f"{kind}[]" if kind and not kinds and "[" not in kind else ""
+        case ast.Attribute(attr=name, value=ast.Attribute(attr="Type") | ast.Name(id="ParameterType")):
+            return RCL_TYPES.get(name.removeprefix("PARAMETER_"), "")
+        case ast.JoinedStr():
+            return "string"
+        case ast.Call(func=ast.Name(id="str" | "float" | "int" | "bool" as name)):
+            return {"str": "string", "float": "double", "int": "int", "bool": "bool"}[name]
+    return ""

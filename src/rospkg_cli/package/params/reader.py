@@ -1,0 +1,47 @@
+"""Which files of a package hold parameters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...languages.yaml.yaml import documents
+from ...source import Source
+from ...unreadable import Unreadable, UnreadableError
+from ..file_role import role_of
+from .file import ParameterFile
+from .handed import handed_files
+from .judge import judge
+
+MENTIONS = re.compile(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
+WILD = re.compile(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
+"""A name for many nodes, at the top: nothing but parameters begins like this."""
+TEMPLATE = re.compile(r"\{\{|\{%|<%")
+
+
+def read_parameter_files(reading: Reading) -> Iterator[ParameterFile | Unreadable]:
+    """Read the YAML files that have a block of ROS parameters, rightly written or nearly so, or that nodes get."""
+    handed = handed_files(reading)
+    for path in reading.files.paths:
+        if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside"):
+            source = text_of(reading, path)
+            if source and is_parameter_file(source, path in handed):
+                try:
+                    yield judge(source, documents(source))
+                except UnreadableError as error:
+                    yield error.unreadable
+
+
+def text_of(reading: Reading, path: str) -> Source | None:
+    """Return a file's text; None where it has none: nothing says then that it holds parameters."""
+    try:
+        return reading.files.source(path)
+    except UnreadableError:
+        return None
+
+
+def is_parameter_file(source: Source, handed: bool = False) -> bool:
+    """Return whether a text is one by what it holds; `handed` says that a launch file gives it to a node."""
+    text = source.text
+    return bool(handed or MENTIONS.search(text) or WILD.search(text)) and not TEMPLATE.search(text)

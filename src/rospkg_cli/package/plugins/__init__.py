@@ -1,0 +1,1 @@
+"""Plugins: what descriptions say of them, and who loads them."""

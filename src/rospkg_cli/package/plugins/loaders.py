@@ -1,0 +1,76 @@
+"""Who loads plug-ins: pluginlib::ClassLoader with the package and the base class that it is given as literals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...files import PackageFiles, Reading
+from ...languages.cpp.call import Argument, Call
+from ...languages.cpp.file import CppFile, read_cpp
+from ...languages.cpp.read import SUFFIXES
+from ...unreadable import UnreadableError
+from ..file_role import role_of
+
+LOADER = "ClassLoader"
+
+
+@dataclass(frozen=True)
+class PluginLoader:
+    path: str
+    package: Argument
+    base: Argument
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """The package and the base class."""
+        return self.package.literal or "", self.base.literal or ""
+
+
+@dataclass(frozen=True)
+class PluginLoaders:
+    """The loaders of what a package runs; `complete` says whether all of them are given literals."""
+
+    loaders: tuple[PluginLoader, ...] = ()
+    complete: bool = True
+
+
+def read_plugin_loaders(reading: Reading) -> Iterator[PluginLoaders]:
+    """Read those sources that have to do with loaders; the others are not looked into."""
+    texts = dict(sources(reading.files))
+    declaring = [read_cpp(reading.files.source(path)) for path, text in texts.items() if LOADER + "<" in text]
+    members = {call.variable for file in declaring for call in file.called(LOADER) if call.arguments is None}
+    others = [
+        read_cpp(reading.files.source(path))
+        for path, text in texts.items()
+        if LOADER + "<" not in text and any(f"{name}(" in text or f"{name}{{" in text for name in members if name)
+    ]
+    found = [loader for file in (*declaring, *others) for loader in loaders_in(file, members)]
+    direct = [call for file in declaring for call in file.called(LOADER) if call.arguments]
+    literal = all(loader_of("", call) is not None for call in direct)
+    yield PluginLoaders(tuple(found), literal and (bool(found) or not members))
+
+
+def sources(files: PackageFiles) -> Iterator[tuple[str, str]]:
+    for path in files.paths:
+        if path.endswith(SUFFIXES) and role_of(path) == "run":
+            try:
+                yield path, files.source(path).text
+            except UnreadableError:
+                continue
+
+
+def loaders_in(file: CppFile, members: set[str]) -> Iterator[PluginLoader]:
+    for call in file.calls:
+        if call.name == LOADER or call.name in members:
+            loader = loader_of(file.path, call)
+            if loader is not None:
+                yield loader
+
+
+def loader_of(path: str, call: Call) -> PluginLoader | None:
+    """Return the loader that a call makes; None where its first two arguments are no literals."""
+    if call.arguments is None or len(call.arguments) < 2:
+        return None
+    package, base = call.arguments[:2]
+    return PluginLoader(path, package, base) if package.literal and base.literal else None

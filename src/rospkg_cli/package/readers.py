@@ -1,0 +1,57 @@
+"""Which function reads which model: the one table that the engine and joined slices go by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from ..files import Reading
+from ..languages.cmake.read import CMakeFile
+from ..languages.cpp.file import CppFile
+from ..languages.cpp.read import read_cpp_files
+from ..languages.python.python import PythonFile
+from ..unreadable import Unreadable
+from .changelog import Changelog, read_changelog
+from .cmake.project import CMake, read_cmake, read_cmake_files
+from .install import InstallTable
+from .installed import read_install_table
+from .interfaces.declared import Interface
+from .interfaces.reader import read_interfaces
+from .launch.file import LaunchFile
+from .launch.reader import read_launch_files
+from .manifest import Manifest, read_manifest
+from .modules import Modules, read_installed_modules, read_modules
+from .params.file import ParameterFile
+from .params.library import ParameterLibrary, read_parameter_libraries
+from .params.reader import read_parameter_files
+from .plugins.description import PluginDescription
+from .plugins.loaders import PluginLoaders, read_plugin_loaders
+from .plugins.read import read_plugin_descriptions
+from .python.use import PythonUse, read_python_use
+from .setup.cfg import SetupCfg, read_setup_cfg
+from .setup.read import read_setup_py
+from .setup.setup_py import SetupPy
+from .urdf.file import RobotFile
+from .urdf.reader import read_robot_files
+
+READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
+    Manifest: read_manifest,
+    Changelog: read_changelog,
+    SetupCfg: read_setup_cfg,
+    SetupPy: read_setup_py,
+    Modules: read_modules,
+    PythonFile: read_installed_modules,
+    InstallTable: read_install_table,
+    CMake: read_cmake,
+    CMakeFile: read_cmake_files,
+    CppFile: read_cpp_files,
+    Interface: read_interfaces,
+    PluginDescription: read_plugin_descriptions,
+    PluginLoaders: read_plugin_loaders,
+    ParameterFile: read_parameter_files,
+    ParameterLibrary: read_parameter_libraries,
+    RobotFile: read_robot_files,
+    PythonUse: read_python_use,
+    LaunchFile: read_launch_files,
+}
+"""A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

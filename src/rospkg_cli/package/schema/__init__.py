@@ -1,0 +1,1 @@
+"""The schema's verdict on a package.xml, explained."""

@@ -1,0 +1,31 @@
+"""What a schema can forbid in a package.xml."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from ...languages.xml.xml_tree import Element
+
+
+class Kind(Enum):
+    """What a schema can forbid."""
+
+    CHILD = "an element that may not stand here"
+    MISSING = "a required element is not there"
+    REPEATED = "an element that may stand once stands again"
+    ATTRIBUTE = "an attribute that may not stand here"
+    MISSING_ATTRIBUTE = "a required attribute is not there"
+    VALUE = "a value of the wrong shape"
+    TEXT = "text where only elements may stand"
+
+
+@dataclass(frozen=True)
+class Violation:
+    """One thing that the schema forbids."""
+
+    kind: Kind
+    element: Element
+    """Where it stands; for MISSING the parent, for TEXT the element that holds the text."""
+    name: str
+    """Of the tag or the attribute in question; "" where the value is the element's own text."""

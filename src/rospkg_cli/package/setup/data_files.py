@@ -1,0 +1,121 @@
+"""data_files: which file goes where below the prefix.
+
+distutils copies each source into its destination under its own name; colcon wants a list of tuples of a relative
+destination and a list of relative sources, and knows a source once: where it is named twice, the last one counts.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from ...languages.python.evaluate.folder import ROOT, Folder, OutsideError
+from ...languages.python.evaluate.values import Constant, Globbed, Sequence, Text, Unknown, Value
+from ...source import Span
+from .said import Said
+
+Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
+
+
+@dataclass(frozen=True)
+class DataFile:
+    """One source of an entry."""
+
+    said: Said
+    place: Span
+    """Where it stands in its list."""
+    source: str | None
+    """Relative to the package; None where it leads out of it."""
+    destination: str
+    """The path of the installed file, relative to the prefix."""
+    entry: int
+    """Which entry it is of."""
+    absolute: bool = False
+    """Whether it was written as an absolute path that is not the package's own."""
+
+
+@dataclass(frozen=True)
+class DataEntry:
+    """One tuple of data_files."""
+
+    path: str
+    span: Span
+    place: Span
+    """Where it stands in the list."""
+    destination: Said | None
+    """None where it can't be told, or where the entry is a bare file name."""
+    sources: Sequence | None
+    files: tuple[DataFile, ...] = ()
+    unknown: tuple[Unknown, ...] = ()
+    shape: Shape = ""
+    glob: Globbed | None = None
+    """The glob that made the list of sources as a whole."""
+
+    @property
+    def folder(self) -> str:
+        """The destination, as clean as a path can be."""
+        return posixpath.normpath(self.destination.text) if self.destination and self.destination.text else ""
+
+
+def from_value(path: str, value: Value, folder: Folder, cwd: str = ROOT) -> Iterator[DataEntry | Unknown]:
+    """Yield the entries that setup(data_files=…) is given, and what of them can't be told."""
+    if isinstance(value, Constant) and not value.value:
+        return
+    if not isinstance(value, Sequence):
+        yield value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
+        return
+    for index, (item, place) in enumerate(zip(value.items, value.places, strict=True)):
+        if isinstance(item, Sequence):
+            yield entry(path, item, place, index, folder, cwd)
+        elif isinstance(item, Text):
+            said = Said.of(path, item)
+            file = DataFile(said, place, inside(item.text, folder, cwd), posixpath.basename(item.text), index)
+            yield DataEntry(path, item.span, place, None, None, (file,))
+        else:
+            yield item if isinstance(item, Unknown) else Unknown(item.span, "it can't be evaluated")
+
+
+def entry(path: str, item: Sequence, place: Span, index: int, folder: Folder, cwd: str) -> DataEntry:
+    shape: Shape = "list-entry" if item.kind == "list" else ""
+    if len(item.items) != 2:
+        unknown = tuple(each for each in item.items if isinstance(each, Unknown))
+        return DataEntry(path, item.span, place, None, None, unknown=unknown, shape="" if unknown else "length")
+    target, sources = item.items
+    destination = Said.of(path, target) if isinstance(target, Text) else None
+    unknown = () if destination else (doubt(target),)
+    if isinstance(sources, Text):
+        texts, places, shape = [sources], [sources.span], "text-sources"
+    elif isinstance(sources, Sequence):
+        texts = [each for each in sources.items if isinstance(each, Text)]
+        places = [p for each, p in zip(sources.items, sources.places, strict=True) if isinstance(each, Text)]
+        unknown += tuple(doubt(each) for each in sources.items if not isinstance(each, Text))
+        shape = shape or ("tuple-sources" if sources.kind == "tuple" else "")
+    else:
+        texts, places, unknown = [], [], (*unknown, doubt(sources))
+    files = [
+        file(path, each, where, destination, index, folder, cwd) for each, where in zip(texts, places, strict=True)
+    ]
+    sequence = sources if isinstance(sources, Sequence) else None
+    glob = sequence.origin if sequence else None
+    return DataEntry(path, item.span, place, destination, sequence, tuple(files), unknown, shape, glob)
+
+
+def file(path: str, source: Text, place: Span, into: Said | None, index: int, folder: Folder, cwd: str) -> DataFile:
+    name = posixpath.basename(source.text)
+    target = posixpath.normpath(posixpath.join(into.text, name)) if into else ""
+    own = inside(source.text, folder, cwd)
+    absolute = source.text.startswith("/") and own is None
+    return DataFile(Said.of(path, source), place, own, target, index, absolute)
+
+
+def doubt(value: Value) -> Unknown:
+    return value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
+
+
+def inside(text: str, folder: Folder, cwd: str) -> str | None:
+    try:
+        return folder.inside(text, cwd)
+    except OutsideError:
+        return None

@@ -1,0 +1,140 @@
+"""Entry points: `name = module:attribute`, taken apart with the place of every part.
+
+The grammar is that of importlib.metadata (`module` and `attribute` are dotted names, extras in brackets); setuptools
+refuses what does not fit it from 60 on, and writes it into the metadata as it is before.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from ...languages.python.evaluate.plain import known
+from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
+from ...source import Span
+from ..facts import NOWHERE
+from .said import Said
+
+WHOLE = re.compile(
+    r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"
+    r"(?:\s*:\s*(?P<attribute>[^\W\d]\w*(?:\.\w+)*))?\s*(?P<extras>\[[^\]]*\])?"
+)
+GROUP = re.compile(r"\[(?P<name>[^\]]+)\]")
+
+SCRIPTS = ("console_scripts", "gui_scripts")
+
+Fault = Literal["", "no-equals", "no-attribute", "joined", "file-name", "unreadable"]
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    group: str
+    said: Said
+    name: str
+    """"" where the text can't be taken apart."""
+    module: str = ""
+    attribute: str = ""
+    name_span: Span = NOWHERE
+    module_span: Span = NOWHERE
+    attribute_span: Span = NOWHERE
+    fault: Fault = ""
+    within: Sequence | None = None
+    """The list of setup.py that it is an item of."""
+    place: Span = NOWHERE
+    """Where it stands in that list."""
+
+    @property
+    def path(self) -> str:
+        return self.said.path
+
+    @property
+    def text(self) -> str:
+        return self.said.text
+
+    @property
+    def span(self) -> Span:
+        return self.said.shown
+
+    @property
+    def script(self) -> bool:
+        """Whether it makes an executable."""
+        return self.group in SCRIPTS
+
+
+def parse_entry_point(group: str, said: Said, within: Sequence | None = None, place: Span | None = None) -> EntryPoint:
+    """Take one entry point apart; what does not fit the grammar gets a `fault`."""
+    said = said.stripped()
+    place = place or said.span
+    match = WHOLE.fullmatch(said.text)
+    if match is None:
+        return EntryPoint(group, said, loose_name(said.text), fault=fault_of(said.text), within=within, place=place)
+    fault: Fault = ""
+    if match["attribute"] is None and group in SCRIPTS:
+        fault = "no-attribute"
+    elif match["module"].endswith(".py") and match["attribute"] is not None:
+        fault = "file-name"
+    return EntryPoint(
+        group,
+        said,
+        match["name"],
+        match["module"],
+        match["attribute"] or "",
+        said.part(*match.span("name")).shown,
+        said.part(*match.span("module")).shown,
+        said.part(*match.span("attribute")).shown if match["attribute"] else said.shown,
+        fault,
+        within,
+        place,
+    )
+
+
+def loose_name(text: str) -> str:
+    head, sign, _ = text.partition("=")
+    return head.strip() if sign else ""
+
+
+def fault_of(text: str) -> Fault:
+    if "=" not in text:
+        return "no-equals"
+    return "joined" if text.count("=") > 1 and text.count(":") > 1 else "unreadable"
+
+
+def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
+    """Yield the entry points that setup(entry_points=…) is given, and what of them can't be told."""
+    if isinstance(value, Text):
+        yield from from_ini(Said.of(path, value))
+        return
+    if not isinstance(value, Mapping):
+        if not (known(value) and not getattr(value, "value", value)):
+            yield value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
+        return
+    yield from value.rest
+    for group, (_, entries) in value.items.items():
+        yield from from_group(path, str(group), entries)
+
+
+def from_group(path: str, group: str, entries: Value) -> Iterator[EntryPoint | Unknown]:
+    """Yield the entries of a group: one a line of a text, or of the texts in a list, however deep (setuptools does)."""
+    if isinstance(entries, Text):
+        yield from (parse_entry_point(group, line) for line in Said.of(path, entries).lines())
+        return
+    if not isinstance(entries, Sequence):
+        yield entries if isinstance(entries, Unknown) else Unknown(entries.span, "it can't be evaluated")
+        return
+    for item, place in zip(entries.items, entries.places, strict=True):
+        if isinstance(item, Text):
+            yield from (parse_entry_point(group, line, entries, place) for line in Said.of(path, item).lines())
+        else:
+            yield from from_group(path, group, item)
+
+
+def from_ini(said: Said) -> Iterator[EntryPoint]:
+    """Yield the entry points of a text with `[group]` lines."""
+    group = ""
+    for line in said.lines():
+        if (match := GROUP.fullmatch(line.text)) is not None:
+            group = match["name"].strip()
+        elif group:
+            yield parse_entry_point(group, line)

@@ -1,0 +1,1 @@
+"""Robot descriptions: links, joints, and the files that they refer to."""

@@ -1,0 +1,73 @@
+"""Which files of a package describe robots and worlds, and how each is read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...languages.xml.xml import Document, Element, read_xml
+from ...source import Source, Span
+from ...unreadable import Unreadable, UnreadableError
+from ..file_role import role_of
+from .file import Fault, RobotFile
+from .judge import robot_faults
+from .references import local_includes, references
+
+ROBOTS = (".urdf", ".xacro")
+WORLDS = (".sdf", ".world")
+DECLARATION = re.compile(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
+
+
+def read_robot_files(reading: Reading) -> Iterator[RobotFile | Unreadable]:
+    """Read urdf, xacro, sdf and world files; of the latter two only what they refer to."""
+    for path in reading.files.paths:
+        if not path.endswith(ROBOTS + WORLDS) or role_of(path) in ("test", "aside"):
+            continue
+        try:
+            source = reading.files.source(path)
+            if "<!DOCTYPE" not in source.text:
+                yield robot_file(source)
+        except UnreadableError as error:
+            if path.endswith(ROBOTS):
+                yield error.unreadable
+
+
+def robot_file(source: Source) -> RobotFile:
+    """Read one file; raises UnreadableError where it is not well formed."""
+    plain = not source.path.endswith(".xacro")
+    document = read_xml(without_declaration(source) if plain else source, prefixes="<xacro:" in source.text)
+    document = Document(source, document.root, document.instructions, document.comments)
+    xacro = is_xacro(document)
+    links, joints = parts_of(document.root, "link"), parts_of(document.root, "joint")
+    faults: tuple[Fault, ...] = ()
+    if source.path.endswith(ROBOTS):
+        faults = tuple(sorted(robot_faults(document, links, joints, xacro), key=lambda fault: fault.span))
+    found = tuple(references(document))
+    return RobotFile(document, xacro, links, joints, faults, found, tuple(local_includes(document)))
+
+
+def without_declaration(source: Source) -> Source:
+    """Blank out the `<?xml …?>` line: urdfdom and sdformat do not mind what stands before it."""
+    match = DECLARATION.match(source.text)
+    if match is None:
+        return source
+    span = Span(*match.span(1))
+    return Source(source.path, source.text[: span.start] + " " * (span.end - span.start) + source.text[span.end :])
+
+
+def is_xacro(document: Document) -> bool:
+    text = document.source.text
+    return document.source.path.endswith(".xacro") or "xacro:" in text or "${" in text or "$(" in text
+
+
+def parts_of(root: Element, tag: str) -> tuple[Element, ...]:
+    """Return the links or joints of a robot, those in macros and conditions included, those of ros2_control not."""
+    found, waiting = [], [root]
+    while waiting:
+        for child in waiting.pop(0).children:
+            if child.tag == tag:
+                found.append(child)
+            elif child.tag.startswith("xacro:"):
+                waiting.append(child)
+    return tuple(sorted(found, key=lambda element: element.span))

@@ -1,0 +1,37 @@
+"""A file that can't be read: what is wrong with it, and where."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Unreadable:
+    path: str
+    span: Span
+    message: str
+    grammar: bool = False
+    """The text may be right for a Python newer than the one that runs us."""
+    skipped: bool = False
+    """The file is there and is not read on purpose: it is too large, or a link that leads out."""
+    outside: bool = False
+    """It is skipped because it is a link that leads out of the package and its repository."""
+
+
+class UnreadableError(Exception):
+    """Raised by readers; the engine makes one finding of it."""
+
+    def __init__(
+        self,
+        path: str,
+        span: Span,
+        message: str,
+        *,
+        grammar: bool = False,
+        skipped: bool = False,
+        outside: bool = False,
+    ) -> None:
+        super().__init__(message)
+        self.unreadable = Unreadable(path, span, message, grammar, skipped, outside)
