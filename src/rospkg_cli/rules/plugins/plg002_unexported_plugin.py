@@ -119,9 +119,8 @@ def unmade(package: PluginPackage, entry: Entry) -> Hit:
         f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same text "
         f"on both sides, so loading `{entry.plugin.called}` fails; write `{meant.type}`"
     )
-    related = (Related(meant.path, meant.span, "exported here"),)
-    fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
-    return Hit(file, kind.value_span, message, related=related, fix=only_plain(fix, meant.type))
+    fix = only_plain(Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety), meant.type)
+    return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)
 
 
 def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
@@ -131,12 +130,11 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
         f"CMakeLists.txt does not export `{description.file}`: nobody finds `{exported.type}` at run time; add "
         f"`{call}` (`{base}`: the package that loads it)"
     )
-    place = next(iter(description.exported), None)
-    where = (place.path, place.span) if place else (description.file, description.document.root.open)
+    where = next(((e.path, e.span) for e in description.exported), (description.file, description.document.root.open))
     before = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None)
     fix = None
     if before is not None and before.path == package.cmake.root.path and not before.inside:
         edit = add_before(package.cmake.root, before.command, call)
         fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
-    related = (Related(exported.path, exported.span, "this class"),)
-    return Hit(*where, message, related=related, fix=only_plain(fix, description.file, base))
+    fix = only_plain(fix, description.file, base)
+    return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)
