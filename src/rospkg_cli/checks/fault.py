@@ -1,0 +1,37 @@
+"""What a check finds wrong in one file: the single type of every judgement that a rule passes on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ..source import Span
+
+Level = Literal["info", "warning", "error"]
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """Edits of the file that the fault is in: each replaces a span by a text; an empty span inserts."""
+
+    title: str
+    """In one line, as a fix is listed: "write `a`"."""
+    edits: tuple[tuple[Span, str], ...]
+    is_certain: bool = True
+    """Nothing else can have been intended; otherwise the fix is unsafe."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    span: Span
+    message: str
+    level: Level | None = None
+    """None for the rule's own severity."""
+    repair: Repair | None = None
+    related: tuple[tuple[Span, str], ...] = ()
+    """Other places in the same file, each with what it has to do with the fault."""
+
+
+def replacement(span: Span, text: str, *, is_certain: bool = True) -> Repair:
+    """Return the repair that replaces one span, titled by the text that it writes."""
+    return Repair(f"write `{text}`", ((span, text),), is_certain)
