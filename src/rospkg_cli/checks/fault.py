@@ -11,7 +11,7 @@ Level = Literal["info", "warning", "error"]
 
 
 @dataclass(frozen=True, slots=True)
-class Repair:
+class TextRepair:
     """Edits of the file that the fault is in: each replaces a span by a text; an empty span inserts."""
 
     title: str
@@ -27,11 +27,11 @@ class Fault:
     message: str
     level: Level | None = None
     """None for the rule's own severity."""
-    repair: Repair | None = None
+    repair: TextRepair | None = None
     related: tuple[tuple[Span, str], ...] = ()
     """Other places in the same file, each with what it has to do with the fault."""
 
 
-def replacement(span: Span, text: str, *, is_certain: bool = True) -> Repair:
+def replacement(span: Span, text: str, *, is_certain: bool = True) -> TextRepair:
     """Return the repair that replaces one span, titled by the text that it writes."""
-    return Repair(f"write `{text}`", ((span, text),), is_certain)
+    return TextRepair(f"write `{text}`", ((span, text),), is_certain)

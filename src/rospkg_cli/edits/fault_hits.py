@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ..checks.fault import Fault, Repair
+from ..checks.fault import Fault, TextRepair
 from ..finding import Edit, Fix, Hit, Related, Safety, Severity
 
 
@@ -17,7 +17,7 @@ def hits(path: str, faults: Iterable[Fault]) -> Iterator[Hit]:
         yield Hit(path, fault.span, fault.message, level, related, fix)
 
 
-def fix_for(path: str, repair: Repair) -> Fix:
+def fix_for(path: str, repair: TextRepair) -> Fix:
     """Return the fix that makes the edits of a repair in a file."""
     edits = tuple(Edit(path, span, text) for span, text in repair.edits)
     return Fix(repair.title, edits, Safety.SAFE if repair.is_certain else Safety.UNSAFE)
