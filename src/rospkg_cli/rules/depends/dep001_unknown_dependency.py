@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.strange import NamesDeclared
+from ...checks.depends.unknown_dependencies import DependencyNames
 from ...edits.manifest import rename_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -16,7 +16,7 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
 @rule(
     "DEP001",
     "unknown-dependency",
-    over=NamesDeclared,
+    over=DependencyNames,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where another distribution than the target has the package"},
     examples=(
@@ -38,7 +38,7 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
         ),
     ),
 )
-def unknown_dependency(names: NamesDeclared) -> Iterator[Hit]:
+def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies whose name is no ROS package of the target, none of the workspace or of an installed prefix, and

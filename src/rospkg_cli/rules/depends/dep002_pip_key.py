@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.strange import NamesDeclared
+from ...checks.depends.unknown_dependencies import DependencyNames
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule
@@ -13,7 +13,7 @@ from ...rule import Profile, rule
 @rule(
     "DEP002",
     "pip-key",
-    over=NamesDeclared,
+    over=DependencyNames,
     severity=Severity.WARNING,
     profile=Profile.RELEASE,
     examples=(
@@ -23,7 +23,7 @@ from ...rule import Profile, rule
         ),
     ),
 )
-def pip_key(names: NamesDeclared) -> Iterator[Hit]:
+def pip_key(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies on rosdep keys that are installed from PyPI on a target.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.imported import Imported, Missing
+from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -16,7 +16,7 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
 @rule(
     "DEP101",
     "undeclared-import",
-    over=Imported,
+    over=ImportDependencies,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where package.xml has it in a comment"},
     examples=(
@@ -39,7 +39,7 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
         ),
     ),
 )
-def undeclared_import(imported: Imported) -> Iterator[Hit]:
+def undeclared_import(imported: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare;
@@ -62,7 +62,7 @@ def undeclared_import(imported: Imported) -> Iterator[Hit]:
         yield undeclared(imported, missing, "build_depend", ends)
 
 
-def undeclared(imported: Imported, missing: Missing, kind: str, ends: str) -> Hit:
+def undeclared(imported: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
     first, *others = missing.places
     tag = f"<{kind}>{missing.name}</{kind}>"
     message = (

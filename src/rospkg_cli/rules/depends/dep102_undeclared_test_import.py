@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.imported import Imported, Missing
+from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -14,7 +14,7 @@ from ...rule import rule
 @rule(
     "DEP102",
     "undeclared-test-import",
-    over=Imported,
+    over=ImportDependencies,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where a test tool that is declared brings it, or package.xml has it in a comment"},
     examples=(
@@ -25,7 +25,7 @@ from ...rule import rule
         ),
     ),
 )
-def undeclared_test_import(imported: Imported) -> Iterator[Hit]:
+def undeclared_test_import(imported: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports in the files of `test/` and `tests/` that package.xml does not declare: ROS packages, and Python
@@ -53,7 +53,7 @@ def undeclared_test_import(imported: Imported) -> Iterator[Hit]:
         yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
 
 
-def consequence(missing: Missing) -> str:
+def consequence(missing: UndeclaredImport) -> str:
     if missing.brought_by:
         return "it is there only as long as another dependency brings it"
     return "on a clean machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.launched import Launched
+from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.uses import PackageUse
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
@@ -33,7 +33,7 @@ BAD_XML = """\
 @rule(
     "DEP103",
     "undeclared-launch-package",
-    over=Launched,
+    over=LaunchDependencies,
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which whoever starts a launch file has, for examples and demos, "
@@ -54,7 +54,7 @@ BAD_XML = """\
         ),
     ),
 )
-def undeclared_launch_package(launched: Launched) -> Iterator[Hit]:
+def undeclared_launch_package(launched: LaunchDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that launch files need and package.xml does not declare: those whose nodes and components they
@@ -81,7 +81,7 @@ def undeclared_launch_package(launched: Launched) -> Iterator[Hit]:
 
 
 def undeclared(
-    launched: Launched,
+    launched: LaunchDependencies,
     tag: str,
     name: str,
     uses: list[PackageUse],
@@ -103,7 +103,7 @@ def undeclared(
     return Hit(first.path, first.span, message, level, related, fix)
 
 
-def no_launch(launched: Launched, missing: dict[str, list[PackageUse]]) -> Hit:
+def no_launch(launched: LaunchDependencies, missing: dict[str, list[PackageUse]]) -> Hit:
     """Ask for ros2launch once, whatever of launch itself is missing."""
     first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
     line = "<exec_depend>ros2launch</exec_depend>"

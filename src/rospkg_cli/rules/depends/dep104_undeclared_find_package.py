@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.sought import Sought, SoughtAndDeclared
+from ...checks.depends.undeclared_find_package import FindPackageDependencies, UndeclaredFindPackage
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -21,7 +21,7 @@ FOUND_IN_TESTS = CMAKE.replace(
 @rule(
     "DEP104",
     "undeclared-find-package",
-    over=SoughtAndDeclared,
+    over=FindPackageDependencies,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "where only tests need it, or a declared dependency may bring it",
@@ -48,7 +48,7 @@ FOUND_IN_TESTS = CMAKE.replace(
         ),
     ),
 )
-def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
+def undeclared_find_package(sought: FindPackageDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds `find_package(… REQUIRED)` for ROS packages, and for libraries that have a rosdep key (`Eigen3` is `eigen`),
@@ -79,7 +79,7 @@ def undeclared_find_package(sought: SoughtAndDeclared) -> Iterator[Hit]:
         yield Hit(found.word.path, found.word.span, message, level, fix=fix)
 
 
-def consequence(missing: Sought) -> str:
+def consequence(missing: UndeclaredFindPackage) -> str:
     if missing.brought != "no":
         return "it is there only as long as another dependency brings it"
     stops = f'stops with "Could not find a package configuration file provided by {missing.found.name}"'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.included import Included
+from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -19,7 +19,7 @@ NODE = CMAKE.replace(
 @rule(
     "DEP105",
     "undeclared-include",
-    over=Included,
+    over=IncludeDependencies,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where a declared dependency is known to bring it, or package.xml has it in a comment"},
     examples=(
@@ -31,7 +31,7 @@ NODE = CMAKE.replace(
         ),
     ),
 )
-def undeclared_include(included: Included) -> Iterator[Hit]:
+def undeclared_include(included: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ includes of headers of another ROS package, or of a library that has a rosdep key, which package.xml does

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.described import Described
+from ...checks.depends.robot_uses import RobotUses
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -29,7 +29,7 @@ Visualization Manager:
 @rule(
     "DEP106",
     "undeclared-urdf-package",
-    over=Described,
+    over=RobotUses,
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for plug-ins of robots and of RViz's layouts, or in a package that launches nothing, and where "
@@ -48,7 +48,7 @@ Visualization Manager:
         ),
     ),
 )
-def undeclared_urdf_package(described: Described) -> Iterator[Hit]:
+def undeclared_urdf_package(described: RobotUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that installed robots, worlds, layouts of RViz and parameter files need and package.xml does not

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unfound import UnfoundPackages
+from ...checks.depends.missing_find_package import MissingFindPackages
 from ...edits.cmake_find import find_among
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -24,7 +24,7 @@ GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_pac
 @rule(
     "DEP107",
     "missing-find-package",
-    over=UnfoundPackages,
+    over=MissingFindPackages,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where another package that is found may bring it"},
     examples=(
@@ -36,7 +36,7 @@ GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_pac
         ),
     ),
 )
-def missing_find_package(unfound: UnfoundPackages) -> Iterator[Hit]:
+def missing_find_package(unfound: MissingFindPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds ROS packages that package.xml declares for the build, that targets are linked with or whose headers are

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.typed import Typed
+from ...checks.depends.interface_types import InterfaceTypeDependencies
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -28,7 +28,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
 @rule(
     "DEP108",
     "undeclared-interface-package",
-    over=Typed,
+    over=InterfaceTypeDependencies,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "where a declared dependency is known to bring it",
@@ -49,7 +49,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
         ),
     ),
 )
-def undeclared_interface_package(typed: Typed) -> Iterator[Hit]:
+def undeclared_interface_package(typed: InterfaceTypeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds messages, services and actions that use a type of another package (`geometry_msgs/Pose2D`) which package.xml

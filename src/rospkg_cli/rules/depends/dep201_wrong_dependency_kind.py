@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.kinds import Kinds, WrongKind
+from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
 from ...edits.manifest import add_dependency, change_tag
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -17,7 +17,7 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
 @rule(
     "DEP201",
     "wrong-dependency-kind",
-    over=Kinds,
+    over=DependencyKinds,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -27,7 +27,7 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
         ),
     ),
 )
-def wrong_dependency_kind(kinds: Kinds) -> Iterator[Hit]:
+def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that are used when this one runs (imported by what is installed, needed by its launch files) and
@@ -55,7 +55,7 @@ def wrong_dependency_kind(kinds: Kinds) -> Iterator[Hit]:
         yield Hit(each.path, each.span, message, related=related, fix=fix)
 
 
-def repair(kinds: Kinds, each: WrongKind) -> Edit:
+def repair(kinds: DependencyKinds, each: WrongKind) -> Edit:
     manifest, name = kinds.declared.manifest, each.dependency.name
     for other in manifest.dependencies:
         if other.name == name and other.tag == "exec_depend" and each.wanted == "depend":

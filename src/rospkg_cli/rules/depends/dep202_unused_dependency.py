@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unused import Unused
+from ...checks.depends.unused_dependencies import UnusedDependencies
 from ...edits.manifest import change_tag, remove_element
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -21,7 +21,7 @@ NODE = "import rclpy\nfrom std_msgs.msg import String\n"
 @rule(
     "DEP202",
     "unused-dependency",
-    over=Unused,
+    over=UnusedDependencies,
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
@@ -45,7 +45,7 @@ NODE = "import rclpy\nfrom std_msgs.msg import String\n"
         ),
     ),
 )
-def unused_dependency(unused: Unused) -> Iterator[Hit]:
+def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies that nothing in the package names, be it an import, a launch file, parameters or a robot: in a

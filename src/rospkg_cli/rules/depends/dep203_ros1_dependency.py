@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.strange import NamesDeclared
+from ...checks.depends.unknown_dependencies import DependencyNames
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -13,7 +13,7 @@ from ...rule import rule
 @rule(
     "DEP203",
     "ros1-dependency",
-    over=NamesDeclared,
+    over=DependencyNames,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -28,7 +28,7 @@ from ...rule import rule
         ),
     ),
 )
-def ros1_dependency(names: NamesDeclared) -> Iterator[Hit]:
+def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies that only ROS 1 has (`rospy`, `roscpp`, `catkin`, `message_generation` …) in a package of ROS 2.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.tested import UsedInTests
+from ...checks.depends.test_only import TestOnlyDependencies
 from ...edits.manifest import change_tag
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -19,7 +19,7 @@ FOUND = CMAKE.replace(
 @rule(
     "DEP204",
     "test-only-dependency",
-    over=UsedInTests,
+    over=TestOnlyDependencies,
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
@@ -40,7 +40,7 @@ FOUND = CMAKE.replace(
         ),
     ),
 )
-def test_only_dependency(used: UsedInTests) -> Iterator[Hit]:
+def test_only_dependency(used: TestOnlyDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that tests alone import, or that CMake looks for only where it builds tests, and that are declared as

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.gathered import Gathered
+from ...checks.depends.metapackage_members import MetapackageMembers
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -24,7 +24,7 @@ def metapackage(*parts: str) -> str:
 @rule(
     "DEP205",
     "incomplete-metapackage",
-    over=Gathered,
+    over=MetapackageMembers,
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
@@ -43,7 +43,7 @@ def metapackage(*parts: str) -> str:
         ),
     ),
 )
-def incomplete_metapackage(gathered: Gathered) -> Iterator[Hit]:
+def incomplete_metapackage(gathered: MetapackageMembers) -> Iterator[Hit]:
     """
     ## What it does
     Finds metapackages that name nearly all packages of their repository and leave one out that none of the others

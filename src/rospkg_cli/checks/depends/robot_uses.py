@@ -7,17 +7,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.facts import PluginUse
 from ...package.file_role import LAUNCH
-from ...package.install import InstallTable
-from ...package.urdf.file import Reference, RobotFile
+from ...package.install_table import InstallTable
+from ...package.package_facts import PluginUse
+from ...package.urdf.robot_file import Reference, RobotFile
 from ...ros.names import Known
 from ...ros.plugins import PLUGIN_HOMES, TOOLS
 from ...ros.stands_for import IN_PARAMETERS, NAVIGATION, brought
 from ...source import Span
 from ..launch.uses import every_use
-from .declared import Declared
-from .launched import Launched
+from .declared_dependencies import DeclaredDependencies
+from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = re.compile(r".*_(?:msgs|srvs|interfaces|actions)")
 GENERATED = frozenset({"msg", "srv", "action"})
@@ -25,7 +25,7 @@ RUN = frozenset({"depend", "exec_depend"})
 
 
 @dataclass(frozen=True, slots=True)
-class DescribedUse:
+class RobotUse:
     """A place outside of code that names something of another package."""
 
     path: str
@@ -39,29 +39,29 @@ class DescribedUse:
 
 
 @dataclass(frozen=True)
-class Described:
-    declared: Declared
-    launched: Launched
+class RobotUses:
+    declared: DeclaredDependencies
+    launched: LaunchDependencies
     robots: tuple[RobotFile, ...]
     table: InstallTable | None
 
-    def missing(self) -> dict[str, list[DescribedUse]]:
+    def missing(self) -> dict[str, list[RobotUse]]:
         """Return each package that is named and not declared, but for those that launch files ask for as well."""
-        found: dict[str, list[DescribedUse]] = {}
+        found: dict[str, list[RobotUse]] = {}
         if self.declared.judged:
             said = self.launched.missing(tests=False)
             for name, use in (*self.references(), *self.plugins()):
                 if name not in said and not self.declared.has([name]):
                     found.setdefault(name, []).append(use)
-        return as_one(found)
+        return merged_navigation(found)
 
-    def references(self) -> Iterator[tuple[str, DescribedUse]]:
+    def references(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages whose files a robot or a world names, where that file is of use to anybody."""
         for robot in self.robots:
             for each in robot.references if self.is_used(robot.path) else ():
-                yield each.package, use_of(robot.path, each)
+                yield each.package, reference_use(robot.path, each)
 
-    def plugins(self) -> Iterator[tuple[str, DescribedUse]]:
+    def plugins(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages of plug-ins that are named, but for what others bring for that.
 
         A layout is shown and a robot is driven by whatever is there, and parameters in a package that starts nothing
@@ -72,7 +72,7 @@ class Described:
             if name is not None and name not in self.there and name not in TOOLS:
                 mild = not use.path.endswith((".yaml", ".yml")) or not self.launched.launch_files
                 does, ends = f"whose plug-in `{use.name}` is named here", "there it can't be loaded"
-                yield name, DescribedUse(use.path, use.span, does, ends, mild)
+                yield name, RobotUse(use.path, use.span, does, ends, mild)
 
     def home(self, use: PluginUse) -> str | None:
         """Return the package of a plug-in; None for what may be the name of something else."""
@@ -115,12 +115,12 @@ class Described:
         return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
 
 
-def use_of(path: str, reference: Reference) -> DescribedUse:
+def reference_use(path: str, reference: Reference) -> RobotUse:
     ends = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
-    return DescribedUse(path, reference.span, "whose files are used here", ends)
+    return RobotUse(path, reference.span, "whose files are used here", ends)
 
 
-def as_one(found: dict[str, list[DescribedUse]]) -> dict[str, list[DescribedUse]]:
+def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:
     """Return what is missing, with the parts of navigation2 put together where several are."""
     parts = [name for name in found if name in NAVIGATION]
     if len(parts) < 2:

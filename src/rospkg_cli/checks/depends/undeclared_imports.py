@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...package.file_role import Role
-from ...package.python.use import PythonUse
+from ...package.python.python_imports import PythonUse
 from ...ros.stands_for import IN_TESTS, brought
 from ...source import Span
-from .declared import Declared
-from .serving import served_by, serving_import
+from .declared_dependencies import DeclaredDependencies
+from .import_provider import import_providers, undeclared_provider
 
 RUNNERS = frozenset({"python3-pytest", "launch_testing"})
 """What runs the tests: who brings it is made for that."""
@@ -20,18 +20,18 @@ BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catk
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ImportUse:
     path: str
     span: Span
     module: str
 
 
 @dataclass(frozen=True, slots=True)
-class Missing:
+class UndeclaredImport:
     """A dependency that is used and not declared: the name to declare, and where it is imported."""
 
     name: str
-    places: tuple[Place, ...]
+    places: tuple[ImportUse, ...]
     brings: tuple[str, ...] = ()
     """What is missing as well, and is there with this one."""
     brought_by: str = ""
@@ -39,17 +39,17 @@ class Missing:
 
 
 @dataclass(frozen=True)
-class Imported:
+class ImportDependencies:
     """The imports of a package, and what it declares."""
 
-    declared: Declared
+    declared: DeclaredDependencies
     python: PythonUse
 
-    def missing(self) -> list[Missing]:
+    def missing(self) -> list[UndeclaredImport]:
         """Return what installed modules and scripts import without its being declared, in the order of the files."""
-        return [Missing(name, tuple(places)) for name, places in self.undeclared("run").items()]
+        return [UndeclaredImport(name, tuple(places)) for name, places in self.undeclared("run").items()]
 
-    def missing_in_tests(self) -> list[Missing]:
+    def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what tests alone import without its being declared, but for what others that are missing bring."""
         installed = self.undeclared("run")
         found = {name: p for name, p in self.undeclared("test").items() if name not in installed}
@@ -57,36 +57,36 @@ class Imported:
         for name, places in found.items():
             bringing = next((d for d in sorted(self.declared.names) if name in brought([d], IN_TESTS)), "")
             if bringing:
-                result += [Missing(name, tuple(places), (), bringing)] if name not in RUNNERS else []
+                result += [UndeclaredImport(name, tuple(places), (), bringing)] if name not in RUNNERS else []
             elif name not in brought(found.keys() - {name}, IN_TESTS):
                 brings = sorted(brought([name], IN_TESTS) & found.keys())
-                result.append(Missing(name, tuple(places), tuple(brings)))
+                result.append(UndeclaredImport(name, tuple(places), tuple(brings)))
         return result
 
-    def missing_in_setup(self) -> list[Missing]:
+    def missing_in_setup(self) -> list[UndeclaredImport]:
         """Return what setup.py itself imports without its being declared, but for the tools that run it."""
-        found: dict[str, list[Place]] = {}
+        found: dict[str, list[ImportUse]] = {}
         python = self.declared.facts.build_type == "ament_python"
         for file in self.python.files if python else ():
             for each in file.imports if file.path == "setup.py" else ():
-                name = serving_import(self.declared, each) if each.module.partition(".")[0] not in BUILDERS else None
+                name = undeclared_provider(self.declared, each) if each.module.partition(".")[0] not in BUILDERS else None
                 if name:
-                    found.setdefault(name, []).append(Place(file.path, each.span, each.module))
-        return [Missing(name, tuple(places)) for name, places in found.items()]
+                    found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
+        return [UndeclaredImport(name, tuple(places)) for name, places in found.items()]
 
-    def uses(self, role: Role) -> Iterator[tuple[Place, tuple[str, ...]]]:
+    def uses(self, role: Role) -> Iterator[tuple[ImportUse, tuple[str, ...]]]:
         """Yield what files of a role import and can't do without, and what serves it."""
         for file in self.python.files:
             for each in file.imports if file.role == role else ():
-                names = () if each.optional or each.typing else served_by(self.declared, each)
+                names = () if each.optional or each.typing else import_providers(self.declared, each)
                 if names:
-                    yield Place(file.path, each.span, each.module), names
+                    yield ImportUse(file.path, each.span, each.module), names
 
-    def undeclared(self, role: Role) -> dict[str, list[Place]]:
-        found: dict[str, list[Place]] = {}
+    def undeclared(self, role: Role) -> dict[str, list[ImportUse]]:
+        found: dict[str, list[ImportUse]] = {}
         for file in self.python.files if self.declared.judged else ():
             for each in file.imports if file.role == role else ():
-                name = serving_import(self.declared, each)
+                name = undeclared_provider(self.declared, each)
                 if name:
-                    found.setdefault(name, []).append(Place(file.path, each.span, each.module))
+                    found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
         return found

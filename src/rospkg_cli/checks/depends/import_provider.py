@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from ...languages.python.python import Import
 from ...ros.imports import may_serve
-from .declared import Declared
+from .declared_dependencies import DeclaredDependencies
 
 GENERATED = frozenset({"msg", "srv", "action"})
 """Modules that only rosidl makes: whose import they are is a ROS package for certain."""
 
 
-def serving_import(declared: Declared, what: Import) -> str | None:
+def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | None:
     """Return what to declare for an import; None where nothing is missing or nobody can tell."""
-    names = () if what.optional or what.typing else served_by(declared, what)
+    names = () if what.optional or what.typing else import_providers(declared, what)
     if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
         return None
     return names[0]
 
 
-def served_by(declared: Declared, what: Import) -> tuple[str, ...]:
+def import_providers(declared: DeclaredDependencies, what: Import) -> tuple[str, ...]:
     """Return the names of which any serves an import, the one to recommend first."""
     found = declared.workspace.serving(what.module)
     top, _, rest = what.module.partition(".")

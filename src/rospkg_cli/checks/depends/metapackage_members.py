@@ -8,10 +8,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.facts import PackageFacts
-from .declared import Declared
+from ...package.package_facts import PackageFacts
+from .declared_dependencies import DeclaredDependencies
 
-APART = re.compile(r"(?:^|.*_)(?:tests?|testing|examples?|demos?|tutorials?|benchmark\w*|performance|rqt)(?:_.*|$)")
+LEFT_OUT_ON_PURPOSE = re.compile(r"(?:^|.*_)(?:tests?|testing|examples?|demos?|tutorials?|benchmark\w*|performance|rqt)(?:_.*|$)")
 """Packages that a metapackage leaves out on purpose."""
 
 MIN_NAMED = 4
@@ -20,8 +20,8 @@ PARTS = 4
 
 
 @dataclass(frozen=True)
-class Gathered:
-    declared: Declared
+class MetapackageMembers:
+    declared: DeclaredDependencies
 
     def missing(self) -> list[PackageFacts]:
         """Return the few packages that neither it nor what it names needs, where it names nearly all of the others."""
@@ -56,7 +56,7 @@ class Gathered:
 
     def is_apart(self, facts: PackageFacts) -> bool:
         """Return whether a package is not one to be named: a test, a metapackage, or one that needs this one."""
-        return facts.metapackage or APART.fullmatch(facts.name) is not None or self.declared.needs_us(facts.name)
+        return facts.metapackage or LEFT_OUT_ON_PURPOSE.fullmatch(facts.name) is not None or self.declared.needs_us(facts.name)
 
     def reached(self, names: Iterable[str]) -> set[str]:
         """Return some names, and all that they need but for tests."""

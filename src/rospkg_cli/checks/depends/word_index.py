@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from typing import Literal
 
 from ...files import PackageFiles
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.manifest import Manifest
 from ...unreadable import UnreadableError
@@ -26,7 +26,7 @@ WORD = re.compile(r"[\w-]+")
 
 
 @dataclass(frozen=True)
-class Traces:
+class WordIndex:
     files: PackageFiles
     manifest: Manifest
     cmake: CMake | None

@@ -9,14 +9,14 @@ from functools import cached_property
 from ...package.manifest import Dependency
 from ...ros.imports import may_serve
 from ...ros.stands_for import LAUNCH
-from .unused import BUILT_IN, TOOLS, Unused
+from .unused_dependencies import BUILT_IN, TOOLS, UnusedDependencies
 
 TEST_TOOLS = TOOLS | {"python3-pytest", "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest"}
 
 
 @dataclass(frozen=True)
-class UsedInTests:
-    unused: Unused
+class TestOnlyDependencies:
+    unused: UnusedDependencies
 
     def alone(self) -> Iterator[Dependency]:
         """Yield the dependencies that tests alone import, include or look for.

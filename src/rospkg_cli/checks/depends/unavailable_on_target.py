@@ -14,7 +14,7 @@ from ...ros.rosdep import CODENAMES
 
 
 @dataclass(frozen=True)
-class Lacking:
+class UnavailableDependency:
     dependency: Dependency
     workspace: Workspace
     targets: Targets

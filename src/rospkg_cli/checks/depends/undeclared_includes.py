@@ -8,15 +8,15 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.names import Known
 from ...ros.stands_for import IN_SOURCES, brought
 from ...source import Span
-from .compiled import compiled
-from .declared import Declared
-from .sought import SoughtAndDeclared
+from .compiled_sources import compiled_sources
+from .declared_dependencies import DeclaredDependencies
+from .undeclared_find_package import FindPackageDependencies
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,7 @@ class IncludeUse:
 
 
 @dataclass(frozen=True, slots=True)
-class FromElsewhere:
+class IncludedPackage:
     """What serves some includes: any of the names will do, the first is the one to recommend."""
 
     names: tuple[str, ...]
@@ -40,22 +40,22 @@ class FromElsewhere:
 
 
 @dataclass(frozen=True)
-class Included:
-    declared: Declared
+class IncludeDependencies:
+    declared: DeclaredDependencies
     files: PackageFiles
     cmake: CMake
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def sought(self) -> SoughtAndDeclared:
-        return SoughtAndDeclared(self.declared, self.cmake)
+    def sought(self) -> FindPackageDependencies:
+        return FindPackageDependencies(self.declared, self.cmake)
 
-    def from_elsewhere(self) -> Iterator[FromElsewhere]:
+    def from_elsewhere(self) -> Iterator[IncludedPackage]:
         """Yield the packages and libraries whose headers are included, those of tests after those of what is built."""
         if not self.declared.judged:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
-        for source, role in compiled(self.cmake, self.sources):
+        for source, role in compiled_sources(self.cmake, self.sources):
             for each in source.includes if role != "aside" else ():
                 if "/" in each.path and not each.conditional and not self.is_own(each.path):
                     names, cmake = self.serving(each.path)
@@ -64,7 +64,7 @@ class Included:
                         found.setdefault((role, names, cmake), []).append(use)
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
             if role != "test" or ("run", names, cmake) not in found:
-                yield FromElsewhere(names, cmake, role, tuple(uses))
+                yield IncludedPackage(names, cmake, role, tuple(uses))
 
     def serving(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return what serves a header, and its name in CMake; nothing where nobody can tell."""
@@ -91,7 +91,7 @@ class Included:
         paths = [path.split("/") for path in (*self.files.paths, *self.files.folders)]
         return frozenset("/".join(parts[-n:]) for parts in paths for n in (1, 2, 3, 4))
 
-    def undeclared(self) -> Iterator[FromElsewhere]:
+    def undeclared(self) -> Iterator[IncludedPackage]:
         """Yield what is included and not declared, but for what find_package names as well."""
         there = brought(self.declared.names, IN_SOURCES)
         said = {missing.found.name for missing in self.sought.missing()}
@@ -99,9 +99,9 @@ class Included:
             if not self.is_declared(each) and each.cmake not in said and not there.intersection(each.names):
                 yield each
 
-    def is_declared(self, each: FromElsewhere) -> bool:
+    def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.sought.fitting(each.cmake, self.declared.names))
 
-    def is_brought(self, each: FromElsewhere) -> bool:
+    def is_brought(self, each: IncludedPackage) -> bool:
         """Return whether something that is declared brings these headers for certain."""
         return bool(self.declared.brought.intersection(each.names))

@@ -10,15 +10,15 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
 from ...languages.python.python import Import
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
-from ...package.python.use import PythonUse
+from ...package.python.python_imports import PythonUse
 from ...ros.headers import SHARED
 from ...ros.imports import may_serve
 from ...ros.names import Known
-from .declared import Declared
-from .serving import served_by
-from .traces import Traces
+from .declared_dependencies import DeclaredDependencies
+from .import_provider import import_providers
+from .word_index import WordIndex
 
 BUILT_IN = frozenset({"depend", "build_depend"})
 """Tags that say "something here is made with it"; in a Python package that is an import."""
@@ -41,18 +41,18 @@ class UnusedDependency:
 
 
 @dataclass(frozen=True)
-class Unused:
+class UnusedDependencies:
     """What package.xml declares, and everything in the package that may use it."""
 
-    declared: Declared
+    declared: DeclaredDependencies
     python: PythonUse
     files: PackageFiles
     cmake: CMake | None
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def traces(self) -> Traces:
-        return Traces(self.files, self.declared.manifest, self.cmake)
+    def traces(self) -> WordIndex:
+        return WordIndex(self.files, self.declared.manifest, self.cmake)
 
     def dependencies(self) -> Iterator[UnusedDependency]:
         """Yield the dependencies that nothing uses, or nothing that is built."""
@@ -144,4 +144,4 @@ class Unused:
         return frozenset(name for each in imports for name in self.serving(each))
 
     def serving(self, what: Import) -> tuple[str, ...]:
-        return served_by(self.declared, what)
+        return import_providers(self.declared, what)

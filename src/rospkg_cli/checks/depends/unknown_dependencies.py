@@ -13,8 +13,8 @@ from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.imports import STANDARD
 from ...ros.table import rows
 from ...suggest import near
-from .declared import Declared
-from .lacking import Lacking
+from .declared_dependencies import DeclaredDependencies
+from .unavailable_on_target import UnavailableDependency
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -30,7 +30,7 @@ MIN_FAMILY = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Strange:
+class UnknownDependency:
     """A dependency that is no name of anything, or of nothing that a target has."""
 
     dependency: Dependency
@@ -46,8 +46,8 @@ class Strange:
 
 
 @dataclass(frozen=True)
-class NamesDeclared:
-    declared: Declared
+class DependencyNames:
+    declared: DeclaredDependencies
     targets: Targets
 
     def active(self) -> Iterator[Dependency]:
@@ -81,17 +81,17 @@ class NamesDeclared:
             if workspace.named(each.name) is None and workspace.index.is_pip(each.name, self.targets):
                 yield each
 
-    def strange(self) -> Iterator[Strange]:
+    def strange(self) -> Iterator[UnknownDependency]:
         """Yield the dependencies that no package and no key is called like, as far as that is certain."""
         for each in self.active():
             if self.declared.workspace.is_here(each.name) or successors(each.name) is not None:
                 continue
             index = self.declared.workspace.index
             found = None if index.is_package(each.name) or index.is_key(each.name) else self.meant(each)
-            lacking = Lacking(each, self.declared.workspace, self.targets, self.lacking(each))
+            lacking = UnavailableDependency(each, self.declared.workspace, self.targets, self.lacking(each))
             if found is None and lacking.distros:
                 told = (lacking.meant, lacking.why, lacking.fails, lacking.instead)
-                found = Strange(each, *told, elsewhere=bool(lacking.elsewhere))
+                found = UnknownDependency(each, *told, elsewhere=bool(lacking.elsewhere))
             if found is not None:
                 yield found
 
@@ -115,29 +115,29 @@ class NamesDeclared:
             if any(certain(each.condition, environments) for each in same):
                 yield distro
 
-    def meant(self, dependency: Dependency) -> Strange | None:
+    def meant(self, dependency: Dependency) -> UnknownDependency | None:
         """Return what is meant by a name that is wrong for certain, whatever an index would say."""
         name = dependency.name
         listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
         if listed and not name.islower():
-            return Strange(dependency, listed[0], "is what CMake calls it")
+            return UnknownDependency(dependency, listed[0], "is what CMake calls it")
         if name.removeprefix("python3-").replace("-", "_") in STANDARD:
-            return Strange(dependency, None, "comes with Python itself", instead="take the line out")
+            return UnknownDependency(dependency, None, "comes with Python itself", instead="take the line out")
         key = key_for_pip(name, self.declared.workspace.index) if self.is_for_python(dependency) else None
         if key is not None:
-            return Strange(dependency, key, "is its name on PyPI")
+            return UnknownDependency(dependency, key, "is its name on PyPI")
         key = key_for_apt(name, self.declared.workspace.index)
         if key is not None:
-            return Strange(dependency, key, "is its name in Ubuntu")
+            return UnknownDependency(dependency, key, "is its name in Ubuntu")
         if later := rows("earlier.txt").get(name):
-            return Strange(
+            return UnknownDependency(
                 dependency, later[0], f"is called {' and '.join(f'`{each}`' for each in later)} since Humble"
             )
         if (member := self.renamed(name)) is not None:
-            return Strange(dependency, member, "is no package of this workspace or any other that is known")
+            return UnknownDependency(dependency, member, "is no package of this workspace or any other that is known")
         if (core := self.misspelt(name)) is not None:
             guess = f"did you mean `{core}`?"
-            return Strange(dependency, core, "is no package and no key that is known", instead=guess)
+            return UnknownDependency(dependency, core, "is no package and no key that is known", instead=guess)
         return None
 
     def is_for_python(self, dependency: Dependency) -> bool:

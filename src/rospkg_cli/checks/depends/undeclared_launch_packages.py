@@ -8,28 +8,28 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
-from ...package.install import InstallTable
+from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchFile
-from ...package.python.use import OwnModules, PythonUse
+from ...package.python.python_imports import OwnModules, PythonUse
 from ...ros.imports import may_serve
 from ...ros.names import Known
 from ...ros.stands_for import IN_LAUNCH_FILES, IN_TESTS, brought
 from ..launch.uses import NAME, PackageUse, package_uses
-from .compiled import named_sources
-from .declared import Declared
-from .serving import served_by
+from .compiled_sources import named_sources
+from .declared_dependencies import DeclaredDependencies
+from .import_provider import import_providers
 
 EXAMPLE = re.compile(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
 ENDING = re.compile(r"[._]launch\.\w+$|\.launch$")
 
 
 @dataclass(frozen=True)
-class Launched:
+class LaunchDependencies:
     """The launch files of a package, and what it declares."""
 
-    declared: Declared
+    declared: DeclaredDependencies
     files: PackageFiles
     launch_files: tuple[LaunchFile, ...]
     cmake: CMake | None
@@ -118,7 +118,7 @@ class Launched:
         for each in file.imports:
             if each.level or each.optional or each.typing or own.has(each.module, file.path):
                 continue
-            names = served_by(self.declared, each)
+            names = import_providers(self.declared, each)
             declared = next((name for name in names if name in self.declared.names), None)
             if declared or not any(may_serve(name, each.module) for name in self.declared.names):
                 for name in (declared,) if declared else names[:1]:

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.words import HOLE
-from ...package.cmake.links import Links
+from ...package.cmake.target_links import Links
 from ...ros.manifest import BUILDS
 from ...ros.names import Known
 from ...source import Span
-from .declared import Declared
-from .included import Included
+from .declared_dependencies import DeclaredDependencies
+from .undeclared_includes import IncludeDependencies
 
 AUTOMATIC = re.compile(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
 """Commands that find packages, or may well do so, such as `autoware_package`."""
@@ -22,7 +22,7 @@ MIN_LETTERS = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Unfound:
+class MissingFindPackage:
     name: str
     path: str
     span: Span
@@ -34,10 +34,10 @@ class Unfound:
 
 
 @dataclass(frozen=True)
-class UnfoundPackages:
-    included: Included
+class MissingFindPackages:
+    included: IncludeDependencies
 
-    def all(self) -> Iterator[Unfound]:
+    def all(self) -> Iterator[MissingFindPackage]:
         """Yield each package once: where a target is linked with it, else where its headers are included.
 
         What comes for certain with a package that is found is left out.
@@ -51,7 +51,7 @@ class UnfoundPackages:
                     yield each
 
     @property
-    def declared(self) -> Declared:
+    def declared(self) -> DeclaredDependencies:
         return self.included.declared
 
     @cached_property
@@ -69,23 +69,23 @@ class UnfoundPackages:
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
         return cmake.complete and not cmake.clouded and not automatic and not any(HOLE in name for name in self.found)
 
-    def is_declared(self, each: Unfound) -> bool:
+    def is_declared(self, each: MissingFindPackage) -> bool:
         tags = BUILDS | {"test_depend"} if each.testing else BUILDS
         package = self.declared.workspace.what(each.name) is Known.PACKAGE
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
 
-    def linked(self, maybe: bool) -> Iterator[Unfound]:
+    def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:
         own = {target.name for target in self.included.cmake.targets}
         for link in Links(self.included.cmake).all:
             name, colons, _ = link.word.text.partition("::")
             certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
             if certain and (colons or link.package):
                 does = f"`{link.target}` is linked with it"
-                yield Unfound(name, link.word.path, link.word.span, link.call.testing, does, maybe)
+                yield MissingFindPackage(name, link.word.path, link.word.span, link.call.testing, does, maybe)
 
-    def headers(self, maybe: bool) -> Iterator[Unfound]:
+    def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
         for each in self.included.from_elsewhere():
             if each.cmake == each.names[0]:
                 first = each.uses[0]
                 does = f"`{first.header}` is included here"
-                yield Unfound(each.cmake, first.path, first.span, each.role == "test", does, maybe)
+                yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", does, maybe)

@@ -4,30 +4,30 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...package.interfaces.declared import Interface
+from ...package.interfaces.interface_file import Interface
 from ...source import Span
-from .declared import Declared
+from .declared_dependencies import DeclaredDependencies
 
 
 @dataclass(frozen=True, slots=True)
-class TypeUse:
+class InterfaceTypeUse:
     path: str
     span: Span
     type: str
 
 
 @dataclass(frozen=True)
-class Typed:
-    declared: Declared
+class InterfaceTypeDependencies:
+    declared: DeclaredDependencies
     interfaces: tuple[Interface, ...]
 
-    def undeclared(self) -> dict[str, list[TypeUse]]:
+    def undeclared(self) -> dict[str, list[InterfaceTypeUse]]:
         """Return the packages whose types are used and which are not declared, with the places."""
-        found: dict[str, list[TypeUse]] = {}
+        found: dict[str, list[InterfaceTypeUse]] = {}
         for interface in self.interfaces if self.is_generated else ():
             for each in interface.types:
                 if each.package and not self.declared.has([each.package]):
-                    use = TypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
+                    use = InterfaceTypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
                     found.setdefault(each.package, []).append(use)
         return found
 

@@ -9,10 +9,10 @@ from ...package.manifest import Dependency
 from ...ros.manifest import BUILDS, RUNS
 from ...ros.stands_for import IN_LAUNCH_FILES, IN_SOURCES, brought
 from ...source import Span
-from .declared import Declared
-from .imported import Imported
-from .included import Included
-from .launched import Launched
+from .declared_dependencies import DeclaredDependencies
+from .undeclared_imports import ImportDependencies
+from .undeclared_includes import IncludeDependencies
+from .undeclared_launch_packages import LaunchDependencies
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,11 +30,11 @@ class WrongKind:
 
 
 @dataclass(frozen=True)
-class Kinds:
-    declared: Declared
-    imported: Imported
-    launched: Launched
-    included: Included | None
+class DependencyKinds:
+    declared: DeclaredDependencies
+    imported: ImportDependencies
+    launched: LaunchDependencies
+    included: IncludeDependencies | None
 
     def wrong(self) -> Iterator[WrongKind]:
         """Yield the dependencies that are used when the package runs, or is built, and are not there then."""

@@ -8,20 +8,20 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Literal
 
-from ...package.cmake.packages import FoundPackage
-from ...package.cmake.project import CMake
-from ...package.interfaces.declared import Interface
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.find_package import FoundPackage
+from ...package.interfaces.interface_file import Interface
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.names import Known
 from ...ros.stands_for import IN_CMAKE, brought
-from .declared import Declared
+from .declared_dependencies import DeclaredDependencies
 
-SAID_ELSEWHERE = frozenset({"ament_cmake"})
+REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
 
 
 @dataclass(frozen=True, slots=True)
-class Sought:
+class UndeclaredFindPackage:
     """What CMake looks for, and the names of which any serves it; the first is the one to recommend."""
 
     found: FoundPackage
@@ -31,14 +31,14 @@ class Sought:
 
 
 @dataclass(frozen=True)
-class SoughtAndDeclared:
+class FindPackageDependencies:
     """The packages that CMake looks for, and what package.xml declares."""
 
-    declared: Declared
+    declared: DeclaredDependencies
     cmake: CMake
     interfaces: tuple[Interface, ...] = ()
 
-    def missing(self) -> Iterator[Sought]:
+    def missing(self) -> Iterator[UndeclaredFindPackage]:
         """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
         if not self.declared.judged:
             return
@@ -50,7 +50,7 @@ class SoughtAndDeclared:
             seen.add(found.name)
             names = self.serving(found.name)
             if names and not self.declared.has(names) and not there.intersection(names):
-                yield Sought(found, names, self.is_brought(found, names))
+                yield UndeclaredFindPackage(found, names, self.is_brought(found, names))
 
     def is_brought(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["surely", "maybe", "no"]:
         brings = self.declared.brought
@@ -79,7 +79,7 @@ class SoughtAndDeclared:
         """Return whether another rule asks for it: that for build tools, or those for interfaces."""
         generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
         typed = any(each.package == name for interface in self.interfaces for each in interface.types)
-        return name in SAID_ELSEWHERE or generates or typed
+        return name in REPORTED_ELSEWHERE or generates or typed
 
     def serving(self, name: str) -> tuple[str, ...]:
         """Return what serves find_package(name) besides the package itself.

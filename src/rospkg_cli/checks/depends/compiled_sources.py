@@ -7,24 +7,24 @@ from collections.abc import Collection, Iterable, Mapping
 
 from ...languages.cmake.call import located
 from ...languages.cpp.file import CppFile
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
 
 
-def compiled(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
+def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
     """Return the files that a target is made of, the headers beside them, and what these include of the package.
 
     Those that are there for tests alone are told apart. All files where the sources of a target can't be told.
     """
     files = {source.path: source for source in sources}
     named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
-    if not sources_are_told(cmake):
+    if not are_sources_known(cmake):
         return [(source, as_built(role_of(path))) for path, source in files.items()]
     public = {path for path in files if "include/" in path}
-    run = reached(files, named[False] | public)
-    tests = reached(files, named[True]) - run
+    run = with_included(files, named[False] | public)
+    tests = with_included(files, named[True]) - run
     headers = {path for path in files if path.endswith(HEADERS) and as_built(role_of(path)) == "run"} - tests
     headers = headers if run or not tests else set()
     found: list[tuple[CppFile, Role]] = []
@@ -40,7 +40,7 @@ def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 
 
-def reached(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str]:
+def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str]:
     """Return some files, and those of the package that they include."""
     by_name: dict[str, list[str]] = {}
     for path in files:
@@ -72,7 +72,7 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[st
     return found
 
 
-def sources_are_told(cmake: CMake) -> bool:
+def are_sources_known(cmake: CMake) -> bool:
     """Return whether it can be told what every target is made of."""
     folders = (located(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
     words = (word.known for target in cmake.targets for word in target.sources)

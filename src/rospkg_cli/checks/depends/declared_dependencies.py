@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.facts import PackageFacts
 from ...package.manifest import Manifest
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
@@ -19,15 +19,15 @@ from ...suggest import near
 MAX_DEPTH = 20
 
 
-def plain(name: str) -> str:
+def normalized(name: str) -> str:
     return name.replace("-", "_").lower()
 
 
-COMMENTED = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
+COMMENTED_DEPENDENCY = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
 
 @dataclass(frozen=True)
-class Declared:
+class DeclaredDependencies:
     """The dependencies of one package, with those that a metapackage of the workspace stands for."""
 
     manifest: Manifest
@@ -55,7 +55,7 @@ class Declared:
             found.add(name)
             facts = self.workspace.named(name)
             if depth < MAX_DEPTH:
-                waiting += [(other, depth + 1) for other in gathered(name, facts)]
+                waiting += [(other, depth + 1) for other in metapackage_members(name, facts)]
         return found
 
     def has(self, names: Iterable[str]) -> bool:
@@ -70,7 +70,7 @@ class Declared:
         The package itself in other letters, a dependency in a tag that there isn't, or one whose name nobody knows and
         that is near, or is the one of PyPI.
         """
-        if plain(name) == plain(self.facts.name) or name in self.in_unknown_tags:
+        if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
             return True
         return name in self.meant or bool(self.unknown and near(name, self.unknown))
 
@@ -125,7 +125,7 @@ class Declared:
     def put_aside(self) -> frozenset[str]:
         """The dependencies that stand in comments: somebody thought about them."""
         comments = "\n".join(comment.text for comment in self.manifest.document.comments)
-        return frozenset(COMMENTED.findall(comments))
+        return frozenset(COMMENTED_DEPENDENCY.findall(comments))
 
     def needs_us(self, name: str) -> bool:
         """Return whether a package of the workspace needs this one: to depend on it would close a circle."""
@@ -141,7 +141,7 @@ class Declared:
         return False
 
 
-def gathered(name: str, facts: PackageFacts | None) -> Iterable[str]:
+def metapackage_members(name: str, facts: PackageFacts | None) -> Iterable[str]:
     """Return what a package names if it is a metapackage: one of the workspace, or one that everybody knows."""
     if facts is None:
         return rows("metapackages.txt").get(name, ())
