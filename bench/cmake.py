@@ -24,10 +24,10 @@ from pathlib import Path
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.cmake.blocks import nest
+from rospkg_cli.languages.cmake.command_blocks import nest
 from rospkg_cli.languages.cmake.lexer import tokens
 from rospkg_cli.languages.cmake.syntax import parse
-from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.package import Package
 from rospkg_cli.source import Source
 

@@ -29,9 +29,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.languages.cmake.call import Call
-from rospkg_cli.languages.cmake.words import BINARY, HOLE, PREFIX, SOURCE, Word, split
-from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.languages.cmake.evaluated_command import Call
+from rospkg_cli.languages.cmake.values import BINARY, HOLE, PREFIX, SOURCE, Word, split
+from rospkg_cli.package.cmake.cmake_project import CMake
 
 from .cmake_world import World, make_world, name_of, open_package
 

@@ -19,10 +19,10 @@ from pathlib import Path
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.cmake.call import flags_and_values
-from rospkg_cli.languages.cmake.words import Word
-from rospkg_cli.package.cmake.project import CMake
-from rospkg_cli.package.install import InstallTable
+from rospkg_cli.languages.cmake.evaluated_command import flags_and_values
+from rospkg_cli.languages.cmake.values import Word
+from rospkg_cli.package.cmake.cmake_project import CMake
+from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.package import Package
 

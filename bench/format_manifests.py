@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
-from rospkg_cli.format import format_text
+from rospkg_cli.edits.format_manifest import format_text
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import UnreadableError

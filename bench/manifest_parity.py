@@ -24,8 +24,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from rospkg_cli.edits.format_manifest import format_text
 from rospkg_cli.finding import Finding, Severity
-from rospkg_cli.format import format_text
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.package.schema.schema import accepts
 from rospkg_cli.source import Source

@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rospkg_cli.languages.yaml.yaml import documents
+from rospkg_cli.languages.yaml.nodes import documents
 from rospkg_cli.package.params.file import is_unknown
 from rospkg_cli.package.params.judge import judge
 from rospkg_cli.package.params.reader import is_parameter_file

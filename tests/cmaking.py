@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.cmake.call import Call
-from rospkg_cli.package.cmake.project import CMake
-from rospkg_cli.package.cmake.table import cmake_table
+from rospkg_cli.languages.cmake.evaluated_command import Call
+from rospkg_cli.package.cmake.cmake_install_table import cmake_table
+from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.package import Package
 from rospkg_cli.tree import MemoryTree
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.arrange import arrange, canonical_order, items_of, schema_order
+from rospkg_cli.edits.reorder import arrange, canonical_order, items_of, schema_order
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source

@@ -10,8 +10,8 @@ from cmaking import read
 
 from rospkg_cli.engine.suppression.comments import in_source
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.languages.cmake.frame import MAX_COST
-from rospkg_cli.languages.cmake.words import HOLE
+from rospkg_cli.languages.cmake.call_stack import MAX_COST
+from rospkg_cli.languages.cmake.values import HOLE
 from rospkg_cli.ros.license_words import is_prose, licenses_in
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rospkg_cli.example import BACKDROPS
-from rospkg_cli.languages.cmake.blocks import Block, nest
+from rospkg_cli.languages.cmake.command_blocks import Block, nest
 from rospkg_cli.languages.cmake.lexer import tokens
 from rospkg_cli.languages.cmake.syntax import parse
 from rospkg_cli.source import Source

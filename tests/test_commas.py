@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.commas import append, remove
+from rospkg_cli.edits.python_list import append, remove
 from rospkg_cli.finding import Edit
-from rospkg_cli.languages.python.python import parse_python
+from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source, Span
 
 

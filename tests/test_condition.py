@@ -9,7 +9,7 @@ from catkin_pkg.condition import evaluate_condition
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.condition import ConditionError, parse_condition, possible, together
+from rospkg_cli.languages.rep149_condition import ConditionError, parse_condition, possible, together
 from rospkg_cli.ros.distros import Targets
 
 ROS = Targets(("humble", "jazzy")).environments()

@@ -6,8 +6,8 @@ import pytest
 
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cpp.file import read_cpp
-from rospkg_cli.languages.python.python import parse_python
-from rospkg_cli.languages.yaml.yaml import documents
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.languages.yaml.nodes import documents
 from rospkg_cli.package.params import cpp, python
 from rospkg_cli.package.params.declared import DeclaredParameter
 from rospkg_cli.package.params.library import library

@@ -7,7 +7,7 @@ from xml.sax import saxutils
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.tags import escape, quoted
+from rospkg_cli.edits.manifest_tags import escape, quoted
 
 TEXTS = st.text("ab&<>;#\"'\n\r\t é")
 

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.python.evaluate.conversion import NotPlainError, plain, unknowns
 from rospkg_cli.languages.python.evaluate.evaluator import Evaluator
-from rospkg_cli.languages.python.evaluate.folder import Folder
-from rospkg_cli.languages.python.evaluate.plain import NotPlainError, plain, unknowns
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
 from rospkg_cli.languages.python.evaluate.values import Call, Joined, Sequence, Text, Unknown, Value
-from rospkg_cli.languages.python.python import parse_python
+from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
 from rospkg_cli.unreadable import UnreadableError

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.python.evaluate.bounds import MAX_STEPS
+from rospkg_cli.languages.python.evaluate.conversion import unknowns
 from rospkg_cli.languages.python.evaluate.evaluator import Evaluator
-from rospkg_cli.languages.python.evaluate.folder import Folder
-from rospkg_cli.languages.python.evaluate.plain import unknowns
+from rospkg_cli.languages.python.evaluate.limits import MAX_STEPS
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
 from rospkg_cli.languages.python.evaluate.values import Text, Unknown
-from rospkg_cli.languages.python.python import parse_python
+from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
 

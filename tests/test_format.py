@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rospkg_cli.cli.format.run.run import format_manifests
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.format import format_manifests
+from rospkg_cli.edits.format_manifest import format_text
 from rospkg_cli.example import manifest
-from rospkg_cli.format import format_text
 
 SORTED = manifest("  <exec_depend>rclpy</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n")
 UNSORTED = manifest("  <exec_depend>tf2_ros</exec_depend>\n  <exec_depend>rclpy</exec_depend>\n")

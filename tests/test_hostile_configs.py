@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rospkg_cli.config.file.file import MAX_TEXT, ConfigError, find_config
 
-from rospkg_cli.config import MAX_TEXT, ConfigError, find_config
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
-from rospkg_cli.engine.discovery.elsewhere import lists_some
+from rospkg_cli.engine.discovery.incomplete_workspace import lists_some
 
 CONFIGS = {
     "lists": ("x = " + "[" * 100_000, "nested too deeply"),

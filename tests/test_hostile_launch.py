@@ -6,15 +6,15 @@ import pytest
 
 from rospkg_cli.checks.launch.scope import LaunchScope
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.python.evaluate.folder import Folder
-from rospkg_cli.languages.python.python import parse_python
-from rospkg_cli.languages.xml.xml import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.languages.xml.parser import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
 from rospkg_cli.package.launch.around import LaunchFiles
 from rospkg_cli.package.launch.evaluation import LaunchEvaluator
 from rospkg_cli.package.launch.events import Summary
 from rospkg_cli.package.launch.events_python import MAX_VISITS, Visit
 from rospkg_cli.package.launch.python import read_python_launch
-from rospkg_cli.package.setup.cfg import parse_setup_cfg
+from rospkg_cli.package.setup.setup_cfg import parse_setup_cfg
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
 from rospkg_cli.unreadable import UnreadableError

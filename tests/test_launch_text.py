@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.written import Written
+from rospkg_cli.languages.located_text import Written
 from rospkg_cli.package.launch.substitution import MAX_DEPTH, SubstitutionError, parse_text
 from rospkg_cli.package.launch.text import LaunchText, Literal
 from rospkg_cli.source import Span

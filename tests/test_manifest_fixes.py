@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rospkg_cli.edits.manifest import add_dependency, add_element, add_export, remove_element
-from rospkg_cli.edits.tags import remove_attribute, rename_tag, set_attribute, set_text
-from rospkg_cli.edits.upgrade import to_format_3
+from rospkg_cli.edits.manifest_format import to_format_3
+from rospkg_cli.edits.manifest_tags import remove_attribute, rename_tag, set_attribute, set_text
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.engine.fixing.fix import repair
 from rospkg_cli.engine.run.session import Scope, Session

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.languages.python import newer_syntax
+from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.python.newer_syntax import is_newer, needs_newer
-from rospkg_cli.languages.python.python import parse_python
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import UnreadableError
 

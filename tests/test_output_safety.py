@@ -14,12 +14,12 @@ import pytest
 from markdown_it import MarkdownIt
 
 from rospkg_cli.cli.diff import diff
+from rospkg_cli.control_characters import in_json, no_command, visible, visible_lines
 from rospkg_cli.engine.run.session import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Place, Severity
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.source import Source, Span
 from rospkg_cli.tree import Entry
-from rospkg_cli.visible import in_json, no_command, visible, visible_lines
 
 C0 = "".join(map(chr, range(0x20)))
 C1 = "".join(map(chr, range(0x7F, 0xA0)))

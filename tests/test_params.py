@@ -6,7 +6,7 @@ import pytest
 
 from rospkg_cli.checks.params.numbers import ambiguous_numbers, canonical
 from rospkg_cli.example import BACKDROPS
-from rospkg_cli.languages.yaml.yaml import Scalar, documents
+from rospkg_cli.languages.yaml.nodes import Scalar, documents
 from rospkg_cli.package.params.file import ParameterFile
 from rospkg_cli.package.params.judge import judge
 from rospkg_cli.package.params.value import type_of, yaml_type

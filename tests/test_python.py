@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.python.python import PythonFile, parse_python
+from rospkg_cli.languages.python.file import PythonFile, parse_python
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import UnreadableError
 

@@ -7,8 +7,8 @@ import ast
 import pytest
 
 from rospkg_cli.languages.python import syntax
-from rospkg_cli.languages.python.python import parse_python
-from rospkg_cli.languages.python.python_size import MAX_DEPTH, MAX_TOKENS
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.languages.python.size_limits import MAX_DEPTH, MAX_TOKENS
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import Unreadable, UnreadableError
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rospkg_cli.config.file.file import find_config
 
-from rospkg_cli.config import find_config
-from rospkg_cli.engine.judge import Judge
+from rospkg_cli.engine.config_filter import Judge
 from rospkg_cli.engine.selection import Selection
-from rospkg_cli.engine.suppression.config_names import complaints
+from rospkg_cli.engine.suppression.config_rule_names import complaints
 from rospkg_cli.finding import Finding, Severity
-from rospkg_cli.package.happenings import UnknownRuleName
+from rospkg_cli.package.run_events import UnknownRuleName
 from rospkg_cli.testing import lint_files
 
 

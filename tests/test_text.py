@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.text import decode
+from rospkg_cli.encoding import decode
 
 BODY = '<?xml version="1.0" encoding="{}"?>\n<a>grün</a>\n'
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.xml.xml import MAX_DEPTH, Document, read_xml
+from rospkg_cli.languages.xml.parser import MAX_DEPTH, Document, read_xml
 from rospkg_cli.source import Source, Span
 from rospkg_cli.unreadable import Unreadable, UnreadableError
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.yaml.yaml import Mapping, Scalar, Sequence, YamlNode, documents
-from rospkg_cli.languages.yaml.yaml_aliases import unfolded
+from rospkg_cli.languages.yaml.aliases import unfolded
+from rospkg_cli.languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode, documents
 from rospkg_cli.source import Source, Span
 from rospkg_cli.unreadable import UnreadableError
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .visible import visible
+from .control_characters import visible
 
 LONGEST = 2_000
 """Characters; what was given is quoted whole up to here."""

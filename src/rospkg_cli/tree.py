@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, Protocol
 
-from .text import Text, decode
+from .encoding import Text, decode
 
 Kind = Literal["file", "link", "outside", "dir", "linked-dir", "linked-package", "other"]
 """What stands at a path: a regular file; a link to one that may be read; a link to one out of the package and its

@@ -9,7 +9,12 @@ import typer
 
 from .. import __version__
 from . import UsageError
-from .commands import explain, format, index, inspect, lint, new
+from .explain import options as explain
+from .format import options as format
+from .index import options as index
+from .inspect import options as inspect
+from .lint import options as lint
+from .new import options as new
 from .streams import OutputError, guarded, say
 
 CTRL_C = 130
@@ -63,7 +68,7 @@ def status() -> int:
     from ..engine.discovery.locate import LocateError
     from ..engine.fixing.signals import StoppedError
     from ..engine.fixing.write import WriteError
-    from ..engine.run.plugged import PluginError
+    from ..engine.run.rule_plugins import PluginError
     from ..index import NamesError
 
     try:
@@ -104,7 +109,7 @@ def failed(error: Exception) -> int:
     if "-v" in sys.argv or "--verbose" in sys.argv:
         import traceback
 
-        from ..visible import no_command, visible_lines
+        from ..control_characters import no_command, visible_lines
 
         print(no_command(visible_lines("".join(traceback.format_exception(error)))), end="", file=sys.stderr)
     what = f"{type(error).__name__}: {error}"

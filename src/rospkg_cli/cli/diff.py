@@ -5,9 +5,9 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 
+from ..control_characters import no_command, visible, visible_lines
 from ..engine.fixing.apply import Changes
 from ..tree import Entry, Tree
-from ..visible import no_command, visible, visible_lines
 
 
 def unified(tree: Tree, changes: Changes) -> Iterator[str]:

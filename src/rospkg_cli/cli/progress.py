@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from threading import Lock, Timer
 from typing import TYPE_CHECKING
 
-from ..visible import visible
+from ..control_characters import visible
 
 if TYPE_CHECKING:
     from rich.status import Status

@@ -144,6 +144,6 @@ def mute(stream: IO[str]) -> None:
 
 def say(sentence: str) -> None:
     """Print a sentence on stderr, on one line that nothing in it can break."""
-    from ..visible import visible
+    from ..control_characters import visible
 
     print(f"rospkg: {visible(sentence)}", file=sys.stderr)

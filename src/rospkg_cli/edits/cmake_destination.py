@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.astray import Astray
+from ..checks.cmake.misplaced_executables import Astray
 from ..finding import Edit
 from ..languages.cmake.syntax import Argument
-from ..package.cmake.project import CMake
+from ..package.cmake.cmake_project import CMake
 from ..source import Span
-from .cmake import add_after
+from .cmake_commands import add_after
 from .cmake_install import LIBEXEC, block
 
 

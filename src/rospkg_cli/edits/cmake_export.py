@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ..finding import Edit
 from ..languages.cmake.syntax import Command
-from ..package.cmake.project import CMake
-from .cmake import add_after, add_argument
+from ..package.cmake.cmake_project import CMake
+from .cmake_commands import add_after, add_argument
 from .cmake_install import add_rule
 
 

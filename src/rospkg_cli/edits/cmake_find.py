@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..languages.cmake.call import Call
+from ..languages.cmake.evaluated_command import Call
 from ..languages.cmake.syntax import Command
-from ..package.cmake.project import CMake
-from .cmake import add_after, add_before
-from .plain import PLAIN
+from ..package.cmake.cmake_project import CMake
+from .cmake_commands import add_after, add_before
+from .plain_names import PLAIN
 
 
 def find(cmake: CMake, name: str, before: Call) -> tuple[Edit, ...]:

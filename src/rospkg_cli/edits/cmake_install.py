@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ..finding import Edit
-from ..languages.cmake.call import Call
-from ..languages.cmake.read import CMakeFile
+from ..languages.cmake.evaluated_command import Call
+from ..languages.cmake.file import CMakeFile
 from ..languages.cmake.syntax import Command
 from ..languages.cmake.targets import Target
-from ..package.cmake.installs import InstallRule
-from ..package.cmake.project import CMake
+from ..package.cmake.cmake_project import CMake
+from ..package.cmake.install_rules import InstallRule
 from ..source import Span
-from .cmake import add_after, add_argument, add_at_end, add_before
+from .cmake_commands import add_after, add_argument, add_at_end, add_before
 
 SHARE = "share/${PROJECT_NAME}"
 LIBEXEC = "lib/${PROJECT_NAME}"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.linking import Part, Removed, Replacement
+from ..checks.cmake.ament_target_dependencies import Part, Removed, Replacement
 from ..finding import Edit
 from ..source import Span
-from .cmake import remove
+from .cmake_commands import remove
 
 
 def link_instead(removed: Removed, replacement: Replacement) -> tuple[Edit, ...]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..package.cmake.project import CMake
-from .cmake import add_after
+from ..package.cmake.cmake_project import CMake
+from .cmake_commands import add_after
 from .cmake_install import add_rule
 
 FINDER = "ament_cmake_python"

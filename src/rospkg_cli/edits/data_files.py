@@ -9,8 +9,8 @@ from ..languages.python.evaluate.values import Globbed, Sequence, Symbol
 from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
-from . import commas
-from .setup import add_argument, add_item, import_code, name_code, quoted, replace_text
+from . import python_list as commas
+from .setup_py import add_argument, add_item, import_code, name_code, quoted, replace_text
 
 
 def share_code(setup: SetupPy, name: str, *below: str) -> str:

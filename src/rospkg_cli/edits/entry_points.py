@@ -8,10 +8,10 @@ import tokenize
 
 from ..finding import Edit
 from ..package.setup.entry_points import EntryPoint, parse_entry_point
-from ..package.setup.said import Said
+from ..package.setup.located_text import Said
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
-from .setup import add_item, quoted, replace_text
+from .setup_py import add_item, quoted, replace_text
 
 SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
 

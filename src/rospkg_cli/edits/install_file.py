@@ -5,12 +5,12 @@ from __future__ import annotations
 import posixpath
 
 from ..finding import Edit
-from ..package.cmake.project import CMake
+from ..package.cmake.cmake_project import CMake
 from ..package.setup.setup_py import SetupPy
 from .cmake_install import SHARE, block, extend_or_add
 from .data_files import add_data_entry, share_code
-from .plain import PLAIN
-from .setup import add_item, quoted
+from .plain_names import PLAIN
+from .setup_py import add_item, quoted
 
 
 def install_for_cmake(cmake: CMake, name: str, path: str) -> tuple[Edit, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..languages.xml.xml_tree import Comment, Element
+from ..languages.xml.elements import Comment, Element
 from ..package.manifest import Dependency, Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, place_of
 from ..source import Span

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..files import Reading
-from ..languages.condition import possible
-from ..languages.xml.xml import Attribute, Document, Element, Instruction, read_xml
+from ..languages.rep149_condition import possible
+from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
 from ..ros.distros import Targets
 from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span

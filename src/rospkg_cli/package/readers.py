@@ -6,33 +6,33 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from ..files import Reading
-from ..languages.cmake.read import CMakeFile
+from ..languages.cmake.file import CMakeFile
 from ..languages.cpp.file import CppFile
 from ..languages.cpp.read import read_cpp_files
-from ..languages.python.python import PythonFile
+from ..languages.python.file import PythonFile
 from ..unreadable import Unreadable
 from .changelog import Changelog, read_changelog
-from .cmake.project import CMake, read_cmake, read_cmake_files
-from .install import InstallTable
-from .installed import read_install_table
-from .interfaces.declared import Interface
+from .cmake.cmake_project import CMake, read_cmake, read_cmake_files
+from .install_table import InstallTable
+from .interfaces.interface_file import Interface
 from .interfaces.reader import read_interfaces
 from .launch.file import LaunchFile
 from .launch.reader import read_launch_files
 from .manifest import Manifest, read_manifest
-from .modules import Modules, read_installed_modules, read_modules
 from .params.file import ParameterFile
 from .params.library import ParameterLibrary, read_parameter_libraries
 from .params.reader import read_parameter_files
 from .plugins.description import PluginDescription
 from .plugins.loaders import PluginLoaders, read_plugin_loaders
-from .plugins.read import read_plugin_descriptions
-from .python.use import PythonUse, read_python_use
-from .setup.cfg import SetupCfg, read_setup_cfg
-from .setup.read import read_setup_py
+from .plugins.read_descriptions import read_plugin_descriptions
+from .python.python_imports import PythonUse, read_python_use
+from .python_modules import Modules, read_installed_modules, read_modules
+from .read_install_table import read_install_table
+from .setup.read_setup_py import read_setup_py
+from .setup.setup_cfg import SetupCfg, read_setup_cfg
 from .setup.setup_py import SetupPy
-from .urdf.file import RobotFile
 from .urdf.reader import read_robot_files
+from .urdf.robot_file import RobotFile
 
 READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
+from ..control_characters import no_command, visible
 from ..engine.run.session import Results
 from ..finding import Finding, Severity
-from ..visible import no_command, visible
-from .shown import shown
+from .printable import shown
 
 FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
 EXACT = frozenset({"json", "sarif", "gitlab", "rdjson"})

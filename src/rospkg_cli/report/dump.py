@@ -6,7 +6,7 @@ import codecs
 import json
 from typing import IO, Any
 
-from ..visible import in_json, without_surrogates
+from ..control_characters import in_json, without_surrogates
 
 
 def dump(document: Any, stream: IO[str]) -> None:

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from typing import IO
 from xml.sax.saxutils import escape, quoteattr
 
+from ..control_characters import no_command, visible_lines
 from ..finding import Finding, Severity
-from ..visible import no_command, visible_lines
 from . import Report
 from .dump import is_unicode
 

@@ -7,9 +7,9 @@ from typing import IO, Any
 from urllib.parse import quote
 
 from .. import __version__
-from ..docs import explain, summary
 from ..finding import Create, Delete, Edit, Finding, Place, Severity
 from ..rule import Rule, all_rules
+from ..rule_docs import explain, summary
 from . import Report
 from .dump import dump
 from .fingerprint import fingerprints

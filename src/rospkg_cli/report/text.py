@@ -5,9 +5,9 @@ from __future__ import annotations
 import textwrap
 from typing import IO
 
+from ..control_characters import no_command, visible_lines
 from ..finding import Finding, Safety, Severity
-from ..visible import no_command, visible_lines
-from .style import OF_SEVERITY, paint
+from .color import OF_SEVERITY, paint
 
 from . import Report  # isort: skip
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Collection, Iterable, Mapping
 
-from ...languages.cmake.call import located
+from ...languages.cmake.evaluated_command import located
 from ...languages.cpp.file import CppFile
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...languages.python.python import Import
+from ...languages.python.file import Import
 from ...ros.imports import may_serve
 from .declared_dependencies import DeclaredDependencies
 

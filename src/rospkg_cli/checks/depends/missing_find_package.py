@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.words import HOLE
+from ...languages.cmake.values import HOLE
 from ...package.cmake.target_links import Links
 from ...ros.manifest import BUILDS
 from ...ros.names import Known

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.condition import certain
+from ...languages.rep149_condition import certain
 from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Distro, Targets

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
-from ...languages.python.python import Import
+from ...languages.python.file import Import
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
 from ...package.python.python_imports import PythonUse

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from ...ros.launch_names import EXPORTS, home_of
 from ...source import Span
 from ...suggest import nearest

@@ -7,7 +7,7 @@ import builtins
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ...languages.python.python import PythonFile, bindings
+from ...languages.python.file import PythonFile, bindings
 from ...source import Span
 
 GIVEN = frozenset(dir(builtins)) | frozenset(

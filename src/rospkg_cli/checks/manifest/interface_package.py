@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.call import Call
-from ...package.cmake.project import CMake
+from ...languages.cmake.evaluated_command import Call
+from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Manifest
 from ...ros.interfaces import GROUP
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...languages.yaml.yaml import Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import Scalar, Sequence, YamlNode
 from ...package.params.file import ParameterFile
 from ...package.params.value import integer, type_of, yaml_type
 from ...source import Span

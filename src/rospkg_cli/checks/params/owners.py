@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cpp.file import CppFile
-from ...languages.yaml.yaml import Scalar, YamlNode
-from ...languages.yaml.yaml import Sequence as YamlSequence
-from ...package.facts import PackageFacts
+from ...languages.yaml.nodes import Scalar, YamlNode
+from ...languages.yaml.nodes import Sequence as YamlSequence
+from ...package.package_facts import PackageFacts
 from ...package.params.cpp import read_in
 from ...package.params.declared import DeclaredParameter, type_named
 from ...package.params.file import NodeBlock, Parameter, ParameterFile

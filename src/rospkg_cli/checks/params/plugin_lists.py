@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...languages.yaml.yaml import Scalar, Sequence
+from ...languages.yaml.nodes import Scalar, Sequence
 from ...package.params.file import NodeBlock
 
 LISTS = re.compile(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")

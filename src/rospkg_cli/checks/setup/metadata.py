@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.xml.xml import Element
+from ...languages.xml.parser import Element
 from ...package.manifest import Manifest
-from ...package.setup.said import Said
+from ...package.setup.located_text import Said
 from ...package.setup.setup_py import SetupPy
 from ...ros.licenses import spdx_id
 

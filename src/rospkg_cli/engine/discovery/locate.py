@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
-from ...config import Config
+from ...config.file import Config
+from ...current_folder import absolute, here
 from ...fence import is_shared
-from ...here import absolute, here
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
-from .elsewhere import lists_others
-from .hidden import ONLY_WHEN_GIVEN, hidden_below
-from .prefixes import prefix_names
+from .hidden_packages import ONLY_WHEN_GIVEN, hidden_below
+from .incomplete_workspace import lists_others
+from .installed_packages import prefix_names
 
 NO_CONFIG = Config()
 

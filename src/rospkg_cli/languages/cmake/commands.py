@@ -6,15 +6,15 @@ import posixpath
 import re
 from collections.abc import Callable, Mapping
 
-from .call import Call
-from .frame import PYTHON, LeaveError
-from .globbing import run_file
-from .machine import Machine
-from .read import ROOT
-from .scope import Scope
-from .strings import run_get_filename_component, run_string
+from .call_stack import PYTHON, LeaveError
+from .evaluated_command import Call
+from .file import ROOT
+from .file_command import run_file
+from .interpreter import Machine
+from .string_commands import run_get_filename_component, run_string
 from .targets import MAKERS
-from .variables import (
+from .values import BINARY, HOLE, SOURCE
+from .variable_commands import (
     run_list,
     run_math,
     run_option,
@@ -23,7 +23,7 @@ from .variables import (
     run_set,
     run_unset,
 )
-from .words import BINARY, HOLE, SOURCE
+from .variable_scope import Scope
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from .pattern import search, steps
-from .words import HOLE, Value, Word, joined
+from .regex import search, steps
+from .values import HOLE, Value, Word, joined
 
 Truth = bool | None
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from .blocks import Block
-from .call import Call
-from .frame import Function, LeaveError
-from .machine import Machine
-from .scope import Scope
-from .words import HOLE, Value, as_value
+from .call_stack import Function, LeaveError
+from .command_blocks import Block
+from .evaluated_command import Call
+from .interpreter import Machine
+from .values import HOLE, Value, as_value
+from .variable_scope import Scope
 
 AGAIN = re.compile(r"\$\{|\\")
 """What a macro evaluates once more where it uses an argument."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from .blocks import Block
+from .call_stack import ExhaustedError, LeaveError
+from .command_blocks import Block
 from .condition import evaluate
-from .frame import ExhaustedError, LeaveError
-from .machine import Machine
-from .words import HOLE, Value, Word, as_value
-from .world import World
+from .condition_context import World
+from .interpreter import Machine
+from .values import HOLE, Value, Word, as_value
 
 MAX_ROUNDS = 500
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...source import Source, Span
-from .complaints import unclosed, unexpected
 from .lexer import Token, tokens
+from .parse_errors import unclosed, unexpected
 
 ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from .call import Call, flags_and_values
-from .words import HOLE, Word
+from .evaluated_command import Call, flags_and_values
+from .values import HOLE, Word
 
 Kind = Literal["executable", "library", "other"]
 LIBRARY_TYPES = ("STATIC", "SHARED", "MODULE", "OBJECT", "INTERFACE", "ALIAS", "UNKNOWN")

@@ -18,7 +18,7 @@ from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table
 from .newer_syntax import needs_newer
-from .python_size import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
+from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 
 LINE_END = re.compile(r"\r\n|\r|\n")
 

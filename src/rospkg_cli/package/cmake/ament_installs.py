@@ -5,10 +5,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ...languages.cmake.call import Call, flags_and_values
-from ...languages.cmake.words import Word
-from ..install import PYTHON
-from .installs import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, installed
+from ...languages.cmake.evaluated_command import Call, flags_and_values
+from ...languages.cmake.values import Word
+from ..install_table import PYTHON
+from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, installed
 
 
 def auto_package(project: str) -> Callable[[Call], Iterator[InstallRule]]:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.targets import Target
-from ...languages.cmake.words import HOLE
-from .installs import InstallRule
-from .project import CMake
+from ...languages.cmake.values import HOLE
+from .cmake_project import CMake
+from .install_rules import InstallRule
 
 PYTHON_MODULES = frozenset({"pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library"})
 """Commands whose libraries Python imports: their names have no `lib`, and an end that hangs on the Python."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...files import Reading
-from ...languages.cmake.read import ROOT
+from ...languages.cmake.file import ROOT
 from ...ros.distros import Targets
 from ..manifest import Manifest
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ...languages.cmake.call import Call, flags_and_values
-from ...languages.cmake.words import Word, as_value
+from ...languages.cmake.evaluated_command import Call, flags_and_values
+from ...languages.cmake.values import Word, as_value
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ...languages.written import Written
-from ...languages.xml.xml import Document, Element, read_xml
-from ...languages.yaml.yaml import Mapping, Scalar, Sequence, YamlNode
-from ...languages.yaml.yaml_aliases import unfolded
+from ...languages.located_text import Written
+from ...languages.xml.parser import Document, Element, read_xml
+from ...languages.yaml.aliases import unfolded
+from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode
 from ...source import Source, Span
 from .faults import Fault
 

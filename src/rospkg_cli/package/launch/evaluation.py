@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.python.evaluate.folder import Folder
-from ...languages.python.evaluate.machine import Machine
+from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.state import Machine
 from ...languages.python.evaluate.values import Call, Class, Function, Joined, Scope, Value
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from ...source import Span
 from .values import class_of
 from .watching import Watching

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.written import Written
+from ...languages.located_text import Written
 from ...ros.launch import ACTIONS
 from .entity import Entity
 from .events import Event, file_name, passing, uses_of

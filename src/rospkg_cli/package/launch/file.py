@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ...files import Reading
-from ...languages.python.python import Import, PythonFile
+from ...languages.python.file import Import, PythonFile
 from ...source import Source, Span
 from .events import Event, Summary, summary
 from .faults import Fault as Fault

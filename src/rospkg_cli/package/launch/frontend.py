@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ...languages.written import Written
+from ...languages.located_text import Written
 from ...ros.launch import ACTIONS
 from ...source import Source, Span
 from .defaults import literal_defaults

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from ...source import Span
 
 MISSING = frozenset({"PackageNotFoundError", "LookupError", "KeyError", "Exception", "BaseException"})

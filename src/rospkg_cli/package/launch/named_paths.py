@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal as OneOf
 
-from ...languages.python.evaluate.folder import MAX_PATH, ROOT
+from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
 

@@ -6,9 +6,9 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.evaluator import Evaluator
-from ...languages.python.evaluate.folder import Folder
+from ...languages.python.evaluate.sandbox_filesystem import Folder
 from ...languages.python.evaluate.values import Call, Constant, Joined, Mapping, Sequence, Text, Value
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from .defaults import literal_defaults
 from .evaluation import ENTRIES, LaunchEvaluator
 from .events_python import python_events

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles, Reading
-from ...languages.python.evaluate.folder import Folder
+from ...languages.python.evaluate.sandbox_filesystem import Folder
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
-from ..modules import Modules
+from ..python_modules import Modules
 from .file import LaunchFile
 from .python import read_python_launch
 from .xml_yaml import read_xml_launch, read_yaml_launch

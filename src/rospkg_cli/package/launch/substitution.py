@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from ...languages.written import Written
+from ...languages.located_text import Written
 from .text import LaunchText, Literal, Substitution
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")

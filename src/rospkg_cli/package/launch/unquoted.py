@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from ...source import Span
 from .text import LaunchText, Literal
 from .values import class_of, text_of

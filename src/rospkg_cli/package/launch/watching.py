@@ -6,11 +6,11 @@ import ast
 from collections.abc import Mapping
 
 from ...languages.python.evaluate.evaluator import Evaluator
-from ...languages.python.evaluate.folder import Folder
-from ...languages.python.evaluate.library import LIBRARY
-from ...languages.python.evaluate.machine import Intrinsic, Machine
+from ...languages.python.evaluate.known_functions import LIBRARY
+from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.state import Intrinsic, Machine
 from ...languages.python.evaluate.values import Call, Constant, Joined, Symbol, Text, Value
-from ...languages.python.python import PythonFile
+from ...languages.python.file import PythonFile
 from ...source import Span
 from .misuse import Misuse, is_late, is_substitution, kind_of
 from .values import class_of

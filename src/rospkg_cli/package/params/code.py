@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator
 
 from ...files import Reading
-from ...languages.cmake.call import located
+from ...languages.cmake.evaluated_command import located
 from ...languages.cmake.targets import Target
 from ...languages.cpp.read import SUFFIXES
 from ...unreadable import UnreadableError
-from ..cmake.project import CMake
+from ..cmake.cmake_project import CMake
 from .declared import NodeCode
 
 REGISTERED = re.compile(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")

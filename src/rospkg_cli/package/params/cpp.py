@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 
 from ...languages.cpp.call import Argument, Call
-from ...languages.cpp.enclosing import last_word, unconditional
 from ...languages.cpp.file import CppFile
+from ...languages.cpp.unconditional import last_word, unconditional
 from ...source import Source
 from .declared import DeclaredParameter
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from ...languages.yaml.yaml import Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode
 from ...source import Source, Span
 
 KEY = "ros__parameters"

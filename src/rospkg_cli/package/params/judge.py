@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from collections.abc import Sequence as Many
 
-from ...languages.yaml.yaml import Alias, Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import Alias, Mapping, Scalar, Sequence, YamlNode
 from ...source import Source, Span
 from .file import KEY, Fault, Kind, NodeBlock, ParameterFile, Repetition, below, inside, is_unknown
 from .names import joined, name_fault

@@ -11,13 +11,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...files import Reading
-from ...languages.cmake.call import located
-from ...languages.yaml.yaml import Mapping, Scalar, Sequence, YamlNode, documents
+from ...languages.cmake.evaluated_command import located
+from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode, documents
 from ...source import Source, Span
 from ...suggest import did_you_mean
 from ...unreadable import Unreadable, UnreadableError
-from ..cmake.project import CMake
-from ..modules import Modules
+from ..cmake.cmake_project import CMake
+from ..python_modules import Modules
 from .declared import DeclaredParameter
 from .file import Fault
 from .value import FALSE, TRUE, yaml_type

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...files import Reading
-from ...languages.yaml.yaml import documents
+from ...languages.yaml.nodes import documents
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-from ...languages.yaml.yaml import Scalar
+from ...languages.yaml.nodes import Scalar
 
 ValueType = Literal["bool", "int", "double", "string"]
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.xml.xml import Attribute, Document, Element
+from ...languages.xml.parser import Attribute, Document, Element
 from ...ros.plugins import RQT
 from ...source import Source, Span
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, TypeVar
 
-from ...languages.xml.xml_tree import Document, Element
+from ...languages.xml.elements import Document, Element
 from ...resources import resources
 from ...ros.manifest import ORDER, place_of
 from .violation import Violation

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import xmlschema
 
-from ...languages.xml.xml_tree import Document, Element
+from ...languages.xml.elements import Document, Element
 from ...resources import resources
 from ...ros.manifest import ONCE, REQUIRED, place_of
 from .violation import Kind, Violation

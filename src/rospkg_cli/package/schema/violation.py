@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from ...languages.xml.xml_tree import Element
+from ...languages.xml.elements import Element
 
 
 class Kind(Enum):

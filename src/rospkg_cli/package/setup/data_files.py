@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from ...languages.python.evaluate.folder import ROOT, Folder, OutsideError
+from ...languages.python.evaluate.sandbox_filesystem import ROOT, Folder, OutsideError
 from ...languages.python.evaluate.values import Constant, Globbed, Sequence, Text, Unknown, Value
 from ...source import Span
-from .said import Said
+from .located_text import Said
 
 Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
 

@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from ...languages.python.evaluate.plain import known
+from ...languages.python.evaluate.conversion import known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
 from ...source import Span
-from ..facts import NOWHERE
-from .said import Said
+from ..package_facts import NOWHERE
+from .located_text import Said
 
 WHOLE = re.compile(
     r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"

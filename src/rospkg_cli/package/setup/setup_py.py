@@ -7,17 +7,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.python.evaluate.folder import Kind, OutsideError
-from ...languages.python.evaluate.plain import unknowns
+from ...languages.python.evaluate.conversion import unknowns
+from ...languages.python.evaluate.sandbox_filesystem import Kind, OutsideError
 from ...languages.python.evaluate.values import Call, Globbed, Sequence, Text, Unknown, Value
 from ...languages.python.evaluate.values import Mapping as MappingValue
 from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint
-from .packages import Search, package_folder
-from .said import Said
-from .told import Told
-from .writes import GENERATORS, may_write
+from .file_writing_calls import GENERATORS, may_write
+from .find_packages import Search, package_folder
+from .located_text import Said
+from .setup_arguments import Told
 
 ARGUMENTS = (
     "name version packages py_modules package_dir package_data scripts data_files entry_points extras_require"

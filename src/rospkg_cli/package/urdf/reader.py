@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.urdf.validation import robot_faults
 from ...files import Reading
-from ...languages.xml.xml import Document, Element, read_xml
+from ...languages.xml.parser import Document, Element, read_xml
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
-from .file import Fault, RobotFile
-from .judge import robot_faults
 from .references import local_includes, references
+from .robot_file import Fault, RobotFile
 
 ROBOTS = (".urdf", ".xacro")
 WORLDS = (".sdf", ".world")

@@ -6,9 +6,9 @@ import posixpath
 import re
 from collections.abc import Iterator, Mapping
 
-from ...languages.xml.xml import Document, Element
+from ...languages.xml.parser import Document, Element
 from ...source import Source, Span
-from .file import LocalInclude, Reference, Use
+from .robot_file import LocalInclude, Reference, Use
 
 NAMED = re.compile(
     r"package://(?P<package>[A-Za-z][A-Za-z0-9_-]*)(?P<rest>/[^\s<>\"']*)?"

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...edits.cmake import literal
+from ...edits.cmake_commands import literal
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...edits.cmake import literal
+from ...edits.cmake_commands import literal
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.cmake.package import CMakeForTargets
+from ...package.cmake.cmake_package import CMakeForTargets
 from ...ros.distros import Targets
 from ...rule import rule
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.cmake import add_at_end
+from ...edits.cmake_commands import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 GOOD = """\

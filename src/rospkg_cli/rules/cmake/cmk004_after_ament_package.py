@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.order import Late, late_calls
-from ...edits.cmake import add_at_end, remove
+from ...checks.cmake.after_ament_package import Late, late_calls
+from ...edits.cmake_commands import add_at_end, remove
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 HEAD = CMAKE.removesuffix("ament_package()\n")

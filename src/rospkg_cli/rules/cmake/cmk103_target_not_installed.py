@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.references import References
+from ...checks.cmake.target_references import References
 from ...edits.cmake_install import install_executable, install_library
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.cmake.forgotten import Forgotten, ForgottenTargets
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.uninstalled_targets import Forgotten, ForgottenTargets
 from ...rule import rule
 from ...suggest import near
 

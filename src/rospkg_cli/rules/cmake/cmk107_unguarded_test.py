@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.guarded import Unguarded, unguarded
-from ...edits.cmake import guard
+from ...checks.cmake.unguarded_tests import Unguarded, unguarded
+from ...edits.cmake_commands import guard
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 BODY = "  <test_depend>ament_lint_auto</test_depend>\n  <test_depend>ament_lint_common</test_depend>\n"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.python_packages import PythonPackages
+from ...checks.cmake.uninstalled_python import PythonPackages
 from ...edits.cmake_python import install_python_package
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...languages.cmake.words import Word
-from ...package.cmake.installs import InstallRule
-from ...package.cmake.package import CMakePackage
+from ...languages.cmake.values import Word
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.install_rules import InstallRule
 from ...rule import rule
 
 SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/share/${PROJECT_NAME}»)\nament_package")

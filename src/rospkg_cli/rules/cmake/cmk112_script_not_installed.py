@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.scripts import Scripts
+from ...checks.cmake.installed_scripts import Scripts
 from ...edits.cmake_install import install_script
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.exported import ExportedDependencies
+from ...checks.cmake.missing_export_dependencies import ExportedDependencies
 from ...edits.cmake_export import export_dependency
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

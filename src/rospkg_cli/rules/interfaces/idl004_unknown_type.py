@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.scope import InterfaceInWorkspace
-from ...edits.plain import only_plain
+from ...checks.interfaces.type_resolution import InterfaceInWorkspace
+from ...edits.plain_names import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.interfaces.declared import FieldType
+from ...package.interfaces.interface_file import FieldType
 from ...rule import rule
 
 WITH_SENSORS = {

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...edits.cmake_find import find
-from ...edits.interfaces import list_need
-from ...edits.plain import only_plain
+from ...edits.cmake_interfaces import list_need
+from ...edits.plain_names import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.generated import GeneratedInterfaces
+from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 
 FIND = INTERFACES_CMAKE.replace("rosidl_generate", "find_package(std_msgs REQUIRED)\nrosidl_generate").replace(

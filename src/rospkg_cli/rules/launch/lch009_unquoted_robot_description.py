@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.robots import Robots
-from ...edits.launch import import_name, wrap
+from ...edits.launch_file import import_name, wrap
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.launch.file import LaunchFile

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...languages.xml.xml_tree import Element
+from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.violation import Kind, Violation
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED

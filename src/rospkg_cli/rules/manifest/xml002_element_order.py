@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.arrange import arrange, schema_order
+from ...edits.reorder import arrange, schema_order
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...languages.xml.xml_tree import Element
+from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.schema import misplaced
 from ...ros.manifest import place_of

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.tags import set_attribute
-from ...edits.upgrade import to_format_3
+from ...edits.manifest_format import to_format_3
+from ...edits.manifest_tags import set_attribute
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.upgrade import to_format_3
+from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.upgrade import add_schema_line, schema_line
+from ...edits.manifest_format import add_schema_line, schema_line
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest

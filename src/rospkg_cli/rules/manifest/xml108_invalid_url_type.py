@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.tags import remove_attribute, set_attribute
+from ...edits.manifest_tags import remove_attribute, set_attribute
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest

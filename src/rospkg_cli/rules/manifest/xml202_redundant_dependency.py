@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestForTargets
+from ...checks.manifest.manifest_inputs import ManifestForTargets
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...languages.condition import together
+from ...languages.rep149_condition import together
 from ...package.manifest import Dependency, Manifest
 from ...ros.manifest import PART_OF_DEPEND
 from ...rule import rule

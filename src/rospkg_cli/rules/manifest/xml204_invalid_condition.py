@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...languages.condition import Comparison, ConditionError, parse_condition
-from ...languages.xml.xml_tree import Attribute
+from ...languages.rep149_condition import Comparison, ConditionError, parse_condition
+from ...languages.xml.elements import Attribute
 from ...package.manifest import Manifest
 from ...ros.manifest import ENVIRONMENT
 from ...rule import rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from ...edits.arrange import arrange, sorted_in_place
+from ...edits.reorder import arrange, sorted_in_place
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest

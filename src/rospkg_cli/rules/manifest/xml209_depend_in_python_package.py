@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndFiles
-from ...edits.tags import rename_tag
+from ...checks.manifest.manifest_inputs import ManifestAndFiles
+from ...edits.manifest_tags import rename_tag
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import Profile, rule

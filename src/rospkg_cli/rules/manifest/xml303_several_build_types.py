@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestForTargets
+from ...checks.manifest.manifest_inputs import ManifestForTargets
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...languages.condition import together
+from ...languages.rep149_condition import together
 from ...rule import rule
 
 GOOD = manifest()

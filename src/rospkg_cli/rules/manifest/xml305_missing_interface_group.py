@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.manifest.interface_package import InterfacePackage
 from ...edits.manifest import add_dependency, add_element
-from ...edits.upgrade import to_format_3
+from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Operation, Safety, Severity
 from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES

@@ -5,10 +5,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndInstalls
+from ...checks.manifest.manifest_inputs import ManifestAndInstalls
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...languages.condition import possible
+from ...languages.rep149_condition import possible
 from ...ros.plugins import RQT
 from ...rule import rule
 from ...suggest import nearest

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.launched import LaunchedParameters
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...checks.params.owners import PackageParameters, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...languages.yaml.yaml import Scalar, Sequence
+from ...languages.yaml.nodes import Scalar, Sequence
 from ...package.params.file import Parameter
 from ...rule import rule
 

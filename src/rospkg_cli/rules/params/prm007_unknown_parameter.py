@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.owners import PackageParameters
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

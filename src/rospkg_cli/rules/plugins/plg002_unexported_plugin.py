@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.exported import ExportedClass
-from ...checks.plugins.package import Entry, PluginPackage
-from ...edits.cmake import add_before
-from ...edits.plain import only_plain
+from ...checks.plugins.exported_classes import ExportedClass
+from ...checks.plugins.plugin_package import Entry, PluginPackage
+from ...edits.cmake_commands import add_before
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.plugins.description import PluginDescription

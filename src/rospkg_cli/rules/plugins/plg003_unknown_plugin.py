@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.sought import Sought, Unknown
-from ...edits.plain import only_plain
+from ...checks.plugins.unknown_plugins import Sought, Unknown
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.workspace import Workspace

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.library import PluginLibraries, WrongLibrary
-from ...edits.cmake import add_before
-from ...edits.plain import only_plain
+from ...checks.plugins.library_paths import PluginLibraries, WrongLibrary
+from ...edits.cmake_commands import add_before
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

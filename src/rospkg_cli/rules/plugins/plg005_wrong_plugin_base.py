@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.bases import Astray, Misnamed, Misplaced, PluginBases
-from ...edits.cmake import literal
-from ...edits.plain import only_plain
+from ...checks.plugins.base_classes import Astray, Misnamed, Misplaced, PluginBases
+from ...edits.cmake_commands import literal
+from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

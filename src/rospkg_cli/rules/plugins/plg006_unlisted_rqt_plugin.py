@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.plugins.rqt import RqtPlugins
 from ...edits.manifest import add_export
-from ...edits.plain import only_plain
+from ...edits.plain_names import only_plain
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...package.manifest import Manifest

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
-from ...edits.setup import add_package
+from ...edits.setup_py import add_package
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

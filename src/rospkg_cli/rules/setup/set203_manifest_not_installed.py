@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.shared import SharedFiles
+from ...checks.setup.share_files import SharedFiles
 from ...edits.data_files import add_data_entry, share_code
-from ...edits.setup import quoted
+from ...edits.setup_py import quoted
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

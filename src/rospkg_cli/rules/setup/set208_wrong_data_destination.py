@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.destinations import Destinations
-from ...edits.setup import replace_text
+from ...checks.setup.data_destinations import Destinations
+from ...edits.setup_py import replace_text
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
-from ...edits.setup import add_package
+from ...edits.setup_py import add_package
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.slices import PythonPackage
-from ...edits.setup import exclude_packages
+from ...checks.setup.python_package import PythonPackage
+from ...edits.setup_py import exclude_packages
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.slices import PythonPackage
-from ...edits.setup import move_tests_require
+from ...checks.setup.python_package import PythonPackage
+from ...edits.setup_py import move_tests_require
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup import drop_item
+from ...edits.setup_py import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.setup.setup_py import SetupPy

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.requirements import Requirements
-from ...edits.setup import drop_item
+from ...checks.setup.install_requires import Requirements
+from ...edits.setup_py import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.metadata import Metadata
-from ...edits.setup import replace_text
+from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule

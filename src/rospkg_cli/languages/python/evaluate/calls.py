@@ -6,7 +6,7 @@ import ast
 
 from ....source import Span
 from .containers import Containers
-from .iteration import items_of, many
+from .iterables import items_of, many
 from .methods import method
 from .values import (
     Argument,

@@ -5,13 +5,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from .bounds import ITEM, spend
+from .conversion import NotPlainError, plain
 from .dict_methods import set_item
 from .expressions import Expressions
-from .iteration import items_of, many
+from .iterables import items_of, many
+from .limits import ITEM, spend
 from .operators import sliced, subscript
-from .plain import NotPlainError, plain
-from .truth import truth
+from .truthiness import truth
 from .values import (
     Argument,
     Call,

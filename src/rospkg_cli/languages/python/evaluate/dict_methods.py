@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ....source import Span
-from .bounds import ITEM, spend
+from .conversion import NotPlainError, plain
+from .limits import ITEM, spend
 from .list_methods import unfollowed
-from .machine import Machine
-from .plain import NotPlainError, plain
+from .state import Machine
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 

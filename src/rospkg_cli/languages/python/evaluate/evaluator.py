@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 from ....source import Span
 from ..syntax import Syntax
-from .bounds import LimitError
-from .folder import ROOT, Folder
+from .conversion import weight_of
 from .functions import Functions
-from .library import LIBRARY
-from .machine import Intrinsic
-from .plain import weight_of
+from .known_functions import LIBRARY
+from .limits import LimitError
+from .sandbox_filesystem import ROOT, Folder
+from .state import Intrinsic
 from .values import Argument, Call, Function, Scope, Text, Unknown, Value
 
 MAX_WEIGHT = 3_000_000

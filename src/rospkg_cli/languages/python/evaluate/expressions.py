@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....source import Span
+from .conversion import join
 from .formatting import in_format
-from .machine import Machine
 from .methods import attribute
 from .operators import binary
-from .plain import join
-from .truth import compared, truth
+from .state import Machine
+from .truthiness import compared, truth
 from .values import (
     Attribute,
     Call,

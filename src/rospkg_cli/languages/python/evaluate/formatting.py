@@ -8,8 +8,8 @@ from dataclasses import replace
 from string import Formatter
 
 from ....source import Span
-from .bounds import STEP, spend
-from .plain import NotPlainError, join, plain
+from .conversion import NotPlainError, join, plain
+from .limits import STEP, spend
 from .values import Constant, Joined, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 

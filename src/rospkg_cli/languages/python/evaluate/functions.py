@@ -7,10 +7,10 @@ from collections import deque
 from functools import cached_property
 
 from ....source import Span
-from .blocks import Blocks
-from .bounds import ITEM, MAX_CALLS, Flow, spend
+from .compound_statements import Blocks
+from .conversion import same
 from .dict_methods import set_item
-from .plain import same
+from .limits import ITEM, MAX_CALLS, Flow, spend
 from .values import Argument, Call, Class, Constant, Function, Mapping, Scope, Sequence, Text, Value
 
 

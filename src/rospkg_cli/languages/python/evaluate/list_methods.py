@@ -6,11 +6,11 @@ import ast
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from .bounds import ITEM, MAX_ITEMS, spend
-from .iteration import items_of
-from .machine import Machine
-from .plain import NotPlainError, plain
-from .truth import compared
+from .conversion import NotPlainError, plain
+from .iterables import items_of
+from .limits import ITEM, MAX_ITEMS, spend
+from .state import Machine
+from .truthiness import compared
 from .values import Call, Constant, Sequence, Value
 
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 import posixpath
 from dataclasses import replace
 
-from .bounds import MAX_TEXT, STEP, spend
+from .conversion import join, lift
 from .dict_methods import DICTS
-from .folder import OutsideError
 from .formatting import as_text, braces
-from .iteration import items_of, many, pure, read_rest
+from .iterables import items_of, many, pure, read_rest
+from .limits import MAX_TEXT, STEP, spend
 from .list_methods import LISTS, unfollowed
-from .machine import Machine
 from .operators import path_join
-from .paths import PATHS, path_glob, recorded
-from .plain import join, lift
+from .path_functions import PATHS, path_glob, recorded
+from .sandbox_filesystem import OutsideError
+from .state import Machine
 from .values import Argument, Call, Constant, Opened, Sequence, Text, Value
 from .values import Mapping as MappingValue
 

@@ -10,9 +10,9 @@ from dataclasses import replace
 from typing import Any
 
 from ....source import Span
-from .bounds import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
+from .conversion import NotPlainError, join, lift, plain
 from .formatting import percent
-from .plain import NotPlainError, join, lift, plain
+from .limits import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
 from .values import (
     Attribute,
     Call,

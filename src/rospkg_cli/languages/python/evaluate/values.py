@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from ....source import Span
-from .atoms import Constant as Constant
-from .atoms import Globbed as Globbed
-from .atoms import Opened as Opened
-from .atoms import Symbol as Symbol
-from .atoms import Text as Text
-from .bounds import spend
+from .limits import spend
+from .scalar_values import Constant as Constant
+from .scalar_values import Globbed as Globbed
+from .scalar_values import Opened as Opened
+from .scalar_values import Symbol as Symbol
+from .scalar_values import Text as Text
 
 if TYPE_CHECKING:
     import ast

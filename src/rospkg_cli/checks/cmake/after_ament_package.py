@@ -1,0 +1,73 @@
+"""What comes after `ament_package`, which should come last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.file import ROOT
+from ...package.cmake.cmake_project import CMake
+
+ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
+
+FATAL = frozenset({
+    "ament_package", "ament_auto_package", "autoware_ament_auto_package", "rosidl_generate_interfaces",
+    "generate_parameter_library", "ament_vendor", "rosidl_export_typesupport_libraries",
+    "rosidl_export_typesupport_targets",
+})  # fmt: skip
+"""Commands that stop the configuration when ament_package() was called before."""
+
+LOST: dict[str, str] = {
+    "ament_lint_auto_find_test_dependencies": "the linters never run",
+    "rclcpp_components_register_node": "the component is not registered",
+    "rclcpp_components_register_nodes": "the components are not registered",
+    "pluginlib_export_plugin_description_file": "the plug-ins are not registered",
+    "ament_environment_hooks": "the hook is not in the environment",
+}
+"""What ament_package() would have finished, and what becomes of it."""
+
+AUTOMATIC = ("ament_auto_add_library", "ament_auto_add_executable")
+
+LINTERS = "ament_lint_auto_find_test_dependencies"
+OWN_PACKAGES = frozenset({*ENDS, "find_package", "gz_find_package", "ament_python_install_package"})
+"""What ends in `_package` and looks for no linters; macros such as `autoware_package` may do so."""
+
+
+@dataclass(frozen=True)
+class Late:
+    """A call that comes too late, the call that it should precede, and what follows of that."""
+
+    call: Call
+    end: Call
+    consequence: str
+
+    @property
+    def only_linters(self) -> bool:
+        return self.call.name == LINTERS
+
+
+def late_calls(cmake: CMake) -> Iterator[Late]:
+    """Yield the calls behind ament_package() that then fail or have no effect; a plain install() does no harm."""
+    end = next((call for call in cmake.calls if call.name in ENDS and is_sure(call)), None)
+    if end is None:
+        return
+    at = cmake.calls.index(end)
+    linted = any(call.name.endswith("_package") and call.name not in OWN_PACKAGES for call in cmake.calls[:at])
+    for call in cmake.calls[at + 1 :]:
+        if linted and call.name == LINTERS:
+            continue
+        if call.path == ROOT and not call.maybe and not call.inside and (why := consequence(call, end)):
+            yield Late(call, end, why)
+
+
+def is_sure(call: Call) -> bool:
+    return call.path == ROOT and not call.maybe and not call.testing and not call.inside
+
+
+def consequence(call: Call, end: Call) -> str:
+    if call.name in FATAL or call.name.startswith("ament_export_"):
+        return "CMake stops"
+    if call.name in AUTOMATIC and end.name != "ament_package":
+        return "the target is neither installed nor exported"
+    return LOST.get(call.name, "")

@@ -1,0 +1,108 @@
+"""Components: what CMake registers, against what the sources register."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.values import BINARY, HOLE
+from ...languages.cpp.call import Argument
+from ...languages.cpp.file import CppFile
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.components import Component
+from ...source import Span
+from ...suggest import nearest
+from .target_references import References
+
+MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
+
+
+@dataclass(frozen=True)
+class Source:
+    """`RCLCPP_COMPONENTS_REGISTER_NODE(ns::Class)` in a file."""
+
+    name: str
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class Components:
+    package: CMakePackage
+    sources: tuple[CppFile, ...]
+
+    @cached_property
+    def in_sources(self) -> tuple[Source, ...]:
+        found = []
+        for file in self.sources:
+            for call in file.called(MACRO):
+                for argument in (call.arguments or ())[:1]:
+                    found.append(Source(name_of(argument), file.path, argument.span))
+        return tuple(found)
+
+    @property
+    def macros(self) -> bool:
+        """Whether a macro of the package's own registers classes: then nobody knows which."""
+        bodies = [define.body for file in self.sources for define in file.defines]
+        hidden = any(MACRO in body or "CLASS_LOADER_REGISTER" in body for body in bodies)
+        return hidden or any(True for file in self.sources for _ in file.called("CLASS_LOADER_REGISTER_CLASS"))
+
+    @property
+    def generated(self) -> bool:
+        """Whether a target's sources can't all be seen."""
+        targets = {component.target.text for component in self.package.cmake.components}
+        words = [w for name in targets if (t := self.package.cmake.target(name)) for w in t.sources]
+        return any(not word.known or word.text.startswith(BINARY) for word in words)
+
+    def sure(self) -> Iterator[Component]:
+        for component in self.package.cmake.components:
+            words = (component.target, component.plugin)
+            if all(word.known and not word.maybe for word in words) and not component.call.maybe:
+                yield component
+
+    def without_target(self) -> Iterator[Component]:
+        """Yield the components of a target that nothing makes."""
+        references = References(self.package.cmake)
+        cmake = self.package.cmake
+        if not cmake.complete or cmake.clouded:
+            return
+        for component in self.sure():
+            if component.target.text not in references.names and HOLE not in references.names:
+                yield component
+
+    def without_source(self) -> Iterator[Component]:
+        """Yield the components whose class no source registers under that name."""
+        if self.macros or self.generated or self.package.cmake.clouded:
+            return
+        names = {each.name for each in self.in_sources}
+        seen: set[str] = set()
+        for component in self.sure():
+            if component.plugin.text not in names and component.plugin.text not in seen:
+                seen.add(component.plugin.text)
+                yield component
+
+    def without_cmake(self) -> Iterator[Source]:
+        """Yield the classes that a source of a target registers and no call of CMake does."""
+        cmake = self.package.cmake
+        if not cmake.complete or cmake.clouded or any(not c.plugin.known for c in cmake.components):
+            return
+        names = {component.plugin.text for component in cmake.components}
+        there = [each.name for each in self.in_sources]
+        meant = {nearest(component.plugin.text, there) for component in self.without_source()}
+        for each in self.in_sources:
+            if each.name not in names | meant and each.path in self.in_libraries:
+                yield each
+
+    @cached_property
+    def in_libraries(self) -> frozenset[str]:
+        """The sources of the libraries that components are registered of."""
+        cmake = self.package.cmake
+        names = {component.target.text for component in cmake.components}
+        targets = [target for name in names if (target := cmake.target(name)) is not None]
+        return frozenset(p for t in targets for w in t.sources if (p := located(w.text, t.call.folder)))
+
+
+def name_of(argument: Argument) -> str:
+    return "".join(argument.text.split())

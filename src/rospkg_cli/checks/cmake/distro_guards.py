@@ -1,0 +1,26 @@
+"""Commands that run only where the distribution, or a command of it, is the right one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from ...languages.cmake.command_blocks import Block
+from ...languages.cmake.syntax import Command
+
+ASKS = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
+"""What a condition says that asks for it."""
+
+
+def guarded(body: Iterable[Command | Block], inside: bool = False) -> Iterator[Command]:
+    """Yield, in no order, the commands that stand in an `if` that asks for the distribution or for a command."""
+    waiting = [(each, inside) for each in body]
+    while waiting:
+        each, inside = waiting.pop()
+        if isinstance(each, Command):
+            if inside:
+                yield each
+        else:
+            asked = (argument.text for branch in each.branches for argument in branch.command.arguments)
+            asks = each.command.name == "if" and any(ASKS.search(text) for text in asked)
+            waiting += [(below, inside or asks) for branch in each.branches for below in branch.body]

@@ -1,0 +1,50 @@
+"""Targets that can't both be made, because they have one name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import HOLE, Word
+from ...package.cmake.cmake_project import CMake
+
+
+@dataclass(frozen=True)
+class Clash:
+    first: Word
+    second: Word
+    first_command: str
+    second_command: str
+
+    @property
+    def name(self) -> str:
+        return self.second.text
+
+
+def clashes(cmake: CMake) -> Iterator[Clash]:
+    """Yield each target that is made again, at the second place."""
+    made: dict[str, tuple[Word, str]] = {}
+    for target in cmake.targets:
+        if not is_sure(target):
+            continue
+        name, command = target.name, target.call.name
+        if name in made:
+            yield Clash(made[name][0], target.word, made[name][1], command)
+        else:
+            made[name] = (target.word, command)
+    yield from python_clashes(cmake)
+
+
+def is_sure(target: Target) -> bool:
+    imported = target.options & {"IMPORTED"}
+    return HOLE not in target.name and not target.word.maybe and not target.call.maybe and not imported
+
+
+def python_clashes(cmake: CMake) -> Iterator[Clash]:
+    """rosidl installs a Python package of the project's name, in the same way as ament_python_install_package."""
+    generated = [each for each in cmake.interface_targets if not each.call.maybe and not each.skip_install]
+    for call in cmake.named("ament_python_install_package"):
+        for word in call.words[:1]:
+            if generated and word.text == cmake.project_name and not call.maybe:
+                yield Clash(generated[0].target, word, generated[0].call.name, call.name)

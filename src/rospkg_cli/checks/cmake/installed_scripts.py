@@ -1,0 +1,123 @@
+"""Scripts in lib/<package>: can they be executed, and are there others beside them that nobody installs?"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from ...languages.cmake.evaluated_command import located
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.copied_files import Copy, copies
+from ...unreadable import UnreadableError
+
+ASIDE = frozenset({"test", "tests"})
+Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
+
+
+@dataclass(frozen=True)
+class Script:
+    copy: Copy
+    wrong: Wrong
+
+
+@dataclass(frozen=True)
+class Scripts:
+    package: CMakePackage
+
+    @cached_property
+    def copies(self) -> tuple[Copy, ...]:
+        """The files of the package that are copied to lib/<package> itself."""
+        files = self.package.cmake.package
+        home = f"lib/{self.package.facts.name}"
+        return tuple(
+            copy
+            for rule in self.package.cmake.installs
+            if not rule.call.maybe and not rule.call.testing
+            for copy in copies(rule, files)
+            if posixpath.dirname(copy.destination) == home and not copy.item.maybe
+        )
+
+    @property
+    def uses_programs(self) -> bool:
+        """Whether some scripts are installed as they should be."""
+        return any(copy.rule.kind == "PROGRAMS" for copy in self.copies)
+
+    def broken(self) -> Iterator[Script]:
+        """Yield the scripts that can't be executed where they are installed, each once."""
+        seen = {copy.source for copy in self.copies if copy.runs}
+        for copy in self.copies:
+            wrong = self.wrong(copy)
+            if wrong is not None and (copy.source not in seen or wrong.startswith("no ")):
+                seen.add(copy.source)
+                yield Script(copy, wrong)
+
+    def wrong(self, copy: Copy) -> Wrong | None:
+        shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)
+        if posixpath.basename(copy.source) == "__init__.py":
+            return None
+        if copy.rule.kind == "PROGRAMS":
+            if not shebang:
+                return "no shebang" if copy.source.endswith(".py") else None
+            return None if bit else "no bit"
+        if not shebang or not self.is_runnable(copy.source):
+            return None
+        if copy.rule.kind == "FILES":
+            return None if copy.runs else "files"
+        if copy.runs:
+            return None
+        return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
+
+    def is_runnable(self, path: str) -> bool:
+        """Return whether a file is a program, by its name."""
+        return posixpath.splitext(path)[1] in (".py", ".sh", ".bash", "")
+
+    def has_shebang(self, path: str) -> bool:
+        try:
+            return self.package.cmake.package.tree.entry(path).data.startswith(b"#!")
+        except OSError:
+            return True
+
+    def has_bit(self, path: str) -> bool:
+        try:
+            return self.package.cmake.package.executable(path)
+        except OSError:
+            return True
+
+    def forgotten(self) -> Iterator[tuple[str, Copy]]:
+        """Yield the scripts beside installed ones that no rule installs, each with one that is."""
+        cmake = self.package.cmake
+        if any(rule.kind == "CODE" or rule.destination is None for rule in cmake.installs if rule.kind != "TARGETS"):
+            return
+        programs = {copy.source: copy for copy in self.copies if copy.rule.kind == "PROGRAMS"}
+        named = {path for call in cmake.calls for text in call.texts if (path := located(text, call.folder))}
+        for folder in sorted({posixpath.dirname(path) for path in programs}):
+            beside = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
+            for path in cmake.package.paths:
+                fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
+                if fits and not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
+                    yield path, beside
+
+    def is_installed(self, path: str) -> bool:
+        files = self.package.cmake.package
+        return any(path == copy.source for rule in self.package.cmake.installs for copy in copies(rule, files))
+
+    def is_script(self, path: str) -> bool:
+        """Return whether a file is a program that a user may want to run."""
+        hidden = posixpath.basename(path).startswith((".", "_", "test_"))
+        if hidden or not self.is_runnable(path) or not self.has_shebang(path):
+            return False
+        return self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts)
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        """The installed scripts' texts."""
+        found = []
+        for copy in self.copies:
+            try:
+                found.append(self.package.cmake.package.source(copy.source).text)
+            except UnreadableError:
+                continue
+        return tuple(found)

@@ -1,0 +1,116 @@
+"""Executables and scripts that are installed where `ros2 run` and launch files don't look."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.values import Word
+from ...package.cmake.cmake_install_table import Table
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.copied_files import copies
+from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.target_links import Links
+from ...ros.share import LAUNCH
+from ...unreadable import UnreadableError
+
+ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
+EXECUTABLE = re.compile(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
+MAX_DEPTH = 4
+IMPORTS_ROS = re.compile(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Astray:
+    word: Word
+    name: str
+    """Of the file that is installed."""
+    place: str
+    rule: InstallRule
+    started: bool
+    """Whether a launch file or the README starts it."""
+    ros: bool
+    """Whether it is a node, as far as that shows."""
+
+
+@dataclass(frozen=True)
+class AstrayExecutables:
+    package: CMakePackage
+
+    def all(self) -> Iterator[Astray]:
+        """Yield each executable that is meant for `ros2 run` and does not stand in lib/<package>."""
+        found = list(self.anywhere())
+        right = {row.destination for row in self.table.rows()} if found else set()
+        for each in found:
+            if f"lib/{self.package.facts.name}/{each.name}" not in right:
+                yield each
+
+    @cached_property
+    def table(self) -> Table:
+        return Table(self.package.cmake, self.package.facts.name)
+
+    def anywhere(self) -> Iterator[Astray]:
+        """Yield each executable that a rule installs into another place, whatever other rules do with it."""
+        cmake, artifacts = self.package.cmake, self.table.artifacts
+        for rule in cmake.installs:
+            if rule.call.maybe:
+                continue
+            for word in rule.items:
+                target = cmake.target(word.text) if rule.kind == "TARGETS" else None
+                if target is not None and target.executable:
+                    place, name = artifacts.place(rule, target), artifacts.file_name(target)
+                    if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
+                        yield Astray(word, name, place or "", rule, self.starts(name), self.uses_ros(target.name))
+            if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
+                yield from self.scripts(rule, rule.destination)
+
+    def scripts(self, rule: InstallRule, place: str) -> Iterator[Astray]:
+        for copy in copies(rule, self.package.cmake.package):
+            name = copy.destination.rpartition("/")[2]
+            ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
+            if self.starts(name) or ros or place == "bin":
+                yield Astray(copy.item, name, place, rule, self.starts(name), ros)
+
+    def is_wrong(self, place: str | None) -> bool:
+        """Return whether a place is known, relative, and neither lib/<package> nor below it."""
+        right = f"lib/{self.package.facts.name}"
+        return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
+
+    @cached_property
+    def links(self) -> Links:
+        return Links(self.package.cmake)
+
+    def uses_ros(self, target: str, depth: int = 0) -> bool:
+        """Return whether a target is linked with ROS, itself or through another target of the package."""
+        for link in self.links.of(target):
+            text = link.word.text if link.word.known else self.package.cmake.raw(link.word)
+            if ROS.fullmatch(text.strip('"${}').partition("::")[0]):
+                return True
+            own = self.links.own(text)
+            if own is not None and own.name != target and depth < MAX_DEPTH and self.uses_ros(own.name, depth + 1):
+                return True
+        return False
+
+    def starts(self, name: str) -> bool:
+        return name in self.started
+
+    @cached_property
+    def started(self) -> frozenset[str]:
+        """The executables that launch files name, or that the README starts."""
+        run = re.compile(rf"ros2\s+run\s+{re.escape(self.package.facts.name)}\s+([\w.-]+)")
+        found: set[str] = set()
+        for path in self.package.cmake.package.paths:
+            name = path.rpartition("/")[2]
+            if LAUNCH.fullmatch(name):
+                found |= set(EXECUTABLE.findall(self.text(path)))
+            elif name.lower().startswith("readme"):
+                found |= set(run.findall(self.text(path)))
+        return frozenset(found)
+
+    def text(self, path: str) -> str:
+        try:
+            return self.package.cmake.package.source(path).text
+        except UnreadableError:
+            return ""

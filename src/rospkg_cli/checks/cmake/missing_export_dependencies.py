@@ -1,0 +1,145 @@
+"""What users of a package's libraries need to find, against what ament_export_dependencies makes them find."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.values import HOLE, Word
+from ...package.cmake.installed_headers import INCLUDES, PLUGINS, Headers
+from ...package.cmake.target_links import Link, Links
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...ros.table import rows
+
+BUILD = ("build_depend",)
+VARIABLE = re.compile(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")
+BY_MACRO = {
+    "generate_parameter_library": frozenset(
+        "fmt rclcpp rclcpp_lifecycle rsl tcb_span tl_expected parameter_traits generate_parameter_library".split()
+    ),
+    "rosidl_generate_interfaces": frozenset({"rosidl_default_runtime"}),
+}
+"""What commands export on their own."""
+
+
+@dataclass(frozen=True)
+class Unexported:
+    package: str
+    word: Word
+    link: Link
+    as_target: bool
+    """Whether the library is exported as a target: what a target is linked with must be there."""
+    only_loaded: bool
+    """Whether it is a plug-in or a component, and no package around builds against this one."""
+
+
+@dataclass(frozen=True)
+class ExportedDependencies:
+    headers: Headers
+    workspace: Workspace
+
+    def missing(self) -> Iterator[Unexported]:
+        """Yield each package that an exported library passes on, that an installed header includes, and that users
+        don't find, neither by name nor with another one."""
+        cmake = self.headers.package.cmake
+        automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
+        unclear = not cmake.complete or cmake.clouded or automatic or HOLE in self.exported
+        plugins = bool(cmake.named(PLUGINS))
+        unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
+        if unclear or not self.headers.installed or unused:
+            return
+        components = {each.target.text for each in cmake.components}
+        seen: set[str] = set()
+        for link in Links(cmake).all:
+            package = self.package_of(link)
+            passed = link.exported and link.target in self.libraries and not link.call.maybe and not link.word.maybe
+            if passed and package in self.needed and package not in self.there | seen:
+                seen.add(package)
+                loaded = (plugins or link.target in components) and not self.is_built_against
+                yield Unexported(package, link.word, link, link.target in self.targets, loaded)
+
+    @cached_property
+    def is_built_against(self) -> bool:
+        """Whether a package around builds against this one: plug-ins and components are only loaded."""
+        name = self.headers.package.facts.name
+        return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
+
+    def package_of(self, link: Link) -> str:
+        """Return the package that a word of a link stands for: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""
+        if link.package:
+            return link.word.text
+        if "::" in link.word.text and link.word.known:
+            return link.word.text.partition("::")[0]
+        match = VARIABLE.fullmatch(self.headers.package.cmake.raw(link.word).strip('"'))
+        return match.group(1) if match else ""
+
+    @cached_property
+    def targets(self) -> frozenset[str]:
+        """The names that are exported as targets."""
+        cmake = self.headers.package.cmake
+        exports = {text for call in cmake.exports for text in call.texts}
+        rules = [rule for rule in cmake.installs if rule.export is not None and rule.export.text in exports]
+        return frozenset(word.text for rule in rules for word in rule.items)
+
+    @cached_property
+    def libraries(self) -> frozenset[str]:
+        """The libraries that are exported, for other packages to link."""
+        cmake = self.headers.package.cmake
+        old = {text for call in cmake.named("ament_export_libraries") if not call.folder for text in call.texts}
+        named = self.targets | old
+        targets = (cmake.target(name) for name in named)
+        return frozenset(each.name for each in targets if each is not None and each.library and not each.call.testing)
+
+    @cached_property
+    def calls(self) -> tuple[Call, ...]:
+        return tuple(c for c in self.headers.package.cmake.named("ament_export_dependencies") if not c.folder)
+
+    @cached_property
+    def exported(self) -> frozenset[str]:
+        """The names that are exported; a hole among them where one can't be evaluated."""
+        cmake = self.headers.package.cmake
+        names = {HOLE if HOLE in text else text for call in self.calls for text in call.texts}
+        for each in cmake.interface_targets:
+            names |= {HOLE if HOLE in word.text else word.text for word in each.dependencies}
+        for name, brought in BY_MACRO.items():
+            names |= brought if cmake.named(name) else frozenset()
+        return frozenset(names)
+
+    @cached_property
+    def there(self) -> frozenset[str]:
+        """What is exported, and what comes with it."""
+        found: set[str] = set()
+        waiting = list(self.exported)
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                facts = self.workspace.named(name)
+                waiting += rows("exports.txt").get(name, ())
+                waiting += rows("brings.txt").get(name, ()) if facts is None else built_against(facts)
+        return frozenset(found)
+
+    @cached_property
+    def needed(self) -> frozenset[str]:
+        """The ROS packages that are declared, certainly looked for, and included by installed headers.
+
+        A library of the system is declared under another name, and often found with the package's own find module.
+        """
+        declared = {each.name for each in self.headers.package.manifest.dependencies}
+        return self.found & declared & {name for _, _, name in self.headers.included_packages()}
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The packages that are certainly looked for, outside of tests."""
+        packages = self.headers.package.cmake.packages
+        return frozenset(
+            each.name for each in packages if each.required and not each.call.testing and not each.call.maybe
+        )
+
+
+def built_against(facts: PackageFacts, *tags: str) -> list[str]:
+    return [need.name for need in facts.dependencies if need.tag in ("depend", "build_export_depend", *tags)]

@@ -1,0 +1,94 @@
+"""What a package puts into its share directory, against the folders that it has for run time."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import Call, located
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.install_table import InstallTable
+from ...ros.share import FOLDERS, LAUNCH
+from ...unreadable import UnreadableError
+from ..share_references import speaks_of
+
+INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
+USED_AT_BUILD = re.compile(
+    r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test"
+)
+
+
+@dataclass(frozen=True)
+class RuntimeFolders:
+    package: CMakePackage
+    table: InstallTable
+
+    def forgotten(self) -> Iterator[str]:
+        """Yield the folders for run time of which nothing is installed; none where something can't be told."""
+        cmake = self.package.cmake
+        if not self.table.knows("share") or not cmake.complete or not cmake.ends_a_package or cmake.clouded:
+            return
+        for folder in FOLDERS:
+            if self.useful(folder) and not self.is_installed(folder) and not self.is_named(folder):
+                yield folder
+
+    def useful(self, folder: str) -> tuple[str, ...]:
+        """Return the files of a folder that are meant for run time, but for those that the build takes."""
+        paths = self.package.cmake.package.below(folder)
+        meant = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
+        return tuple(path for path in meant if path not in self.built_from and "/test/" not in path)
+
+    @cached_property
+    def built_from(self) -> frozenset[str]:
+        """The files that commands name which generate or test something."""
+        calls = [call for call in self.package.cmake.calls if USED_AT_BUILD.match(call.name)]
+        return frozenset(path for call in calls for path in paths_of(call))
+
+    def is_installed(self, folder: str) -> bool:
+        return any(row.source.startswith(f"{folder}/") for row in self.table.rows)
+
+    def is_named(self, folder: str) -> bool:
+        """Return whether another command speaks of the folder: then it is there for something else."""
+        calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
+        return any(path == folder or path.startswith(f"{folder}/") for call in calls for path in paths_of(call))
+
+    @property
+    def place(self) -> Call | None:
+        """The call that should have named the folder: the last rule for share/, else ament_package()."""
+        cmake = self.package.cmake
+        share = f"share/{cmake.project_name}"
+        rules = [r for r in cmake.installs if r.kind == "DIRECTORY" and (r.destination or "").startswith(share)]
+        ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
+        return rules[-1].call if rules else ends[-1] if ends else None
+
+    def refers_to(self, folder: str) -> bool:
+        """Return whether a launch file or the README speaks of a folder of the share directory."""
+        name = self.package.facts.name
+        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
+        return any(
+            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+        )
+
+    @cached_property
+    def texts(self) -> tuple[tuple[str, bool], ...]:
+        """The launch files and the README: text, and whether it is a launch file."""
+        found = []
+        files = self.package.cmake.package
+        for path in files.paths:
+            name = path.rpartition("/")[2]
+            code = bool(LAUNCH.fullmatch(name))
+            if code or name.lower().startswith("readme"):
+                try:
+                    found.append((files.source(path).text, code))
+                except UnreadableError:
+                    continue
+        return tuple(found)
+
+
+def paths_of(call: Call) -> Iterator[str]:
+    """Yield the paths that a call's arguments may be, whatever they stand for."""
+    for text in call.texts:
+        if (path := located(text, call.folder)) and ("/" in path or "." in path or path in FOLDERS):
+            yield path

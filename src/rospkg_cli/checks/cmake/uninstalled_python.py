@@ -1,0 +1,66 @@
+"""Python packages beside CMake: does a script or a launch file import one that nothing installs?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.python.file import Import
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.install_table import PYTHON, InstallTable
+from ...package.python_modules import Modules
+from ...source import Span
+
+
+@dataclass(frozen=True)
+class Uninstalled:
+    """A Python package that is imported, and where."""
+
+    folder: str
+    path: str
+    span: Span
+    module: str
+
+
+@dataclass(frozen=True)
+class PythonPackages:
+    package: CMakePackage
+    table: InstallTable
+    modules: Modules
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """The folders right below the package that are Python packages."""
+        found = (path.split("/") for path in self.package.cmake.package.paths)
+        return frozenset(parts[0] for parts in found if len(parts) == 2 and parts[1] == "__init__.py")
+
+    @cached_property
+    def installed(self) -> frozenset[str]:
+        """The first names of the modules that Python finds."""
+        return frozenset(path.partition("/")[0].removesuffix(".py") for path, _ in self.table.below(PYTHON))
+
+    def uninstalled(self) -> Iterator[Uninstalled]:
+        """Yield each Python package that an installed script or launch file imports and that is not installed."""
+        if not self.table.knows("module") or not self.package.cmake.complete:
+            return
+        missing = set(self.folders - self.installed)
+        for row in self.table.rows:
+            if row.what not in ("executable", "share") or not row.source.endswith(".py") or not missing:
+                continue
+            file = self.modules.at(row.source)
+            folder_there = row.destination.rpartition("/")[0]
+            for each in file.imports if file is not None else ():
+                name = each.module.partition(".")[0]
+                beside = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
+                if name in missing and not each.level and not each.optional and self.is_own(each) and not beside:
+                    missing.discard(name)
+                    yield Uninstalled(name, row.source, each.span, each.module)
+
+    def is_own(self, what: Import) -> bool:
+        """Return whether an import means a module that lies in the package, and none that rosidl generates."""
+        files, path = self.package.cmake.package, what.module.replace(".", "/")
+        if path == self.package.facts.name and not self.package.cmake.interface_targets:
+            return True
+        named = ([path] if "/" in path else []) + [f"{path}/{name}" for name in what.names]
+        return any(files.exists(f"{each}.py") or files.exists(f"{each}/__init__.py") for each in named)

@@ -1,0 +1,102 @@
+"""The library of a plug-in description: what is wrong with the path that it gives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+from typing import Literal
+
+from ...languages.xml.parser import Attribute
+from ...package.cmake.cmake_project import CMake
+from ...package.install_table import InstallTable
+from .plugin_package import Entry, PluginPackage, spaceless
+
+Fault = Literal["prefixed", "unknown", "static", "absent"]
+SUFFIXES = (".so", ".dylib", ".dll", ".a")
+
+
+@dataclass(frozen=True)
+class WrongLibrary:
+    entry: Entry
+    """The first class of the library."""
+    path: Attribute
+    fault: Fault
+    meant: str = ""
+    """The path that it should be, as far as there is one; the target that is not installed."""
+    certain: bool = False
+    """Whether that is the library which the class is compiled into."""
+
+
+@dataclass(frozen=True)
+class PluginLibraries:
+    package: PluginPackage
+    table: InstallTable
+
+    @property
+    def cmake(self) -> CMake:
+        return self.package.cmake
+
+    def wrong(self) -> Iterator[WrongLibrary]:
+        """Yield each library once; those of classes that no source exports are another fault."""
+        unmade = {entry.plugin.element.span for entry in self.package.unmade()}
+        seen = set()
+        for entry in self.package.entries:
+            key = (entry.description.file, entry.plugin.library.span)
+            if key not in seen and entry.plugin.element.span not in unmade and entry.plugin.path is not None:
+                seen.add(key)
+                yield from self.judged(entry, entry.plugin.path)
+
+    def judged(self, entry: Entry, path: Attribute) -> Iterator[WrongLibrary]:
+        name = path.value.strip()
+        target = self.package.library(name)
+        if target is None:
+            if self.package.sees_all_libraries(name):
+                yield WrongLibrary(entry, path, "unknown", *self.meant(entry, name))
+        elif (
+            "/" not in name
+            and name.startswith("lib")
+            and self.package.library(name[3:]) == target
+            and not self.is_made(name)
+        ):
+            yield WrongLibrary(entry, path, "prefixed", name[3:], True)
+        elif self.is_static(target):
+            yield WrongLibrary(entry, path, "static", target)
+        elif self.is_uninstalled(entry, target):
+            yield WrongLibrary(entry, path, "absent", target)
+
+    def is_made(self, name: str) -> bool:
+        """Return whether a library has exactly this name."""
+        return self.cmake.target(name) is not None or name in self.cmake.output_names.values()
+
+    def is_static(self, target: str) -> bool:
+        made = self.cmake.target(target)
+        return made is not None and "STATIC" in made.options
+
+    def meant(self, entry: Entry, name: str) -> tuple[str, bool]:
+        """Return the library that holds the class, else the one whose name is hidden in a path or a file name."""
+        makers = [e for e in self.package.exported if spaceless(e.type) == spaceless(entry.type)]
+        homes = {home for each in makers for home in self.package.libraries_of(each)}
+        if len(homes) == 1:
+            home = homes.pop()
+            return self.cmake.output_names.get(home, home), True
+        stem = PurePosixPath(name).name
+        for suffix in SUFFIXES:
+            stem = stem.removesuffix(suffix)
+        for each in (stem, stem.removeprefix("lib")):
+            if self.package.library(each) is not None and self.is_made(each):
+                return each, each in homes
+        return "", False
+
+    def is_uninstalled(self, entry: Entry, target: str) -> bool:
+        """Return whether a library that is not only there for tests is certainly not installed."""
+        made = self.cmake.target(target)
+        if made is None or made.call.testing or made.call.maybe or not self.table.knows("library"):
+            return False
+        if all(each.testing for each in entry.description.exported if each.indexed):
+            return False
+        if any(f":{target}>" in word.text for rule in self.cmake.installs for word in rule.items):
+            return False
+        name = self.cmake.output_names.get(target, target)
+        files = {PurePosixPath(row.destination).name.partition(".")[0].removeprefix("lib") for row in self.table.rows}
+        return name.removeprefix("lib") not in files

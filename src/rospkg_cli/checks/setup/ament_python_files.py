@@ -1,0 +1,30 @@
+"""Joined slice: whether what ament_python needs is there at all."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...files import PackageFiles
+from ...languages.xml.parser import Element
+from ...package.manifest import Manifest
+from ...ros.distros import Targets
+
+
+@dataclass(frozen=True)
+class PythonBuild:
+    manifest: Manifest
+    files: PackageFiles
+    targets: Targets
+
+    @property
+    def types(self) -> tuple[Element, ...]:
+        """The <build_type> elements that say ament_python."""
+        return tuple(each for each in self.manifest.build_types(self.targets) if each.text == "ament_python")
+
+    @property
+    def has_setup(self) -> bool:
+        return self.files.exists("setup.py")
+
+    @property
+    def has_pyproject(self) -> bool:
+        return self.files.exists("pyproject.toml")

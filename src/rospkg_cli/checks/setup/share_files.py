@@ -1,0 +1,187 @@
+"""Joined slice: what a package puts into its share directory, against what it has and what refers to it."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.python.evaluate.sandbox_filesystem import MAGIC
+from ...languages.python.evaluate.values import Globbed
+from ...package.setup.data_files import DataEntry, DataFile
+from ...package.setup.python_install_table import MARKERS
+from ...ros.share import FOLDERS, LAUNCH
+from ...suggest import nearest
+from ...unreadable import UnreadableError
+from ..share_references import speaks_of
+from .python_package import PythonPackage
+
+
+@dataclass(frozen=True)
+class Missed:
+    """A file that lies beside installed ones and is not installed."""
+
+    path: str
+    entry: DataEntry
+    """The entry that installs its neighbours."""
+    glob: Globbed
+    """The glob that finds them."""
+
+
+@dataclass(frozen=True)
+class SharedFiles:
+    package: PythonPackage
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The name in package.xml, and the one in setup.py: whether those agree is another question."""
+        said = self.package.setup.said("name")
+        return frozenset({self.package.name, *([said.text] if said else [])})
+
+    @property
+    def installs_marker(self) -> bool:
+        wanted = {f"{MARKERS}/{name}" for name in self.names}
+        return any(file.destination in wanted for file in self.package.setup.data_files)
+
+    @property
+    def installs_manifest(self) -> bool:
+        wanted = {f"share/{name}/package.xml" for name in self.names}
+        return any(file.destination in wanted for file in self.package.setup.data_files)
+
+    @cached_property
+    def markers(self) -> tuple[DataFile, ...]:
+        """The files that are installed as markers, whatever their name."""
+        files = self.package.setup.data_files
+        return tuple(file for file in files if posixpath.dirname(file.destination) == MARKERS)
+
+    def is_missing(self, file: DataFile) -> bool:
+        return (
+            file.source is not None
+            and self.package.setup.kind(file.source) is None
+            and not self.package.setup.makes_files
+        )
+
+    @cached_property
+    def covered(self) -> frozenset[str]:
+        """The sources that are installed."""
+        return frozenset(file.source for file in self.package.setup.data_files if file.source is not None)
+
+    def installs_from(self, folder: str) -> bool:
+        return any(f"{source}/".startswith(f"{folder}/") for source in self.covered)
+
+    def useful(self, folder: str) -> tuple[str, ...]:
+        """Return the files of a folder that are meant for run time, at any depth."""
+        pattern = FOLDERS.get(folder.rpartition("/")[2], re.compile(r"[^.].*"))
+        found = [path for path in self.package.files.below(folder) if pattern.fullmatch(path.rpartition("/")[2])]
+        return tuple(path for path in found if not path.endswith("/__init__.py") and "/test/" not in path)
+
+    @cached_property
+    def empty_globs(self) -> tuple[Globbed, ...]:
+        """Globs that match nothing, where nothing else installs what their folder holds."""
+        found = []
+        for glob in self.package.setup.globs:
+            folder = folder_of(glob.pattern)
+            if glob.matches or not glob.certain or self.installs_from(folder) or not folder:
+                continue
+            found.append(glob)
+        return tuple(dict.fromkeys(found))
+
+    def meant(self, folder: str) -> str | None:
+        """Return the folder whose name is near that of one that is not there."""
+        folders = self.package.files.folders
+        return None if not folder or folder in folders else nearest(folder, folders)
+
+    @cached_property
+    def forgotten(self) -> tuple[str, ...]:
+        """Folders for run time of which nothing is installed and no glob speaks."""
+        globbed = {folder_of(glob.pattern).partition("/")[0] for glob in self.package.setup.globs}
+        globbed |= {self.meant(folder) or folder for folder in globbed}
+        modules = {said.text.partition(".")[0] for said in self.package.setup.packages}
+        return tuple(
+            folder
+            for folder in FOLDERS
+            if folder not in globbed | modules and self.useful(folder) and not self.installs_from(folder)
+        )
+
+    @cached_property
+    def doubles(self) -> tuple[tuple[DataFile, DataFile], ...]:
+        """Files that are named again: the second and the first. Globs that overlap do no harm."""
+        found: list[tuple[DataFile, DataFile]] = []
+        seen: dict[str, DataFile] = {}
+        globs = {glob.span for glob in self.package.setup.globs}
+        index = {*self.markers, *[f for f in self.package.setup.data_files if f.source == "package.xml"]}
+        for file in self.package.setup.data_files:
+            if file.source is None or file.said.span in globs:
+                continue
+            first = seen.setdefault(file.source, file)
+            if first is not file and (first.destination == file.destination or index & {first, file}):
+                found.append((file, first))
+        return tuple(found)
+
+    def refers_to(self, folder: str) -> bool:
+        """Return whether a launch file, a module or the README speaks of a folder of the share directory."""
+        name = self.package.name
+        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
+        return any(
+            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+        )
+
+    @cached_property
+    def texts(self) -> tuple[tuple[str, bool], ...]:
+        """The launch files and modules, and the README: text, and whether it is code."""
+        found = []
+        for path in self.package.files.paths:
+            name = path.rpartition("/")[2]
+            code = bool(LAUNCH.fullmatch(name)) or path in self.package.setup.modules.values()
+            if code or name.lower().startswith("readme"):
+                try:
+                    found.append((self.package.files.source(path).text, code))
+                except UnreadableError:
+                    continue
+        return tuple(found)
+
+    @cached_property
+    def missed(self) -> tuple[Missed, ...]:
+        """Files for run time that lie beside or below files that a glob installs, and that no glob matches."""
+        found: dict[str, Missed] = {}
+        for entry in self.package.setup.data_entries:
+            places = {file.said.span for file in entry.files}
+            for glob in self.package.setup.globs:
+                if glob.span in places and folder_of(glob.pattern):
+                    for path in self.beside(folder_of(glob.pattern)):
+                        found.setdefault(path, Missed(path, entry, glob))
+        for folder, missed in self.folders_beside():
+            found.setdefault(f"{folder}/", missed)
+        return tuple(found.values())
+
+    def folders_beside(self) -> Iterator[tuple[str, Missed]]:
+        """Yield folders of which nothing is installed, where each of at least two beside them has a glob."""
+        entries = self.package.setup.data_entries
+        globbed = {folder_of(e.glob.pattern): (e, e.glob) for e in entries if e.glob is not None and e.glob.matches}
+        for above in {folder.rpartition("/")[0] for folder in globbed} & set(FOLDERS):
+            inner = [folder for folder in globbed if folder.rpartition("/")[0] == above]
+            for folder in sorted(self.package.files.folders):
+                if folder.rpartition("/")[0] == above and len(inner) > 1 and not self.installs_from(folder):
+                    useful = [
+                        p for p in self.package.files.below(folder) if FOLDERS[above].fullmatch(p.rpartition("/")[2])
+                    ]
+                    if useful:
+                        entry, glob = globbed[inner[-1]]
+                        yield folder, Missed(f"{folder}/", entry, glob)
+
+    def beside(self, folder: str) -> Iterator[str]:
+        pattern = FOLDERS.get(folder.partition("/")[0])
+        if pattern is None:
+            return
+        for path in self.package.files.below(folder):
+            if path not in self.covered and pattern.fullmatch(path.rpartition("/")[2]):
+                yield path
+
+
+def folder_of(pattern: str) -> str:
+    """Return the folder of a pattern, as far as it is literal."""
+    parts = pattern.split("/")
+    literal = next((i for i, part in enumerate(parts) if MAGIC.search(part)), len(parts) - 1)
+    return "/".join(parts[:literal])

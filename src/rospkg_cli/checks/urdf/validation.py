@@ -1,0 +1,108 @@
+"""What urdfdom, xacro and the nodes that read a robot description would refuse of one file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from ...languages.xml.parser import Document, Element
+from ...package.urdf.references import text_spans
+from ...package.urdf.robot_file import Fault
+from ...source import Span
+from ...suggest import did_you_mean
+from .element_checks import Shape, first, name_span
+from .kinematic_tree import Tree
+from .substitutions import substitution_fault
+
+HARMLESS = frozenset({"xacro:property", "xacro:arg"})
+"""Elements of xacro that add no links."""
+VERSIONS = ("1.0", "1.1", "1.2")
+
+
+def robot_faults(
+    document: Document, links: Sequence[Element], joints: Sequence[Element], xacro: bool
+) -> Iterator[Fault]:
+    root = document.root
+    if xacro:
+        yield from substitutions(document)
+    if root.tag != "robot":
+        if not xacro:
+            yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
+        return
+    if not links and not joints:
+        return  # a piece of a robot
+    shape = Shape(document.source)
+    for link in links:
+        yield from shape.link(link)
+    for joint in joints:
+        yield from shape.joint(joint)
+    yield from repeated(root, "link")
+    yield from repeated(root, "joint")
+    if whole(root, (*links, *joints)):
+        if not xacro:
+            yield from robot(root)
+        yield from Tree(root, links, joints).faults(piece=document.source.path.endswith(".xacro"))
+        yield from named_joints(root, joints)
+
+
+def robot(root: Element) -> Iterator[Fault]:
+    if root.get("name") is None:
+        yield Fault(root.open, "`<robot>` has no `name`: urdfdom refuses it")
+    version = root.attributes.get("version")
+    if version is not None and version.value not in VERSIONS:
+        yield Fault(version.value_span, f"`{version.value}` is no version of URDF: 1.0")
+    yield from repeated(root, "material")
+
+
+def whole(root: Element, parts: Sequence[Element]) -> bool:
+    """Return whether all links and joints of a robot stand in the file, with literal names."""
+    if any(element.tag.startswith("xacro:") and element.tag not in HARMLESS for element in root.walk()):
+        return False
+    ends = [end for part in parts for end in part.children if end.tag in ("parent", "child")]
+    values = [*(part.get("name") for part in parts), *(end.get("link") for end in ends)]
+    return all(value is None or "$" not in value for value in values)
+
+
+def repeated(root: Element, tag: str) -> Iterator[Fault]:
+    """Yield what has no name, or one that stands before, among the children of the robot."""
+    seen: dict[str, Span] = {}
+    for element in root.children:
+        if element.tag != tag:
+            continue
+        name = element.get("name")
+        if name is None:
+            if tag != "material":
+                yield Fault(element.open, f"the {tag} has no `name`: urdfdom refuses the robot")
+        elif "$" not in name:
+            span = seen.setdefault(name, name_span(element))
+            if span != name_span(element):
+                message = f"two {tag}s are called `{name}`: urdfdom refuses the robot"
+                yield Fault(name_span(element), message, (span, "the first one"))
+
+
+def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
+    """Yield the joints that a <mimic> or a <ros2_control> names, and that the robot lacks."""
+    names = {joint.get("name") or "" for joint in joints}
+    mimics = [mimic.attributes.get("joint") for joint in joints if (mimic := first(joint, "mimic"))]
+    controls = [part for part in root.children if part.tag == "ros2_control"]
+    others = [each.attributes.get("name") for part in controls for each in part.children if each.tag == "joint"]
+    for attribute in (*mimics, *others):
+        if attribute and attribute.value not in names and "$" not in attribute.value:
+            hint = did_you_mean(attribute.value, names)
+            yield Fault(attribute.value_span, f"no joint of the robot is called `{attribute.value}`{hint}")
+
+
+def substitutions(document: Document) -> Iterator[Fault]:
+    source = document.source
+    for element in document.root.walk():
+        found = [(attribute.value_span, True) for attribute in element.attributes.values()]
+        found += [(span, False) for span in text_spans(element)] if element.chunks and not element.self_closing else []
+        for span, flat in found:
+            text = source.slice(span)
+            text = re.sub(r"\s", " ", text) if flat else text  # XML makes one line of an attribute
+            if (at := text.find("package://$(find ")) >= 0:
+                message = "`$(find …)` is an absolute path already: write `package://name/…` or `file://$(find name)/…`"
+                yield Fault(Span(span.start + at, span.start + at + len("package://$(find")), message)
+            if "$" in text and "&" not in text and (fault := substitution_fault(text)):
+                start, end, message = fault
+                yield Fault(Span(span.start + start, span.start + end), f"{message}; xacro stops here")

@@ -1,0 +1,103 @@
+"""`rospkg new`: write a package that builds, runs, passes its own tests and our linter."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ...config.file import find_config, own_config
+from ...control_characters import no_command, visible, visible_lines
+from ...finding import Finding
+from ...report.color import paint, wants_color
+from ...scaffold import ScaffoldError
+from ...scaffold.answers import Request
+from ...scaffold.existing_folder import compare
+from ...scaffold.file_tree import LINES, Row, draw, in_ascii
+from ...scaffold.names import check_package_name
+from ...scaffold.plan import Plan, make_plan
+from ...scaffold.target_folder import check_place, hidden_by, workspace_of
+from .. import UsageError
+from ..streams import afterwards, say, takes
+from .write_package import show_difference, write_plan
+
+NOTHING = "\nNothing was written."
+
+
+def new(
+    request: Request,
+    into: Path = Path(),
+    dry_run: bool = False,
+    color: str = "auto",
+    existing: str = "",
+    diff: bool = False,
+) -> int:
+    """Write the package into a folder, or show every file; return the exit status.
+
+    `existing` is `force` or `skip` where there may be such a folder; `diff` shows what would change there.
+
+    Raises UsageError and ConfigError for what can't be done as asked.
+    """
+    target = into / request.name
+    try:
+        check_package_name(request.name)
+        check_place(into, target, bool(existing) or diff)
+        plan = make_plan(request, into, defaults(into))
+        there = compare(target, plan.files)
+        if diff:
+            return show_difference(plan, there, existing)
+        done = "" if dry_run else write_plan(target, plan, there, existing)
+    except ScaffoldError as error:
+        raise UsageError(str(error)) from error
+    for line in (*filter(None, [done]), *plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
+        say(line)
+    painted = wants_color(color, sys.stdout)
+    tree = shown_tree(plan, painted)
+    if dry_run:
+        print("\n".join((*tree, *shown_files(plan, painted), NOTHING)))
+    else:
+        lines = (*tree, *shown_commands(plan, into, painted))
+        afterwards(lambda: print("\n".join(lines)), "the package is written")
+    return 0
+
+
+def defaults(into: Path) -> Mapping[str, str]:
+    """Return what the config of the place says under `new`, and the user's own config where that says nothing."""
+    return {**own_config().new, **find_config(into).new}
+
+
+def said(finding: Finding) -> str:
+    return f"{finding.place.path}:{finding.place.line}: {finding.message} ({finding.code})"
+
+
+def shown_tree(plan: Plan, color: bool) -> Iterable[str]:
+    rows = draw(plan.answers.name, {visible(file.path): visible(file.about) for file in plan.files})
+    rows = rows if takes(sys.stdout, LINES) else in_ascii(rows)
+    width = max(len(row.drawn) for row in rows)
+    for row in rows:
+        yield (
+            f"{row.drawn:<{width}}   {paint(row.about, 'dim', color)}".rstrip()
+            if row.about
+            else bold_folder(row, color)
+        )
+
+
+def bold_folder(row: Row, color: bool) -> str:
+    return row.drawn.replace(row.name, paint(row.name, "bold", color)) if row.name.endswith("/") else row.drawn
+
+
+def shown_commands(plan: Plan, into: Path, color: bool) -> Iterable[str]:
+    workspace = workspace_of(into)
+    here = workspace == Path.cwd()
+    yield "\nNext:" if here else f"\nNext, in {visible(str(workspace))}:"
+    for command in plan.commands:
+        yield f"  {paint(visible(command), 'cyan', color)}"
+
+
+def shown_files(plan: Plan, color: bool) -> Iterable[str]:
+    line = "──" if takes(sys.stdout, LINES) else "--"
+    for file in plan.files:
+        text = no_command(visible_lines(file.entry.text.text))
+        yield paint(f"\n{line} {plan.answers.name}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)
+        if text:
+            yield text.removesuffix("\n")

@@ -1,0 +1,41 @@
+"""What `rospkg new` writes or would write, where there may be a folder of that name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ...control_characters import visible
+from ...scaffold.existing_folder import Difference, write_into
+from ...scaffold.plan import Plan
+from ...scaffold.render import Written
+from ...scaffold.write import is_there, write_folder
+from ...tree import Entry
+from ..diff import diff
+
+
+def write_plan(target: Path, plan: Plan, there: Difference, existing: str) -> str:
+    """Write the package; return a sentence on what became of a folder that was there, else ""."""
+    if not is_there(target):
+        write_folder(target, plan.files)
+        return ""
+    kept = write_into(target, there, existing == "force")
+    left = len(there.same) + (0 if existing == "force" else len(there.other))
+    said = f"{counted(len(there.missing))} written, {left} left as {'it was' if left == 1 else 'they were'}"
+    return f"{said}, {len(there.other)} replaced: what was there is in `{kept}`" if kept else said
+
+
+def counted(files: int) -> str:
+    return "1 file" if files == 1 else f"{files} files"
+
+
+def show_difference(plan: Plan, there: Difference, existing: str) -> int:
+    """Show what would be written; return 1 where that is anything, else 0."""
+    changes: list[tuple[Written, Entry | None]] = [(file, None) for file in there.missing]
+    changes += there.other if existing != "skip" else ()
+    for file, before in sorted(changes, key=lambda change: change[0].path):
+        path = f"{plan.answers.name}/{file.path}"
+        try:
+            print(diff(path, before, file.entry), end="")
+        except UnicodeError:
+            print(f"Binary files a/{visible(path)} and b/{visible(path)} differ")
+    return 1 if changes else 0

@@ -1,0 +1,141 @@
+"""The user's config: the nearest rospkg.toml, else [tool.rospkg] in pyproject.toml. It loads no code."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ..configkeys import FORMS, place, read_section
+from ..configkeys import ConfigError as ConfigError
+from ..current_folder import absolute, here
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+MAX_TEXT = 1_000_000
+"""Characters; the largest pyproject.toml that is known has a tenth of it."""
+
+MAX_PARTS = 100
+"""Of a key: `a.b` has two."""
+
+Ignores = Mapping[str, str]
+"""Code, name or prefix → the reason."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """Ignores and severities for the packages or paths that a pattern fits."""
+
+    key: str
+    """per-package or per-path."""
+    pattern: str
+    ignore: Ignores = field(default_factory=dict)
+    severity: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Config:
+    path: Path | None = None
+    """The file it came from; None for no config."""
+    table: tuple[str, ...] = ()
+    """Where in that file our keys stand."""
+    select: tuple[str, ...] = ()
+    extend_select: tuple[str, ...] = ()
+    ignore: Ignores = field(default_factory=dict)
+    severity: Mapping[str, str] = field(default_factory=dict)
+    target: tuple[str, ...] = ()
+    exclude: tuple[str, ...] = ()
+    build_types: tuple[str, ...] = ()
+    plugins: tuple[str, ...] = ()
+    pedantic: bool = False
+    release: bool = False
+    fail_on: str = "warning"
+    required_version: str = ""
+    per_package: tuple[Section, ...] = ()
+    per_path: tuple[Section, ...] = ()
+    new: Mapping[str, Any] = field(default_factory=dict)
+    index: Mapping[str, Any] = field(default_factory=dict)
+    """Where names are fetched from; in the user's own config alone."""
+
+    @property
+    def folder(self) -> Path:
+        """The folder that its patterns are relative to."""
+        return self.path.parent if self.path else here()
+
+
+def find_config(start: Path) -> Config:
+    """Return the config that holds for a path; raises ConfigError with line and column for what is wrong in it."""
+    start = absolute(start)
+    for folder in (start, *start.parents):
+        for path, table in candidates(folder):
+            return load(path, table)
+    return Config()
+
+
+def candidates(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
+    if (folder / "rospkg.toml").is_file():
+        yield folder / "rospkg.toml", ()
+    pyproject = folder / "pyproject.toml"
+    if pyproject.is_file() and "[tool.rospkg" in text_of(pyproject):
+        yield pyproject, ("tool", "rospkg")
+
+
+def own_config() -> Config:
+    """Return the user's own config, for what no repository can say; raises ConfigError."""
+    path = own_path()
+    return load(path, own=True) if path.is_file() else Config()
+
+
+def own_path() -> Path:
+    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "rospkg" / "config.toml"
+
+
+def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
+    """Read a config file; `table` is where in it our keys stand, `own` whether it is the user's own."""
+    text = text_of(path)
+    if len(text) > MAX_TEXT:
+        raise ConfigError(f"{path}: a config of more than {MAX_TEXT:,} characters is not read")
+    refuse_long_keys(text, path)
+    try:
+        data: Any = tomllib.loads(text)
+    except RecursionError:
+        raise ConfigError(f"{path}: it is nested too deeply") from None
+    except ValueError as error:  # also a number of more digits than Python reads
+        raise ConfigError(f"{path}: not valid TOML: {error}") from None
+    for key in table:
+        data = data.get(key, {}) if isinstance(data, dict) else data
+    values = read_section(data, FORMS, path, text, table)
+    if "index" in values and not own:
+        where = place(path, text, table, "index")
+        raise ConfigError(f"{where}: `index` belongs in {own_path()}: no repository says where your names come from")
+    for key in PER:
+        values[key] = tuple(Section(key, name, **each) for name, each in values.get(key, {}).items())
+    return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})
+
+
+def refuse_long_keys(text: str, path: Path) -> None:
+    """Raise ConfigError for a key of very many parts: Python takes time for it that grows with their square."""
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.count(".") > MAX_PARTS:
+            before = (re.split(r"[{,]", part)[-1] for part in re.split("[=\\]]", line))
+            if any(part.count(".") > MAX_PARTS and "#" not in part for part in before):
+                raise ConfigError(f"{path}:{number}:1: a key of more than {MAX_PARTS} parts is not read")
+
+
+def text_of(path: Path) -> str:
+    """Return as much of a file as can be a config, and one character; raises ConfigError."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            return stream.read(MAX_TEXT + 1)
+    except OSError as error:
+        raise ConfigError(f"{path}: it can't be read: {error.strerror or error}") from None
+
+
+PER = ("per-package", "per-path")

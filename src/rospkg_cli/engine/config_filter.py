@@ -1,0 +1,86 @@
+"""What the user's config makes of findings: ignored with a reason, milder, stronger, or off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatch
+from pathlib import Path
+
+from ..config.file import Config, Ignores, Section
+from ..finding import Finding, Severity
+from ..package.run_events import UnknownRuleName, UnusedSuppression
+from .run.session import Results, Session
+from .selection import codes_named
+from .suppression.config_rule_names import Keys, complaints
+
+
+@dataclass(frozen=True)
+class Judge:
+    config: Config
+    root: Path
+    """Of the run; the paths of findings are relative to it."""
+    whole: bool = True
+    """Whether the run looks at every package, so that an ignore that nothing needs is needless."""
+    used: set[Keys] = field(default_factory=set)
+    """The ignores that set something aside, as the keys that lead to them."""
+
+    def __call__(self, session: Session, results: Results) -> Results:
+        """Return the results with the config's ignores and severities applied, and what is wrong with these."""
+        judged = [self.judge(finding) for finding in results.findings]
+        kept = [f for f in judged if f.suppressed is None]
+        extra = session.report(None, list(self.happenings(session)))
+        return replace(
+            results,
+            findings=tuple(sorted((*kept, *extra), key=lambda f: f.sort_key) if extra else kept),
+            suppressed=(*results.suppressed, *(f for f in judged if f.suppressed is not None)),
+        )
+
+    def judge(self, finding: Finding) -> Finding:
+        sections = list(self.sections(finding))
+        tables: list[tuple[Keys, Ignores]] = [(("ignore",), self.config.ignore)]
+        tables += [((s.key, s.pattern, "ignore"), s.ignore) for s in sections]
+        for keys, ignores in tables:
+            name = longest(ignores, finding.code)
+            if name is not None:
+                self.used.add((*keys, name))
+                return replace(finding, suppressed=ignores[name], external=True)
+        levels = [level for s in sections if (level := said(s.severity, finding.code))]
+        level = levels[-1] if levels else said(self.config.severity, finding.code)
+        if level == "off":
+            return replace(finding, suppressed="severity is off in the config", external=True)
+        return replace(finding, severity=Severity(level)) if level else finding
+
+    def happenings(self, session: Session) -> Iterator[UnknownRuleName | UnusedSuppression]:
+        """Yield what is wrong with the rule names of the config; needless ignores only after a whole run."""
+        path = self.config.path
+        if path is not None and path.is_relative_to(self.root):
+            below = path.relative_to(self.root).as_posix()
+            with suppress(OSError, UnicodeError):
+                text = session.tree.entry(below).text.text
+                yield from complaints(self.config, below, text, self.used, session.codes if self.whole else frozenset())
+
+    def sections(self, finding: Finding) -> Iterable[Section]:
+        """Yield the sections whose pattern fits the finding's package, or its path below the config's folder."""
+        yield from (s for s in self.config.per_package if fnmatch(finding.package, s.pattern))
+        path = self.root / finding.place.path
+        if path.is_relative_to(self.config.folder):
+            below = path.relative_to(self.config.folder).as_posix()
+            yield from (s for s in self.config.per_path if fits(below, s.pattern))
+
+
+def fits(path: str, pattern: str) -> bool:
+    """Return whether a pattern fits a path or a folder above it."""
+    parts = path.split("/")
+    return any(fnmatch("/".join(parts[:n]), pattern.rstrip("/")) for n in range(1, len(parts) + 1))
+
+
+def longest(table: Mapping[str, str], code: str) -> str | None:
+    """Return the longest of the codes, names and prefixes in a table that stands for a code."""
+    return max((name for name in table if code in codes_named(name)), key=len, default=None)
+
+
+def said(table: Mapping[str, str], code: str) -> str | None:
+    name = longest(table, code)
+    return None if name is None else table[name]

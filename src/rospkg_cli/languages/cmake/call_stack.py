@@ -1,0 +1,109 @@
+"""Where a run of CMake files is, what surrounds it, and how it leaves a file or a loop."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ...source import Span
+from .command_blocks import Block
+from .file import ROOT
+from .syntax import Command
+from .values import BINARY, HOLE, PREFIX, SOURCE, Value
+
+MAX_STEPS = 20_000
+MAX_DEPTH = 40
+MAX_COST = 1_000_000
+"""So many words (and sixteens of characters) are looked at and built in all: a hundred MiB at most."""
+
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+OFF = ("WIN32", "MSVC", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "BORLAND", "CMAKE_CROSSCOMPILING")
+INSTALL_DIRS = {
+    "BINDIR": "bin", "SBINDIR": "sbin", "LIBEXECDIR": "libexec", "SYSCONFDIR": "etc", "LIBDIR": "lib",
+    "INCLUDEDIR": "include", "DATAROOTDIR": "share", "DATADIR": "share", "DOCDIR": "share/doc", "MANDIR": "share/man",
+}  # fmt: skip
+"""What GNUInstallDirs sets, below any prefix but /usr."""
+
+PYTHON = "lib/python"
+"""What stands for the folder of Python packages, whose name depends on the Python: `lib/python3.12/site-packages`."""
+
+CONSTANTS = {
+    "CMAKE_INSTALL_PREFIX": PREFIX,
+    "CMAKE_SYSTEM_NAME": "Linux",
+    "PYTHON_INSTALL_DIR": PYTHON,
+    **{f"CMAKE_INSTALL_{name}": text for name, text in INSTALL_DIRS.items()},
+    "UNIX": "1",
+    "LINUX": "1",
+    **dict.fromkeys(OFF, ""),
+}
+
+
+NOWHERE = Span(0, 0)
+
+
+class LeaveError(Exception):
+    """`return`, `break` or `continue`; `fatal` where the configuration stops."""
+
+    def __init__(self, how: str) -> None:
+        super().__init__(how)
+        self.how = how
+
+
+class ExhaustedError(Exception):
+    """The files take more steps than we are willing to go."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Where the machine is."""
+
+    path: str
+    """The file whose commands are run."""
+    file: str = ROOT
+    """CMAKE_CURRENT_LIST_FILE: inside a function that of its caller."""
+    folder: str = ""
+    """CMAKE_CURRENT_SOURCE_DIR, relative to the package."""
+    testing: bool = False
+    maybe: bool = False
+    idle: bool = False
+    """Nothing of it is really run: a branch that is never taken, a loop over nothing."""
+    depth: int = 0
+    inside: str = ""
+    """The function or macro of the package that is run."""
+    bindings: Mapping[str, Value] = field(default_factory=dict)
+    """The arguments of the macro that is run."""
+
+
+@dataclass
+class Function:
+    command: Command
+    body: list[Command | Block]
+    path: str
+    parameters: list[str]
+    macro: bool
+
+
+def environment(name: str) -> str:
+    return ENVIRONMENT.get(name, HOLE)
+
+
+def built_in(name: str, here: Frame, testing: str | None) -> str | None:
+    """Return what CMake itself sets a variable to, None for one that it doesn't; `testing` is BUILD_TESTING."""
+    match name:
+        case "CMAKE_SOURCE_DIR":
+            return SOURCE
+        case "CMAKE_BINARY_DIR":
+            return BINARY
+        case "CMAKE_CURRENT_SOURCE_DIR":
+            return posixpath.join(SOURCE, here.folder).rstrip("/")
+        case "CMAKE_CURRENT_BINARY_DIR":
+            return posixpath.join(BINARY, here.folder).rstrip("/")
+        case "CMAKE_CURRENT_LIST_DIR":
+            return posixpath.join(SOURCE, posixpath.dirname(here.file)).rstrip("/")
+        case "CMAKE_CURRENT_LIST_FILE":
+            return posixpath.join(SOURCE, here.file)
+        case "BUILD_TESTING":
+            return testing
+        case _:
+            return CONSTANTS.get(name)

@@ -1,0 +1,78 @@
+"""What conditions may ask about the package and about the state of the run."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from .call_stack import ENVIRONMENT
+from .condition import Truth
+from .interpreter import Machine
+from .values import BINARY, HOLE, PREFIX, Value
+
+OLDEST_POLICY = "CMP0128"
+"""The last that Ubuntu 22.04's CMake knows: what is newer may be unknown to the one that builds."""
+
+IDENTIFIER = re.compile(r"[A-Za-z_][\w.:+-]*")
+
+FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z][A-Z_]*")
+"""What may be set by CMake, by its user, or by another package: `CMAKE_BUILD_TYPE`, `rclcpp_VERSION`."""
+
+
+@dataclass
+class World:
+    machine: Machine
+
+    def variable(self, name: str) -> Value | None:
+        """Return a variable's value; None where it is not set; a hole where that can't be told."""
+        found = self.machine.known(name)
+        if found is not None or not IDENTIFIER.fullmatch(name):
+            return found
+        return None if self.machine.settled(name) else self.machine.hole()
+
+    def operand(self, name: str) -> Value | None:
+        """Return what a word in a comparison stands for; None where it is only a word."""
+        found = self.machine.known(name)
+        return self.variable(name) if found is None and FROM_OUTSIDE.fullmatch(name) else found
+
+    def spend(self, cost: int) -> None:
+        self.machine.spend(cost)
+
+    def holds(self, test: str, name: str) -> Truth:
+        match test:
+            case "EXISTS" | "IS_DIRECTORY":
+                return self.exists(name, folder=test == "IS_DIRECTORY")
+            case "COMMAND":
+                return True if name.lower() in self.machine.functions else None
+            case "TARGET":
+                return self.is_made(name)
+            case "DEFINED":
+                return self.defined(name)
+            case "IS_ABSOLUTE":
+                return name.startswith("/")
+            case "POLICY":
+                return True if name <= OLDEST_POLICY else None
+            case _:
+                return None
+
+    def is_made(self, target: str) -> Truth:
+        """Return whether a target is there; of one that is made for tests, that is known where tests are built."""
+        for_tests = self.machine.targets.get(target)
+        if for_tests is None or (for_tests and not self.machine.frame.testing and self.machine.assume != "ON"):
+            return None
+        return True
+
+    def exists(self, text: str, folder: bool) -> Truth:
+        path = self.machine.path(text)
+        if path is None or text.startswith((BINARY, PREFIX)):
+            return None
+        files = self.machine.files
+        return not path or (files.is_there(path) and not (folder and files.holds(path)))
+
+    def defined(self, name: str) -> Truth:
+        if name.startswith(("ENV{", "CACHE{")):
+            return True if name[4:-1] in ENVIRONMENT else None
+        value = self.variable(name)
+        if value is None:
+            return False
+        return None if not value or any(word.maybe or word.text == HOLE for word in value) else True

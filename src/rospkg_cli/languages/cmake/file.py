@@ -1,0 +1,103 @@
+"""One CMake file of a package: parsed, or refused where CMake would refuse it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from .command_blocks import Block, nest
+from .syntax import Command, Fault, Syntax, parse
+
+ROOT = "CMakeLists.txt"
+MAX_LENGTH = 500_000
+"""In characters; what people write has a hundredth of that."""
+ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
+INDENT = re.compile(r"^([ \t]+)(?=\S)", re.MULTILINE)
+SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
+"""Where in their arguments commands name a variable that they set."""
+
+
+@dataclass(frozen=True)
+class CMakeFile:
+    """One file that can be read: its commands, flat and in their blocks."""
+
+    syntax: Syntax
+    body: list[Command | Block]
+
+    @property
+    def source(self) -> Source:
+        return self.syntax.source
+
+    @property
+    def path(self) -> str:
+        return self.syntax.source.path
+
+    @cached_property
+    def top(self) -> tuple[Command, ...]:
+        """The commands that stand in no block, in order."""
+        return tuple(each for each in self.body if isinstance(each, Command))
+
+    @cached_property
+    def _top(self) -> frozenset[int]:
+        return frozenset(map(id, self.top))
+
+    def is_top(self, command: Command) -> bool:
+        """Return whether a command is one of this file's, and stands in no block."""
+        return id(command) in self._top
+
+    @cached_property
+    def last_install(self) -> Command | None:
+        """The last `install` that stands in no block."""
+        return next((each for each in reversed(self.top) if each.name == "install"), None)
+
+    @cached_property
+    def end(self) -> Command | None:
+        """The command that opens the block of the tests, or ends the package, whichever comes first."""
+        for each in self.body:
+            first = each.command if isinstance(each, Block) else each
+            tests = isinstance(each, Block) and any("BUILD_TESTING" in a.text for a in first.arguments)
+            if tests or first.name in ENDS:
+                return first
+        return None
+
+    @cached_property
+    def indent(self) -> str:
+        """What arguments and bodies are indented by; two blanks where none is."""
+        return min(INDENT.findall(self.source.text), key=len, default="  ")
+
+    @cached_property
+    def is_upper(self) -> bool:
+        """Whether most commands are written in upper case."""
+        names = [self.source.slice(command.name_span) for command in self.syntax.commands]
+        return sum(map(str.isupper, names)) * 2 > len(names)
+
+
+def read_file(files: PackageFiles, path: str) -> CMakeFile:
+    """Read one file; raises UnreadableError at the first place that CMake would refuse, and for one too large."""
+    source = files.source(path)
+    if len(source.text) > MAX_LENGTH:
+        message = f"`{path}` is not read: it has more than {MAX_LENGTH:,} characters; split what is generated in it off"
+        raise UnreadableError(path, Span(0, 0), message, skipped=True)
+    syntax = parse(source)
+    body, faults = nest(syntax.commands)
+    refuse(path, syntax.faults or tuple(faults))
+    return CMakeFile(syntax, body)
+
+
+def refuse(path: str, faults: tuple[Fault, ...]) -> None:
+    if faults:
+        first = faults[0]
+        raise UnreadableError(path, first.span, f"`{path}` is not valid CMake: {first.message}")
+
+
+def names_set(file: CMakeFile) -> Iterator[str]:
+    """Yield the names of variables that a file sets somewhere by a literal name."""
+    for command in file.syntax.commands:
+        at = SETTERS.get(command.name)
+        if at is not None and len(command.arguments) > at:
+            yield command.arguments[at].text

@@ -1,0 +1,82 @@
+"""What `file(GLOB …)` finds among the package's files, and what other forms of `file` leave unknown."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from .evaluated_command import Call
+from .interpreter import Machine
+from .regex import glob
+from .values import HOLE, SOURCE, Word
+
+OUTPUTS = {"READ": 1, "STRINGS": 1, "RELATIVE_PATH": 0, "TO_CMAKE_PATH": 1, "TO_NATIVE_PATH": 1, "REAL_PATH": 1,
+           "SIZE": 1, "TIMESTAMP": 1, "READ_SYMLINK": 1, "MD5": 1, "SHA1": 1, "SHA256": 1}  # fmt: skip
+
+
+def run_file(machine: Machine, call: Call) -> None:
+    operation = "".join(call.texts[:1]).upper()
+    if operation in ("GLOB", "GLOB_RECURSE"):
+        run_glob(machine, call, recurse=operation == "GLOB_RECURSE")
+    elif operation in OUTPUTS and len(call.words) > OUTPUTS[operation] + 1:
+        machine.set(call.texts[OUTPUTS[operation] + 1], machine.hole())
+
+
+def run_glob(machine: Machine, call: Call, recurse: bool) -> None:
+    """Set a variable to what the patterns match, each path at the place of its pattern."""
+    words = list(call.words[2:])
+    relative: Word | None = None
+    patterns: list[Word] = []
+    folders = not recurse
+    while words:
+        word = words.pop(0)
+        if word.text == "RELATIVE" and words:
+            relative = words.pop(0)
+        elif word.text == "LIST_DIRECTORIES" and words:
+            folders = words.pop(0).text.lower() in ("true", "on", "1")
+        elif word.text not in ("CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"):
+            patterns.append(word)
+    if len(call.words) < 2:
+        return
+    base = machine.path(relative.text) if relative else None
+    found: list[Word] = []
+    for pattern in patterns:
+        paths = matches(machine, pattern, recurse, folders)
+        if paths is None or (relative and base is None):
+            found.append(replace(pattern, text=HOLE))
+        else:
+            found += [replace(pattern, text=shown(path, base)) for path in paths]
+    machine.set(call.texts[1], tuple({word.text: word for word in found}.values()))
+
+
+def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> list[str] | None:
+    path = machine.path(pattern.text)
+    if path is None:
+        return None
+    candidates: Sequence[str] = machine.places if folders else machine.files.every
+    machine.spend(len(candidates) >> 1)
+    if not recurse:
+        return glob(path, candidates)
+    folder, last = posixpath.split(path)
+    return deep(machine, folder, last, candidates)
+
+
+def deep(machine: Machine, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
+    """Return what fits the last part of a pattern anywhere below what fits its folder."""
+    roots = [""] if not folder else glob(folder, machine.places)
+    names = glob(last, {posixpath.basename(path) for path in candidates})
+    if roots is None or names is None:
+        return None
+    machine.spend(len(roots) * len(candidates) >> 3)
+    wanted = set(names)
+    return list(dict.fromkeys(p for p in below(roots, candidates) if posixpath.basename(p) in wanted))
+
+
+def below(roots: Sequence[str], paths: Sequence[str]) -> Iterator[str]:
+    prefixes = tuple(f"{root}/" if root else "" for root in roots)
+    return (path for path in paths if path.startswith(prefixes))
+
+
+def shown(path: str, base: str | None) -> str:
+    return posixpath.join(SOURCE, path) if base is None else posixpath.relpath(path, base or ".")

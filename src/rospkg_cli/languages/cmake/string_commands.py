@@ -1,0 +1,110 @@
+"""What `string` and `get_filename_component` make of texts."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Sequence
+
+from .evaluated_command import Call, located
+from .interpreter import Machine
+from .regex import find_all, replace_all, steps
+from .values import HOLE, MAX_TEXT, SOURCE, joined
+
+
+def run_string(machine: Machine, call: Call) -> None:
+    operation, rest = "".join(call.texts[:1]).upper(), list(call.texts[1:])
+    if operation == "REGEX" and rest:
+        operation, rest = f"REGEX {rest[0].upper()}", rest[1:]
+    if operation in ("APPEND", "PREPEND") and rest:
+        held, added = joined(machine.value(rest[0])), "".join(rest[1:])
+        machine.set_text(rest[0], held + added if operation == "APPEND" else added + held)
+        return
+    output = output_of(operation, rest)
+    if output is None:
+        return
+    name = rest.pop(output)
+    unknown = any(HOLE in text for text in rest)
+    if not unknown and operation.startswith("REGEX"):
+        machine.spend(steps(rest[0], "".join(rest[1:])) >> 6)
+    found = None if unknown else result(operation, rest)
+    machine.set_text(name, None if found is None or len(found) > MAX_TEXT else found)
+
+
+def output_of(operation: str, rest: Sequence[str]) -> int | None:
+    """Return which argument names the variable that is set."""
+    at = {
+        "REPLACE": 2, "REGEX REPLACE": 2, "REGEX MATCH": 1, "REGEX MATCHALL": 1, "TOLOWER": 1, "TOUPPER": 1,
+        "STRIP": 1, "LENGTH": 1, "SUBSTRING": 3, "FIND": 2, "CONCAT": 0, "JOIN": 1, "GENEX_STRIP": 1, "REPEAT": 2,
+        "MAKE_C_IDENTIFIER": 1, "CONFIGURE": 1, "TIMESTAMP": 0, "RANDOM": -1, "ASCII": -1, "HEX": 1, "UUID": 0,
+        "MD5": 0, "SHA1": 0, "SHA256": 0, "COMPARE": 3, "JSON": 0,
+    }.get(operation)  # fmt: skip
+    return None if at is None or not rest or at >= len(rest) else at % len(rest)
+
+
+def result(operation: str, rest: Sequence[str]) -> str | None:
+    """Return the text that an operation gives, None where that is not evaluated."""
+    match operation, list(rest):
+        case "REPLACE", [old, new, *texts] if old:
+            return "".join(texts).replace(old, new)
+        case "REGEX REPLACE", [pattern, new, *texts]:
+            return replace_all(pattern, new, "".join(texts))
+        case "REGEX MATCH", [pattern, *texts]:
+            found = find_all(pattern, "".join(texts))
+            return None if found is None else (found or [""])[0]
+        case "REGEX MATCHALL", [pattern, *texts]:
+            found = find_all(pattern, "".join(texts))
+            return None if found is None else ";".join(found)
+        case "TOLOWER", [text]:
+            return text.lower()
+        case "TOUPPER", [text]:
+            return text.upper()
+        case "STRIP", [text]:
+            return text.strip()
+        case "LENGTH", [text]:
+            return str(len(text.encode("utf-8", "replace")))
+        case "CONCAT", texts:
+            return "".join(texts)
+        case "JOIN", [glue, *texts]:
+            return glue.join(texts)
+        case "SUBSTRING", [text, begin, length] if is_count(begin) and is_count(length.removeprefix("-")):
+            return text[int(begin) :][: None if length.startswith("-") else int(length)]
+        case "FIND", [text, part, *_]:
+            return str(text.find(part))
+        case "MAKE_C_IDENTIFIER", [text]:
+            made = "".join(c if c.isalnum() and c.isascii() else "_" for c in text)
+            return f"_{made}" if made[:1].isdigit() else made
+        case _:
+            return None
+
+
+def is_count(text: str) -> bool:
+    return text.isdecimal() and len(text) < 10
+
+
+def run_get_filename_component(machine: Machine, call: Call) -> None:
+    if len(call.texts) < 3:
+        return
+    name, text, wanted = call.texts[:3]
+    machine.set_text(name, None if HOLE in text else component(text, wanted, machine.frame.folder))
+
+
+def component(text: str, wanted: str, folder: str) -> str | None:
+    base = posixpath.basename(text)
+    match wanted:
+        case "NAME":
+            return base
+        case "DIRECTORY" | "PATH":
+            return posixpath.dirname(text)
+        case "NAME_WE":
+            return base[0:1] + base[1:].split(".", 1)[0]
+        case "NAME_WLE":
+            return posixpath.splitext(base)[0]
+        case "EXT":
+            return base[base.index(".", 1) :] if "." in base[1:] else ""
+        case "LAST_EXT":
+            return posixpath.splitext(base)[1]
+        case "ABSOLUTE" | "REALPATH":
+            path = located(text, folder)
+            return posixpath.join(SOURCE, path).rstrip("/") if path is not None else None
+        case _:
+            return None

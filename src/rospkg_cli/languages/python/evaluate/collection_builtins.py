@@ -1,0 +1,122 @@
+"""Builtins that make lists and dicts of what can be iterated: a part that can't be told stays in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from .conversion import NotPlainError, plain
+from .iterables import items_of, many
+from .limits import ITEM, MAX_ITEMS, LimitError, spend
+from .state import Intrinsic, Machine
+from .truthiness import truth
+from .values import Call, Constant, Sequence, Text, Value
+from .values import Mapping as MappingValue
+
+
+def as_list(machine: Machine, call: Call) -> Value | None:
+    if not call.positional:
+        return machine.new_list(call.span, [])
+    items = items_of(machine, call.positional[0])
+    return None if items is None else machine.new_list(call.span, items)
+
+
+def as_tuple(machine: Machine, call: Call) -> Value | None:
+    found = as_list(machine, call)
+    if isinstance(found, Sequence):
+        found.kind = "tuple"
+    return found
+
+
+def as_set(machine: Machine, call: Call) -> Value | None:
+    found = as_list(machine, call)
+    if not isinstance(found, Sequence):
+        return None
+    distinct: dict[Any, Value] = {}
+    try:
+        for item in found.items:
+            distinct.setdefault(id(item) if many(item) else plain(item), item)
+    except (NotPlainError, TypeError):
+        return None
+    return Sequence(call.span, "set", list(distinct.values()), [call.span] * len(distinct), born=found.born)
+
+
+def as_dict(machine: Machine, call: Call) -> Value | None:
+    result = MappingValue(call.span, born=len(machine.conditions))
+    source = call.positional[0] if call.positional else None
+    if isinstance(source, MappingValue):
+        spend(len(source.items) * ITEM)
+        result.items.update(source.items)
+        result.rest += source.rest
+    elif source is not None:
+        for pair in items_of(machine, source) or [source]:
+            if not isinstance(pair, Sequence) or len(pair.items) != 2:
+                return None
+            try:
+                result.items[plain(pair.items[0])] = (pair.items[0], pair.items[1])
+            except (NotPlainError, TypeError):
+                return None
+    for argument in call.arguments:
+        if argument.name:
+            result.items[argument.name] = (Text(argument.span, argument.name), argument.value)
+    return result
+
+
+def as_range(machine: Machine, call: Call) -> Value | None:
+    try:
+        bounds = [value for value in map(plain, call.positional) if isinstance(value, int)]
+        numbers = range(*bounds)
+        count = len(numbers)
+    except (NotPlainError, TypeError, ValueError, OverflowError):
+        return None
+    if len(bounds) != len(call.positional):
+        return None
+    if count > MAX_ITEMS:
+        raise LimitError(f"a range of more than {MAX_ITEMS} numbers")
+    return machine.new_list(call.span, [Constant(call.span, number) for number in numbers])
+
+
+def in_order(machine: Machine, call: Call) -> Value | None:
+    items = items_of(machine, call.positional[0]) if call.positional else None
+    if items is None:
+        return None
+    key = call.get("key")
+    try:
+        keyed = [(item, plain(machine.apply(key, [item], call.span) if key else item)) for item in items]
+        reverse = call.get("reverse")
+        keyed.sort(key=lambda pair: pair[1], reverse=bool(reverse and truth(reverse)))  # type: ignore[arg-type,return-value]
+        items = [item for item, _ in keyed]
+    except (NotPlainError, TypeError):
+        return machine.new_list(call.span, items) if any(map(many, items)) else None
+    return machine.new_list(call.span, items)
+
+
+def backwards(machine: Machine, call: Call) -> Value | None:
+    items = items_of(machine, call.positional[0]) if call.positional else None
+    return None if items is None else machine.new_list(call.span, items[::-1])
+
+
+def numbered(machine: Machine, call: Call) -> Value | None:
+    items = items_of(machine, call.positional[0]) if call.positional else None
+    start = call.get("start", 1) or Constant(call.span, 0)
+    if items is None or any(map(many, items)) or not isinstance(start, Constant) or not isinstance(start.value, int):
+        return None
+    pairs: list[Value] = []
+    for number, item in enumerate(items, start.value):
+        pairs.append(Sequence(call.span, "tuple", [Constant(call.span, number), item], [call.span] * 2))
+    return machine.new_list(call.span, pairs)
+
+
+LISTING: Mapping[str, Intrinsic] = {
+    "list": as_list,
+    "tuple": as_tuple,
+    "set": as_set,
+    "frozenset": as_set,
+    "dict": as_dict,
+    "collections.OrderedDict": as_dict,
+    "iter": as_list,
+    "range": as_range,
+    "sorted": in_order,
+    "reversed": backwards,
+    "enumerate": numbered,
+}

@@ -1,0 +1,181 @@
+"""Between values and plain Python objects, and what can be said of a value without evaluating it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+from ....source import Span
+from .limits import ITEM, MAX_TEXT, STEP, spend
+from .values import Attribute, Call, Constant, Joined, Kind, Mapping, Sequence, Symbol, Text, Unknown, Value
+
+
+class NotPlainError(Exception):
+    """A value, or a part of it, has no plain Python counterpart."""
+
+
+MAX_DEPTH = 40
+"""Deeper than this, a container may well hold itself."""
+
+
+MAX_NODES = 100_000
+"""The values in a value; one that is held twice counts twice."""
+
+
+def plain(value: Value) -> object:
+    """Return the Python value; raises NotPlainError where anything in it is not known, or where it is too large."""
+    if isinstance(value, Constant):
+        spend(ITEM)
+        return value.value
+    if isinstance(value, Text):
+        spend(ITEM + len(value.text) // 10)
+        return value.text
+    meter = Plain()
+    try:
+        return meter.of(value, 0)
+    finally:
+        spend(meter.nodes * ITEM + meter.characters // 10)
+
+
+@dataclass
+class Plain:
+    """Takes a value apart, and counts what it comes by."""
+
+    nodes: int = 0
+    characters: int = 0
+
+    def of(self, value: Value, depth: int) -> object:
+        self.nodes += 1
+        if self.nodes > MAX_NODES or self.characters > MAX_TEXT or depth > MAX_DEPTH:
+            raise NotPlainError
+        match value:
+            case Text():
+                self.characters += len(value.text)
+                return value.text
+            case Constant():
+                return value.value
+            case Sequence():
+                items = [self.of(item, depth + 1) for item in value.items]
+                return items if value.kind == "list" else as_set(items) if value.kind == "set" else tuple(items)
+            case Mapping() if not value.rest:
+                return {key: self.of(item, depth + 1) for key, (_, item) in value.items.items()}
+        raise NotPlainError
+
+
+def weight_of(value: Value, limit: int) -> int:
+    """Return how many values a value holds, one that is held twice counted twice; stops soon after the limit."""
+    found, waiting = 0, [value]
+    while waiting and found <= limit:
+        found += 1
+        match waiting.pop():
+            case Sequence(items=items):
+                waiting += items
+            case Mapping(items=entries, rest=rest):
+                waiting += [each for pair in entries.values() for each in pair]
+                waiting += rest
+            case Joined(parts=parts):
+                waiting += parts
+            case Unknown(options=options):
+                waiting += options
+            case Call(arguments=arguments, receiver=receiver):
+                waiting += [argument.value for argument in arguments]
+                waiting += [receiver] if receiver is not None else []
+            case Attribute(of=of):
+                waiting.append(of)
+    return found + len(waiting) if found > limit else found
+
+
+def as_set(items: list[object]) -> set[object]:
+    try:
+        return set(items)
+    except TypeError:
+        raise NotPlainError from None
+
+
+def lift(found: object, span: Span, *, path: bool = False) -> Value:
+    """Return the value of a plain Python object."""
+    if isinstance(found, str):
+        spend(len(found))
+        return Text(span, found, path=path)
+    if isinstance(found, list | tuple | set | frozenset | dict):
+        spend(len(found) * STEP)
+    if isinstance(found, list | tuple | set | frozenset):
+        kind: Kind = "list" if isinstance(found, list) else "tuple" if isinstance(found, tuple) else "set"
+        ordered: Iterable[object] = sorted(found, key=repr) if kind == "set" else found
+        items = [lift(item, span, path=path) for item in ordered]
+        return Sequence(span, kind, items, [span] * len(items))
+    if isinstance(found, dict):
+        return Mapping(span, {key: (lift(key, span), lift(item, span)) for key, item in found.items()})
+    return Constant(span, found)
+
+
+def known(value: Value) -> bool:
+    try:
+        plain(value)
+    except NotPlainError:
+        return False
+    return True
+
+
+def same(a: Value, b: Value) -> bool:
+    """Return whether two values are equal for certain."""
+    if a is b:
+        return True
+    if isinstance(a, Symbol) and isinstance(b, Symbol):
+        return a.name == b.name
+    try:
+        return type(a) is type(b) and plain(a) == plain(b)
+    except NotPlainError:
+        return False
+
+
+def unknowns(value: Value, seen: set[int] | None = None) -> Iterator[Unknown]:
+    """Yield every Unknown in a value, in order; what is held twice is looked at once."""
+    seen = set() if seen is None else seen
+    if isinstance(value, Unknown):
+        yield value
+        return
+    if id(value) in seen or len(seen) > MAX_NODES:
+        return
+    inner: Iterable[Value] = ()
+    match value:
+        case Sequence():
+            inner = value.items
+        case Mapping():
+            yield from value.rest
+            inner = [item for _, item in value.items.values()]
+        case Joined():
+            inner = value.parts
+    if inner:
+        seen.add(id(value))
+    for item in inner:
+        yield from unknowns(item, seen)
+
+
+def merged(texts: list[Text], span: Span) -> list[Text]:
+    """Return texts as one at the span of all; a lone one stays where it stands, an empty one is none."""
+    start = next((index for index, each in enumerate(texts) if each.text), len(texts))
+    if len(texts) - start < 2:
+        return texts[start:]
+    return [Text(span, "".join(each.text for each in texts))]
+
+
+def join(parts: Iterable[Value], span: Span, *, path: bool = False) -> Value:
+    """Return the text of parts one after the other: a Text where all of them are, else a Joined."""
+    pieces = [each for part in parts for each in (part.parts if isinstance(part, Joined) else (part,))]
+    size = sum(len(each.text) for each in pieces if isinstance(each, Text))
+    spend(len(pieces) * 2 * ITEM)
+    if size > MAX_TEXT:
+        return Unknown(span, f"a text of more than {MAX_TEXT:,} characters is not followed")
+    spend(size)
+    flat: list[Value] = []
+    for _, group in groupby(pieces, lambda each: isinstance(each, Text)):
+        several = list(group)
+        texts = [each for each in several if isinstance(each, Text)]
+        flat += merged(texts, span) if texts else several
+    if not flat:
+        return Text(span, "", path=path)
+    if len(flat) == 1 and isinstance(flat[0], Text):
+        return replace(flat[0], span=span, literal=None, path=path)
+    return Joined(span, tuple(flat), path)

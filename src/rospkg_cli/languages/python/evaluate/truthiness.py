@@ -1,0 +1,60 @@
+"""What is true, equal or contained: None where that can't be told."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable
+from typing import Any
+
+from .conversion import NotPlainError, plain
+from .values import Class, Constant, Function, Joined, Mapping, Opened, Sequence, Symbol, Text, Unknown, Value
+
+COMPARISONS: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.In: lambda a, b: a in b,
+    ast.NotIn: lambda a, b: a not in b,
+    ast.Is: operator.is_,
+    ast.IsNot: operator.is_not,
+}
+
+
+def truth(value: Value) -> bool | None:
+    """Return whether a value counts as true; None where that can't be told."""
+    match value:
+        case Symbol() | Function() | Class() | Opened():
+            return True
+        case Sequence() if any(not (isinstance(item, Unknown) and item.many) for item in value.items):
+            return True
+        case Mapping() if value.items:
+            return True
+        case Joined() if any(isinstance(part, Text) for part in value.parts):
+            return True
+    try:
+        return bool(plain(value))
+    except NotPlainError:
+        return None
+
+
+def compared(kind: type, left: Value, right: Value) -> bool | None:
+    if kind in (ast.In, ast.NotIn) and isinstance(right, Mapping) and not right.rest:
+        right = Sequence(right.span, "list", [key for key, _ in right.items.values()])
+    if kind in (ast.Is, ast.IsNot, ast.Eq, ast.NotEq) and is_none(right) and not_none(left):
+        return kind in (ast.IsNot, ast.NotEq)
+    try:
+        return bool(COMPARISONS[kind](plain(left), plain(right)))
+    except (NotPlainError, TypeError, KeyError):
+        return None
+
+
+def is_none(value: Value) -> bool:
+    return isinstance(value, Constant) and value.value is None
+
+
+def not_none(value: Value) -> bool:
+    return isinstance(value, Symbol | Function | Class | Sequence | Mapping | Joined | Text | Opened)

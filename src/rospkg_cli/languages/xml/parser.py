@@ -1,0 +1,150 @@
+"""Read XML with expat, in linear time, keeping the exact span of every element, attribute, text and comment."""
+
+from __future__ import annotations
+
+import re
+from xml.parsers import expat
+
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from ..char_table import char_table
+from .elements import Attribute as Attribute
+from .elements import Comment as Comment
+from .elements import Document as Document
+from .elements import Element as Element
+from .elements import Instruction as Instruction
+from .errors import complaint
+
+MAX_DEPTH = 200
+"""Deeper documents are refused; libxml2 stops at 256."""
+
+MAX_ATTRIBUTES = 1_000
+"""Of one element."""
+
+MAX_ELEMENTS = 50_000
+"""Comments count too."""
+
+ATTRIBUTE = re.compile(r"""\s+([^\s=<>"'/]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+QUALIFIED = re.compile(r"[^:]+(:[^:]+)?")
+BOUND = frozenset({"xml", "xmlns"})
+
+
+def read_xml(source: Source, *, prefixes: bool = True) -> Document:
+    """Parse a decoded text; raises UnreadableError at the exact place where it is not well formed.
+
+    Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML.
+    """
+    return Reader(source, prefixes).read()
+
+
+class Reader:
+    """One pass of expat over the text."""
+
+    def __init__(self, source: Source, prefixes: bool) -> None:
+        self.source, self.prefixes = source, prefixes
+        self.data = source.text.encode("utf-8", "surrogatepass")
+        self.chars = char_table(source.text) if len(self.data) != len(source.text) else None
+        self.parser = expat.ParserCreate("utf-8")
+        top = Span(0, len(source.text))
+        self.stack = [Element("", top, Span(0, 0), top)]
+        self.bound = [BOUND]
+        self.elements = 0
+        self.instructions: list[Instruction] = []
+        self.comments: list[Comment] = []
+
+    def read(self) -> Document:
+        parser = self.parser
+        parser.buffer_text = True
+        parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
+        parser.CharacterDataHandler = self.characters
+        parser.CommentHandler, parser.ProcessingInstructionHandler = self.comment, self.instruction
+        parser.StartDoctypeDeclHandler = self.doctype
+        try:
+            parser.Parse(self.data, True)
+        except expat.ExpatError as error:
+            inside = self.stack[-1]
+            self.fail(
+                *complaint(self.source, error.code, self.char(parser.ErrorByteIndex), inside.tag, inside.span.start)
+            )
+        return Document(self.source, self.stack[0].children[0], self.instructions, self.comments)
+
+    def char(self, byte: int) -> int:
+        return byte if self.chars is None else self.chars[byte]
+
+    @property
+    def at(self) -> int:
+        return self.char(self.parser.CurrentByteIndex)
+
+    def fail(self, at: int, why: str) -> None:
+        at = max(0, min(at, len(self.source.text)))
+        raise UnreadableError(self.source.path, Span(at, min(at + 1, len(self.source.text))), why)
+
+    def skip(self, at: int, why: str) -> None:
+        message = f"`{self.source.path}` is skipped: {why}"
+        raise UnreadableError(self.source.path, Span(at, at + 1), message, skipped=True)
+
+    def count(self, at: int) -> None:
+        """Refuse more elements and comments than those who read them can go through in some seconds."""
+        self.elements += 1
+        if self.elements > MAX_ELEMENTS:
+            self.skip(at, f"it has more than {MAX_ELEMENTS:,} elements; leave generated files out with `exclude`")
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        at = self.at
+        if len(attributes) > MAX_ATTRIBUTES:
+            self.skip(at, f"`<{tag[:40]}>` has more than {MAX_ATTRIBUTES:,} attributes")
+        found, end = start_tag(self.source.text, at + 1 + len(tag), attributes)
+        element = Element(tag, Span(at, end), Span(at, end), Span(end, end), found)
+        if len(self.stack) > MAX_DEPTH:
+            self.fail(at, f"`{self.source.path}` is nested deeper than {MAX_DEPTH} elements")
+        self.count(at)
+        declared = [name[6:] for name in attributes if name.startswith("xmlns:")]
+        self.bound.append(self.bound[-1].union(declared) if declared else self.bound[-1])
+        for name in (tag, *attributes):
+            if self.prefixes and ":" in name:
+                self.check_prefix(name, at)
+        self.stack[-1].nodes.append(element)
+        self.stack.append(element)
+
+    def check_prefix(self, name: str, at: int) -> None:
+        """Refuse a prefix that no `xmlns:` declares, as every reader with namespaces does."""
+        prefix = name.partition(":")[0]
+        if not QUALIFIED.fullmatch(name) or prefix not in self.bound[-1]:
+            why = f"the prefix of `{name}` is declared nowhere (`xmlns:{prefix}`)"
+            self.fail(at, f"`{self.source.path}` is not well-formed XML: {why}")
+
+    def end(self, tag: str) -> None:
+        element, at, text = self.stack.pop(), self.at, self.source.text
+        self.bound.pop()
+        if text[element.open.end - 2] != "/":
+            element.inner = Span(element.open.end, at)
+            element.span = Span(element.span.start, text.index(">", at) + 1)
+
+    def characters(self, chunk: str) -> None:
+        self.stack[-1].chunks.append(chunk)
+
+    def comment(self, text: str) -> None:
+        at = self.at
+        self.count(at)
+        found = Comment(text, Span(at, self.source.text.index("-->", at + 4) + 3))
+        self.comments.append(found)
+        self.stack[-1].nodes.append(found)
+
+    def instruction(self, target: str, data: str) -> None:
+        at = self.at
+        self.instructions.append(Instruction(target, data, Span(at, self.source.text.index("?>", at) + 2)))
+
+    def doctype(self, *_: object) -> None:
+        at = max(self.source.text.rfind("<!DOCTYPE", 0, self.at + 9), 0)
+        self.fail(at, f"`{self.source.path}` has a DOCTYPE; entities and document types are not read: remove it")
+
+
+def start_tag(text: str, at: int, values: dict[str, str]) -> tuple[dict[str, Attribute], int]:
+    """Return the attributes of a well-formed start tag, and the end of the tag."""
+    found: dict[str, Attribute] = {}
+    while match := ATTRIBUTE.match(text, at):
+        name, group = match.group(1), 2 if match.group(2) is not None else 3
+        spans = Span(match.start(1), match.end()), Span(*match.span(group))
+        found[name] = Attribute(name, values[name], *spans)
+        at = match.end()
+    return found, text.index(">", at) + 1

@@ -1,0 +1,56 @@
+"""One YAML document in which aliases are replaced by what they stand for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from .nodes import MAX_DEPTH, Alias, Mapping, Scalar, Sequence, YamlNode, documents
+
+MAX_NODES = 100_000
+"""Aliases may make a small text large."""
+
+Unfolded = Scalar | Sequence | Mapping
+
+
+def unfolded(source: Source) -> Unfolded | None:
+    """Return the one document of a file, None where there is none; raises UnreadableError for what is not that."""
+    roots = documents(source)
+    if len(roots) > 1:
+        at = start_of(roots[1])
+        raise UnreadableError(source.path, at, f"`{source.path}` is not one YAML document: another one begins here")
+    return Unfolder(source).node(roots[0], 0) if roots else None
+
+
+def start_of(node: YamlNode) -> Span:
+    return Span(node.span.start, min(node.span.start + 1, node.span.end))
+
+
+@dataclass
+class Unfolder:
+    source: Source
+    anchors: dict[str, YamlNode] = field(default_factory=dict)
+    count: int = 0
+
+    def node(self, node: YamlNode, depth: int) -> Unfolded:
+        """Raises UnreadableError for an alias of nothing, and for what is too deep or too large."""
+        self.count += 1
+        if depth > MAX_DEPTH or self.count > MAX_NODES:
+            self.refuse(node.span, "is nested too deeply, or too large")
+        if isinstance(node, Alias):
+            meant = self.anchors.get(node.name)
+            if meant is None:
+                self.refuse(node.span, f"is not valid YAML: found undefined alias '{node.name}'")
+            return self.node(meant, depth + 1)
+        if node.anchor is not None:
+            self.anchors[node.anchor] = node
+        if isinstance(node, Sequence):
+            return Sequence(node.span, [self.node(item, depth + 1) for item in node.items])
+        if isinstance(node, Mapping):
+            return Mapping(node.span, [(self.node(k, depth + 1), self.node(v, depth + 1)) for k, v in node.entries])
+        return node
+
+    def refuse(self, span: Span, why: str) -> NoReturn:
+        raise UnreadableError(self.source.path, span, f"`{self.source.path}` {why}")

@@ -1,0 +1,130 @@
+"""YAML as a tree with spans of characters: libyaml's events with their anchors, aliases, styles and tags.
+
+What an alias stands for is left open, for not every reader follows them (rcl does not); see `yaml_aliases`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from ..located_text import Written
+
+MAX_DEPTH = 100
+NOWHERE = Written("", Span(0, 0), False)
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    text: str
+    span: Span
+    """As it stands in the file: with quotes, and with an anchor or a tag before it."""
+    plain: bool
+    """Neither quoted nor a block."""
+    quoted: bool = False
+    tag: str | None = None
+    anchor: str | None = None
+    written: Written = NOWHERE
+    """The text where it stands, between the quotes where there are any."""
+
+
+@dataclass(frozen=True, slots=True)
+class Alias:
+    name: str
+    span: Span
+
+
+@dataclass(slots=True)
+class Sequence:
+    span: Span
+    items: list[YamlNode] = field(default_factory=list)
+    anchor: str | None = None
+
+
+@dataclass(slots=True)
+class Mapping:
+    span: Span
+    """Of a mapping in braces; else from its first key to where the next thing begins."""
+    entries: list[tuple[YamlNode, YamlNode]] = field(default_factory=list)
+    anchor: str | None = None
+
+
+YamlNode = Scalar | Alias | Sequence | Mapping
+
+
+def documents(source: Source) -> list[YamlNode]:
+    """Return the root of every document of a file that holds something; raises UnreadableError for what is no YAML."""
+    builder = Builder(source)
+    for event in events(source):
+        builder.take(event)
+    return builder.roots
+
+
+def events(source: Source) -> Iterator[Any]:
+    import yaml  # 22 ms that a package without YAML need not pay
+
+    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        yield from yaml.parse(source.text, Loader=loader)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
+        at = mark.index if mark else getattr(error, "position", 0)
+        said = getattr(error, "problem", None) or getattr(error, "reason", None) or "it can't be read"
+        at = min(at, len(source.text))
+        span = Span(at, min(at + 1, len(source.text)))
+        raise UnreadableError(source.path, span, f"`{source.path}` is not valid YAML: {said}") from None
+
+
+class Builder:
+    """Puts events together without recursion, so that no depth can break it."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.roots: list[YamlNode] = []
+        self.open: list[Sequence | Mapping] = []
+        self.keys: list[YamlNode | None] = []
+
+    def take(self, event: Any) -> None:
+        name, span = type(event).__name__, Span(event.start_mark.index, event.end_mark.index)
+        if name == "ScalarEvent":
+            quoted = event.style in ("'", '"')
+            plain, written = not quoted and event.style not in ("|", ">"), self.written(event.value, span, quoted)
+            self.put(Scalar(event.value, span, plain, quoted, event.tag, event.anchor, written))
+        elif name == "AliasEvent":
+            self.put(Alias(event.anchor, span))
+        elif name in ("SequenceStartEvent", "MappingStartEvent"):
+            if len(self.open) >= MAX_DEPTH:
+                message = f"`{self.source.path}` is nested deeper than {MAX_DEPTH} levels"
+                raise UnreadableError(self.source.path, span, message)
+            node = Sequence(span) if name == "SequenceStartEvent" else Mapping(span)
+            node.anchor = event.anchor
+            self.open.append(node)
+            self.keys.append(None)
+        elif name in ("SequenceEndEvent", "MappingEndEvent"):
+            node = self.open.pop()
+            self.keys.pop()
+            node.span = Span(node.span.start, span.end)
+            self.put(node)
+
+    def written(self, text: str, span: Span, quoted: bool) -> Written:
+        """Return where a text stands, behind an anchor or a tag and between its quotes."""
+        raw = self.source.slice(span)
+        if quoted:
+            inner = Span(span.start + raw.index(raw[-1]) + 1, span.end - 1)
+        else:
+            inner = Span(span.end - len(text), span.end) if raw.endswith(text) else span
+        return Written(text, inner, self.source.slice(inner) == text)
+
+    def put(self, node: YamlNode) -> None:
+        if not self.open:
+            self.roots.append(node)
+        elif isinstance(self.open[-1], Sequence):
+            self.open[-1].items.append(node)
+        elif self.keys[-1] is None:
+            self.keys[-1] = node
+        else:
+            self.open[-1].entries.append((self.keys[-1], node))
+            self.keys[-1] = None

@@ -1,0 +1,61 @@
+"""Scripts that `ament_python_install_package(… SCRIPTS_DESTINATION lib/package)` makes of a setup.cfg."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ...files import PackageFiles
+from ...languages.cmake.evaluated_command import Call, flags_and_values, located
+from ...languages.cmake.values import Word
+from ...source import Span
+from ...unreadable import UnreadableError
+from ..install_table import Installed, NotKnown
+from ..setup.entry_points import parse_entry_point
+from ..setup.setup_cfg import parse_setup_cfg
+from ..setup.setup_cfg_arguments import items_of
+from .install_rules import PACKAGE_KEYWORDS, below_prefix
+
+
+def python_scripts(call: Call, files: PackageFiles) -> Iterator[Installed | NotKnown]:
+    """Yield the executables of one call: the `console_scripts`, and what `[options]` lists under `scripts`.
+
+    The setup.cfg is that of SETUP_CFG, or the one beside the call's CMakeLists.txt; without SCRIPTS_DESTINATION
+    there are none.
+    """
+    _, values, _ = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
+    for place in values.get("SCRIPTS_DESTINATION", [])[:1]:
+        given = next(iter(values.get("SETUP_CFG", [])), None)
+        path = located(given.text if given else "setup.cfg", call.folder)
+        folder = below_prefix(place.text)
+        if path is None or folder is None or (given and not files.exists(path)):
+            yield unknown(place if folder is None else given or place, "which scripts setup.cfg makes can't be told")
+        elif files.exists(path):
+            try:
+                for script in scripts_of(path, folder, files):
+                    yield replace(script, maybe=call.maybe, testing=call.testing)
+            except UnreadableError:
+                yield unknown(place, f"`{path}` can't be read")
+
+
+def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[Installed]:
+    """Raises UnreadableError."""
+    cfg = parse_setup_cfg(files.source(path))
+    for option in cfg.options("options.entry_points"):
+        for line in option.value.lines():
+            entry = parse_entry_point(option.key, line)
+            if entry.script and entry.name and not entry.fault:
+                yield row(folder, entry.name, path, entry.span, entry=f"{entry.module}:{entry.attribute}")
+    scripts = cfg.get("options", "scripts")
+    for said in items_of(scripts.value) if scripts is not None else ():
+        source = posixpath.normpath(posixpath.join(posixpath.dirname(path), said.text))
+        yield row(folder, posixpath.basename(said.text), path, said.shown, source=source)
+
+
+def row(folder: str, name: str, path: str, span: Span, source: str = "", entry: str = "") -> Installed:
+    return Installed("executable", posixpath.normpath(posixpath.join(folder, name)), source, entry, path, span)
+
+
+def unknown(word: Word, why: str) -> NotKnown:
+    return NotKnown("executable", why, word.path, word.span)

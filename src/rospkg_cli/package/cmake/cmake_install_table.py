@@ -1,0 +1,156 @@
+"""The install table of a package that CMake builds."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ...languages.cmake.evaluated_command import Call, located
+from ...languages.cmake.values import BINARY, HOLE, Word
+from ...source import Span
+from ...tree import LINKED
+from ..install_table import PYTHON, Installed, InstallTable, NotKnown, What
+from .ament_python_install import python_scripts
+from .artifacts import Artifacts
+from .cmake_project import CMake
+from .copied_files import copies
+from .install_rules import InstallRule
+from .macro_installs import PACKAGE, made_by_macros
+
+INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
+FETCHES = "fetchcontent_makeavailable"
+"""It builds another project along: its programs may stand anywhere, its files go to a share folder of its own."""
+
+
+def cmake_table(cmake: CMake, name: str) -> InstallTable:
+    """Return what the package called `name` installs; what ament writes itself (hooks, configs) is left out."""
+    table = Table(cmake, name)
+    rows = tuple(dict.fromkeys(table.rows()))
+    return InstallTable(rows, tuple(table.unknown()))
+
+
+class Table:
+    def __init__(self, cmake: CMake, name: str) -> None:
+        self.cmake = cmake
+        self.name = name
+        self.artifacts = Artifacts(cmake)
+
+    def rows(self) -> Iterator[Installed]:
+        if ends := self.cmake.named(*PACKAGE):
+            manifest = Installed("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
+            yield replace(manifest, maybe=all(call.maybe for call in ends))
+        for rule in self.cmake.installs:
+            if rule.kind == "TARGETS":
+                yield from self.targets(rule)
+            else:
+                yield from self.files(rule)
+        yield from self.automatic()
+        yield from (self.row(*made) for made in made_by_macros(self.cmake, self.name))
+        yield from (each for each in self.python_scripts() if isinstance(each, Installed))
+
+    def row(self, destination: str, source: str, word: Word, *calls: Call) -> Installed:
+        """Return a row that a word says in some calls, all of which must be run."""
+        maybe, testing = word.maybe or any(call.maybe for call in calls), any(call.testing for call in calls)
+        return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
+
+    def what(self, destination: str) -> What:
+        if destination.startswith((f"lib/{self.name}/", f"lib/{self.cmake.project_name}/", "bin/")):
+            return "executable"
+        for prefix, what in PLACES:
+            if destination.startswith(prefix):
+                return what
+        return "other"
+
+    def files(self, rule: InstallRule) -> Iterator[Installed]:
+        for copy in copies(rule, self.cmake.package):
+            yield self.row(copy.destination, copy.source, copy.item, rule.call)
+        if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
+            for word in filter(made_by_the_build, rule.items):
+                name = rule.rename.text if rule.rename else posixpath.basename(word.text)
+                yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word, rule.call)
+
+    def targets(self, rule: InstallRule) -> Iterator[Installed]:
+        for word in rule.items:
+            target = self.cmake.target(word.text)
+            place = self.artifacts.place(rule, target) if target is not None and target.built else None
+            if target is not None and place is not None:
+                yield self.row(
+                    posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
+                )
+
+    def automatic(self) -> Iterator[Installed]:
+        """What ament_auto_package installs of itself: the targets of ament_auto_add_*, and include/."""
+        for call in self.cmake.named("ament_auto_package", "autoware_ament_auto_package")[:1]:
+            place = "bin" if "INSTALL_TO_PATH" in call.texts else f"lib/{self.name}"
+            for target in self.cmake.targets:
+                if target.call.name == "ament_auto_add_executable" and HOLE not in target.name:
+                    yield self.row(f"{place}/{self.artifacts.file_name(target)}", "", target.word, target.call)
+                elif target.call.name == "ament_auto_add_library" and target.built and HOLE not in target.name:
+                    yield self.row(f"lib/{self.artifacts.file_name(target)}", "", target.word, target.call)
+            scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
+            for path in self.cmake.package.below("include"):
+                place = posixpath.join(scope, path.removeprefix("include/"))
+                yield Installed("header", place, path, "", call.path, call.command.name_span)
+
+    def python_scripts(self) -> Iterator[Installed | NotKnown]:
+        for call in self.cmake.named("ament_python_install_package"):
+            yield from python_scripts(call, self.cmake.package)
+
+    # ---- what can't be told
+
+    def unknown(self) -> Iterator[NotKnown]:
+        if not self.cmake.complete:
+            for what in ALL:
+                yield NotKnown(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
+        yield from (each for each in self.python_scripts() if isinstance(each, NotKnown))
+        for rule in self.cmake.installs:
+            yield from self.unknown_rule(rule)
+        for call in self.cmake.calls:
+            if self.may_install(call):
+                for what in ALL[:1] if call.name == FETCHES else ALL[:2]:
+                    yield NotKnown(what, f"`{call.name}` may install anything", call.path, call.command.span)
+
+    def unknown_rule(self, rule: InstallRule) -> Iterator[NotKnown]:
+        places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
+        dim = rule.kind == "CODE" or None in places
+        items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
+        if rule.kind == "DIRECTORY":
+            items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
+        if not dim and not items:
+            return
+        whats = {self.what(f"{place}/x") for place in places if place is not None} if not dim else set(ALL)
+        where = items[0] if items else rule.destination_word
+        span = where.span if where is not None else rule.call.command.span
+        for what in sorted(whats):
+            yield NotKnown(what, self.why(where), where.path if where else rule.call.path, span)
+
+    def why(self, word: Word | None) -> str:
+        raw = " ".join(self.cmake.raw(word).split()) if word is not None else ""
+        return f"`{raw}` can't be evaluated" if raw else "what it installs can't be evaluated"
+
+    def is_link(self, word: Word, rule: InstallRule) -> bool:
+        """Return whether a folder is a link, behind which we do not look."""
+        path = located(word.text, rule.call.folder) or ""
+        return self.cmake.package.tree.files().get(path.rstrip("/")) in LINKED
+
+    def may_install(self, call: Call) -> bool:
+        known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions
+        return call.name in INSTALLS_ON_ITS_OWN or ("install" in call.name and not known)
+
+
+def made_by_the_build(word: Word) -> bool:
+    return word.known and word.text.startswith(BINARY)
+
+
+ALL: tuple[What, ...] = ("executable", "share", "module", "library", "header", "other")
+PLACES: tuple[tuple[str, What], ...] = (
+    ("share/", "share"),
+    (PYTHON + "/", "module"),
+    ("include/", "header"),
+    ("lib/", "library"),
+)
+INSTALL_COMMANDS = frozenset({
+    "ament_python_install_package", "ament_python_install_module", "catkin_install_python",
+    "ament_get_python_install_dir", "ament_cmake_python_get_python_install_dir",
+})  # fmt: skip

@@ -1,0 +1,199 @@
+"""CMakeLists.txt and the files it reads, evaluated: what rules and PackageFacts go by."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from functools import cached_property
+
+from ...files import PackageFiles, Reading
+from ...languages.cmake.commands import COMMANDS, foreign
+from ...languages.cmake.control_flow import BLOCKS
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.file import ROOT, CMakeFile
+from ...languages.cmake.functions import invoke
+from ...languages.cmake.interpreter import Machine
+from ...languages.cmake.syntax import Command
+from ...languages.cmake.targets import MAKERS, Target, by_name, targets_of
+from ...languages.cmake.values import HOLE, Word
+from ...unreadable import Unreadable
+from .ament_installs import install_rules
+from .build import is_built_with_cmake
+from .components import Component, InterfaceTarget, components_of, interface_targets_of
+from .find_package import FoundPackage, found_packages
+from .install_rules import InstallRule
+
+
+@dataclass(frozen=True)
+class CMake:
+    """The commands of a package as CMake would run them, in order."""
+
+    package: PackageFiles = field(repr=False)
+    files: tuple[CMakeFile, ...]
+    calls: tuple[Call, ...]
+    idle: tuple[Call, ...] = ()
+    """Commands in branches that are never taken and loops over nothing."""
+    stopped: str = ""
+    """Why the run was cut short: then nothing may be concluded from what is absent."""
+    clouded: bool = False
+    """Whether it reads files that we can't see: they may make any target."""
+
+    @property
+    def complete(self) -> bool:
+        return not self.stopped
+
+    @property
+    def root(self) -> CMakeFile:
+        return self.files[0]
+
+    def file(self, path: str) -> CMakeFile:
+        """Return the file with a path; raises KeyError."""
+        return self._files[path]
+
+    @cached_property
+    def _files(self) -> dict[str, CMakeFile]:
+        return {file.path: file for file in self.files}
+
+    def place(self, command: Command) -> int:
+        """Return which of the calls is the last one of a command, -1 where it is never run."""
+        return self._places.get(id(command), -1)
+
+    @cached_property
+    def _places(self) -> dict[int, int]:
+        return {id(call.command): place for place, call in enumerate(self.calls)}
+
+    @cached_property
+    def functions(self) -> frozenset[str]:
+        """The names of the package's own functions and macros."""
+        commands = (command for file in self.files for command in file.syntax.commands)
+        defined = [command for command in commands if command.name in ("function", "macro") and command.arguments]
+        return frozenset(command.arguments[0].text.lower() for command in defined)
+
+    def raw(self, word: Word) -> str:
+        """Return what stands in the file where a word was written: `${LIBRARY}`, `"a b"`."""
+        return self.file(word.path).source.slice(word.span)
+
+    def shown(self, word: Word) -> str:
+        """Return a word for a message, with what stands in the file where that is something else."""
+        raw = self.raw(word).strip('"')
+        return f"`{word.text}`" if raw == word.text or not raw else f"`{word.text}` (`{raw}`)"
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[Call]]:
+        found: dict[str, list[Call]] = {}
+        for call in self.calls:
+            found.setdefault(call.name, []).append(call)
+        return found
+
+    def named(self, *names: str) -> list[Call]:
+        """Return the calls of the commands with these names, in order."""
+        if len(names) == 1:
+            return self._by_name.get(names[0], [])
+        return [call for call in self.calls if call.name in names]
+
+    def speaks_of(self, path: str) -> bool:
+        """Return whether a command names a file, with its suffixes or without, or a test of launch may do so."""
+        name = path.rpartition("/")[2]
+        wanted = (name, name.partition(".")[0], name.rpartition(".")[0])
+        for call in self.calls:
+            if call.open_ended and any(each in call.name for each in ("launch", "ros_test", "pytest")):
+                return True
+            for last in (text.rpartition("/")[2] for text in call.texts):
+                if last in wanted or (HOLE in last and last.strip(HOLE) and fnmatchcase(name, last.replace(HOLE, "*"))):
+                    return True
+        return False
+
+    @cached_property
+    def project(self) -> Word | None:
+        """The name that project() gives, where it is called in CMakeLists.txt itself."""
+        calls = [call for call in self.named("project") if call.path == ROOT and call.words]
+        return calls[0].words[0] if calls else None
+
+    @property
+    def project_name(self) -> str:
+        return self.project.text if self.project is not None and self.project.known else ""
+
+    @property
+    def ends_a_package(self) -> bool:
+        """Whether `ament_package` is called, by whatever name."""
+        return any(call.name.endswith(("ament_package", "ament_auto_package")) for call in self.calls)
+
+    @cached_property
+    def exports(self) -> tuple[Call, ...]:
+        """The calls of ament_export_targets that count: those in a sub-folder set a variable that is lost there."""
+        calls = self.named("ament_export_targets", "ament_export_interfaces")
+        return tuple(call for call in calls if not call.folder)
+
+    @property
+    def only_tests(self) -> bool:
+        """Whether all that is built, installed or exported is for tests."""
+        done = [call for call in self.calls if call.name == "install" or call.name in MAKERS or "export" in call.name]
+        return any(call.testing for call in self.calls) and all(call.testing for call in done)
+
+    @cached_property
+    def targets(self) -> tuple[Target, ...]:
+        return tuple(targets_of(self.calls))
+
+    @cached_property
+    def _targets_by_name(self) -> dict[str, Target]:
+        return by_name(self.targets)
+
+    def target(self, name: str) -> Target | None:
+        return self._targets_by_name.get(name)
+
+    @cached_property
+    def installs(self) -> tuple[InstallRule, ...]:
+        return tuple(install_rules(self.calls, self.project_name))
+
+    @cached_property
+    def components(self) -> tuple[Component, ...]:
+        return tuple(components_of(self.calls))
+
+    @cached_property
+    def interface_targets(self) -> tuple[InterfaceTarget, ...]:
+        return tuple(interface_targets_of(self.calls))
+
+    @cached_property
+    def packages(self) -> tuple[FoundPackage, ...]:
+        """What is looked for with find_package."""
+        return tuple(found_packages(self.calls))
+
+    @cached_property
+    def output_names(self) -> dict[str, str]:
+        """Targets whose file is called otherwise than they are."""
+        return dict(self.properties("OUTPUT_NAME"))
+
+    @cached_property
+    def export_names(self) -> dict[str, str]:
+        """Targets that other packages call otherwise."""
+        return dict(self.properties("EXPORT_NAME"))
+
+    def properties(self, name: str) -> Iterator[tuple[str, str]]:
+        """Yield target and value for each place where a property of that name is set."""
+        for call in self.named("set_target_properties", "set_property"):
+            texts = call.texts
+            start = "PROPERTIES" if call.name == "set_target_properties" else "PROPERTY"
+            if start in texts and name in texts[texts.index(start) : -1]:
+                value = texts[texts.index(name) + 1]
+                yield from ((target, value) for target in texts[: texts.index(start)] if target != "TARGET")
+
+
+def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
+    """Yield every CMake file that is read, one by one."""
+    yield from reading.parts(CMake).broken
+    for cmake in reading.parts(CMake).good:
+        yield from cmake.files
+
+
+def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
+    """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
+    if not is_built_with_cmake(reading):
+        return
+    machine = Machine(reading.files, COMMANDS, BLOCKS, invoke, foreign)
+    machine.run()
+    if machine.broken:
+        yield from machine.broken
+    else:
+        files, calls, idle = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.idle)
+        yield CMake(reading.files, files, calls, idle, machine.stopped, machine.clouded)

@@ -1,0 +1,44 @@
+"""Which packages CMake looks for, and which it passes on to those who use this one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.values import Word
+
+FIND_KEYWORDS = frozenset({
+    "EXACT", "QUIET", "MODULE", "REQUIRED", "COMPONENTS", "OPTIONAL_COMPONENTS", "CONFIG", "NO_MODULE", "GLOBAL",
+    "NO_POLICY_SCOPE", "NAMES", "HINTS", "PATHS", "PATH_SUFFIXES", "CONFIGS", "NO_DEFAULT_PATH", "NO_CMAKE_PATH",
+    "NO_PACKAGE_ROOT_PATH", "NO_CMAKE_FIND_ROOT_PATH", "NO_CMAKE_ENVIRONMENT_PATH", "NO_SYSTEM_ENVIRONMENT_PATH",
+    "NO_CMAKE_PACKAGE_REGISTRY", "NO_CMAKE_SYSTEM_PATH", "CMAKE_FIND_ROOT_PATH_BOTH", "ONLY_CMAKE_FIND_ROOT_PATH",
+    "REGISTRY_VIEW", "BYPASS_PROVIDER",
+})  # fmt: skip
+
+
+@dataclass(frozen=True)
+class FoundPackage:
+    word: Word
+    """The name."""
+    required: bool
+    quiet: bool
+    components: tuple[Word, ...]
+    call: Call
+
+    @property
+    def name(self) -> str:
+        return self.word.text
+
+
+def found_packages(calls: Iterable[Call]) -> Iterator[FoundPackage]:
+    """Yield what `find_package` is asked for, in whatever loop."""
+    for call in calls:
+        if call.name in ("find_package", "gz_find_package", "ign_find_package") and call.words:
+            texts, components, listing = set(call.texts[1:]), [], False
+            for word in call.words[1:]:
+                if word.text in FIND_KEYWORDS:
+                    listing = word.text in ("COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED")
+                elif listing:
+                    components.append(word)
+            yield FoundPackage(call.words[0], "REQUIRED" in texts, "QUIET" in texts, tuple(components), call)

@@ -1,0 +1,143 @@
+"""What `install` and the commands of ament put where, as it is written: one rule for each."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from ...languages.cmake.evaluated_command import Call, by_keyword
+from ...languages.cmake.values import HOLE, PREFIX, Word
+
+Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
+
+ARTIFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PRIVATE_HEADER", "PUBLIC_HEADER",
+             "RESOURCE", "INCLUDES")  # fmt: skip
+OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS",
+           "USE_SOURCE_PERMISSIONS", "CONFIGURATIONS", "COMPONENT", "NAMELINK_COMPONENT", "OPTIONAL",
+           "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "RENAME", "MESSAGE_NEVER", "FILES_MATCHING",
+           "PATTERN", "REGEX", "FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES",
+           "RUNTIME_DEPENDENCY_SET")  # fmt: skip
+TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
+"""Where `TYPE` puts files, by GNUInstallDirs."""
+
+PACKAGE_KEYWORDS = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
+"""Of ament_python_install_package: each takes one value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """`PATTERN "*.hpp"` or `REGEX …` of install(DIRECTORY)."""
+
+    text: str
+    regex: bool
+    exclude: bool = False
+
+
+@dataclass(frozen=True)
+class InstallRule:
+    kind: Kind
+    items: tuple[Word, ...]
+    destination: str | None
+    """Relative to the prefix, absolute where it is said so; None where it is unknown."""
+    call: Call
+    destination_word: Word | None = None
+    destinations: Mapping[str, str | None] | None = None
+    """Of targets: for each kind of artifact its own."""
+    rename: Word | None = None
+    patterns: tuple[Pattern, ...] = ()
+    matching: bool = False
+    """Only files that fit a pattern are installed."""
+    permissions: frozenset[str] = frozenset()
+    """`USE_SOURCE_PERMISSIONS`, or what PERMISSIONS and FILE_PERMISSIONS name."""
+    export: Word | None = None
+    optional: bool = False
+
+
+def below_prefix(text: str) -> str | None:
+    """Return a destination relative to the prefix; None where it is unknown."""
+    if text.startswith(PREFIX):
+        text = text[len(PREFIX) :].lstrip("/") or "."
+    if HOLE in text or "\1" in text or "$<" in text:
+        return None
+    return posixpath.normpath(text) if text else "."
+
+
+def installed(call: Call) -> Iterator[InstallRule]:
+    """`install(…)` in all its forms."""
+    kind = call.texts[0] if call.words else ""
+    words = call.words[1:]
+    if kind == "TARGETS":
+        yield targets_rule(call, words)
+    elif kind in ("FILES", "PROGRAMS"):
+        yield files_rule(call, "FILES" if kind == "FILES" else "PROGRAMS", words)
+    elif kind == "DIRECTORY":
+        yield directory_rule(call, words)
+    elif kind in ("CODE", "SCRIPT", "RUNTIME_DEPENDENCY_SET", HOLE, ""):
+        yield InstallRule("CODE", tuple(words), None, call)
+
+
+def targets_rule(call: Call, words: Sequence[Word]) -> InstallRule:
+    """Return the rule of `install(TARGETS …)`: each kind of artifact may go to its own place."""
+    destinations: dict[str, str | None] = {}
+    artifact, keyword = "", "items"
+    items: list[Word] = []
+    place: Word | None = None
+    export: Word | None = None
+    for word in words:
+        text = "" if word.quoted else word.text
+        if text in ARTIFACTS:
+            artifact, keyword = text, text
+        elif text in OPTIONS:
+            keyword = text
+        elif keyword == "items":
+            items.append(word)
+        elif keyword == "EXPORT":
+            export, keyword = word, ""
+        elif keyword == "DESTINATION":
+            if artifact == "INCLUDES":
+                continue
+            destinations[artifact], keyword = below_prefix(word.text), ""
+            place = place or word
+    return InstallRule(
+        "TARGETS", tuple(items), destinations.get(""), call, place, destinations, export=export,
+        optional="OPTIONAL" in call.texts,
+    )  # fmt: skip
+
+
+def files_rule(call: Call, kind: Literal["FILES", "PROGRAMS"], words: Sequence[Word]) -> InstallRule:
+    found = by_keyword(words, OPTIONS)
+    destination, word = destination_of(found)
+    return InstallRule(
+        kind, tuple(found[""]), destination, call, word,
+        rename=next(iter(found.get("RENAME", [])), None),
+        permissions=frozenset(w.text for w in found.get("PERMISSIONS", [])),
+        optional="OPTIONAL" in found,
+    )  # fmt: skip
+
+
+def directory_rule(call: Call, words: Sequence[Word]) -> InstallRule:
+    found = by_keyword(words, OPTIONS)
+    destination, word = destination_of(found)
+    kept = {w.text for w in found.get("FILE_PERMISSIONS", [])}
+    kept |= {"USE_SOURCE_PERMISSIONS"} & found.keys()
+    return InstallRule(
+        "DIRECTORY", tuple(found[""]), destination, call, word,
+        patterns=tuple(patterns_in(words)), matching="FILES_MATCHING" in found, permissions=frozenset(kept),
+        optional="OPTIONAL" in found,
+    )  # fmt: skip
+
+
+def destination_of(found: Mapping[str, Sequence[Word]]) -> tuple[str | None, Word | None]:
+    if found.get("DESTINATION"):
+        word = found["DESTINATION"][0]
+        return below_prefix(word.text), word
+    return (TYPES.get(found["TYPE"][0].text) if found.get("TYPE") else None), None
+
+
+def patterns_in(words: Sequence[Word]) -> Iterator[Pattern]:
+    for at, word in enumerate(words[:-1]):
+        if word.text in ("PATTERN", "REGEX") and not word.quoted:
+            exclude = at + 2 < len(words) and words[at + 2].text == "EXCLUDE"
+            yield Pattern(words[at + 1].text, word.text == "REGEX", exclude)

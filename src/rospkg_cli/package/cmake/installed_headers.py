@@ -1,0 +1,56 @@
+"""Headers that a package offers: whether they are installed, and whose headers they include."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cpp.file import CppFile, Include
+from ..install_table import InstallTable
+from .cmake_package import CMakePackage
+
+HEADERS = (".hpp", ".h", ".hh", ".hxx")
+INCLUDES = ("ament_export_include_directories",)
+TARGETS = ("ament_export_targets", "ament_export_interfaces")
+PLUGINS = "pluginlib_export_plugin_description_file"
+
+
+@dataclass(frozen=True)
+class Headers:
+    package: CMakePackage
+    table: InstallTable
+    sources: tuple[CppFile, ...]
+
+    @cached_property
+    def exports(self) -> tuple[Call, ...]:
+        """The calls that offer headers to others; the targets of a plug-in are exported and not meant for that."""
+        cmake = self.package.cmake
+        names = INCLUDES if cmake.named(PLUGINS) else (*INCLUDES, *TARGETS)
+        return tuple(call for call in cmake.named(*names) if not call.testing and not call.maybe and not call.folder)
+
+    @cached_property
+    def offered(self) -> tuple[str, ...]:
+        """The headers in include/, as they lie in the package."""
+        return tuple(path for path in self.package.cmake.package.below("include") if path.endswith(HEADERS))
+
+    @property
+    def installed(self) -> frozenset[str]:
+        return frozenset(row.source for row in self.table.rows if row.source.endswith(HEADERS))
+
+    def forgotten(self) -> bool:
+        """Return whether headers are offered and none of them is installed."""
+        unclear = not self.table.knows("header") or not self.package.cmake.complete
+        automatic = self.package.cmake.named("ament_auto_package", "autoware_ament_auto_package")
+        if unclear or automatic or not self.offered or not self.exports:
+            return False
+        return not self.installed.intersection(self.offered)
+
+    def included_packages(self) -> Iterator[tuple[CppFile, Include, str]]:
+        """Yield what public headers include by a package's name: `<rclcpp/rclcpp.hpp>`."""
+        for file in self.sources:
+            if file.path in self.installed:
+                for include in file.includes:
+                    if "/" in include.path and not include.conditional:
+                        yield file, include, include.path.partition("/")[0]

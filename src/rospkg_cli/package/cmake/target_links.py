@@ -1,0 +1,95 @@
+"""What targets are linked with, and which of them others need where they run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import Word
+from .cmake_project import CMake
+
+KEYWORDS = {"PUBLIC": "PUBLIC", "PRIVATE": "PRIVATE", "INTERFACE": "INTERFACE", "LINK_PUBLIC": "PUBLIC",
+            "LINK_PRIVATE": "PRIVATE", "LINK_INTERFACE_LIBRARIES": "INTERFACE"}  # fmt: skip
+NO_LIBRARIES = frozenset({"debug", "optimized", "general", "SYSTEM"})
+
+
+@dataclass(frozen=True)
+class Link:
+    """One target linked with one library, or with the libraries of one package."""
+
+    target: str
+    word: Word
+    scope: str
+    """`PUBLIC`, `PRIVATE`, `INTERFACE`; "" for the form without keywords, which is public too."""
+    package: bool
+    """Whether the word is a package's name (ament_target_dependencies)."""
+    call: Call
+
+    @property
+    def exported(self) -> bool:
+        return self.scope != "PRIVATE"
+
+
+@dataclass(frozen=True)
+class Links:
+    cmake: CMake
+
+    @cached_property
+    def all(self) -> tuple[Link, ...]:
+        return tuple(self._all())
+
+    def _all(self) -> Iterator[Link]:
+        for call in self.cmake.named("target_link_libraries", "ament_target_dependencies"):
+            scope = ""
+            for word in call.words[1:]:
+                if word.text in KEYWORDS:
+                    scope = KEYWORDS[word.text]
+                elif word.text not in NO_LIBRARIES:
+                    package = call.name == "ament_target_dependencies"
+                    yield Link(call.texts[0], word, scope, package, call)
+
+    def of(self, target: str) -> Sequence[Link]:
+        return self._by_target.get(target, ())
+
+    def with_word(self, text: str) -> Sequence[Link]:
+        """Return the links to what a word stands for."""
+        return self._by_word.get(text, ())
+
+    @cached_property
+    def _by_target(self) -> dict[str, list[Link]]:
+        found: dict[str, list[Link]] = {}
+        for link in self.all:
+            found.setdefault(link.target, []).append(link)
+        return found
+
+    @cached_property
+    def _by_word(self) -> dict[str, list[Link]]:
+        found: dict[str, list[Link]] = {}
+        for link in self.all:
+            found.setdefault(link.word.text, []).append(link)
+        return found
+
+    @cached_property
+    def installed(self) -> frozenset[str]:
+        """The targets that some rule installs, by name."""
+        named = {word.text for rule in self.cmake.installs if rule.kind == "TARGETS" for word in rule.items}
+        if self.cmake.named("ament_auto_package", "autoware_ament_auto_package"):
+            automatic = ("ament_auto_add_library", "ament_auto_add_executable")
+            named |= {target.name for target in self.cmake.targets if target.call.name in automatic}
+        components = {each.executable.text for each in self.cmake.components if each.executable is not None}
+        return frozenset(named | components)
+
+    def shared(self, target: Target) -> bool:
+        """Return whether a library is loaded at run time: a shared one, or one of no type where ROS makes it shared."""
+        if not target.library or not target.built or "STATIC" in target.options:
+            return False
+        if target.options & {"SHARED", "MODULE"}:
+            return True
+        return any(each.name == "ament_cmake_ros" for each in self.cmake.packages)
+
+    def own(self, name: str) -> Target | None:
+        """Return the target of the package that a word of target_link_libraries stands for."""
+        return self.cmake.target(name.rpartition("::")[2] if "::" in name else name)

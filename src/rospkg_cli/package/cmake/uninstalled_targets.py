@@ -1,0 +1,165 @@
+"""Targets that are built and that no rule installs, though something needs them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import HOLE, Word
+from .cmake_project import CMake
+from .installed_headers import HEADERS
+from .target_links import Links
+
+MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_auto_add_library", "cuda_add_library",
+           "cuda_add_executable", "generate_parameter_library")  # fmt: skip
+ASIDE = frozenset({"test", "tests", "benchmark", "benchmarks", "example", "examples", "third_party", "thirdparty"})
+SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "rosidl_target_interfaces",
+           "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
+"""Commands that name a target without using what is built of it."""
+
+MAX_PARTS = 5
+"""Behind the first `:` of `$<TARGET_FILE:ns::talker>` there are three, parted by `:`."""
+
+
+@dataclass(frozen=True)
+class Forgotten:
+    target: Target
+    needed_by: str
+    """What needs it, as a message says it; "" for an executable, which is there to be run."""
+    stops: bool = False
+    """Whether CMake itself stops."""
+
+
+@dataclass(frozen=True)
+class ForgottenTargets:
+    cmake: CMake
+
+    @cached_property
+    def links(self) -> Links:
+        return Links(self.cmake)
+
+    def all(self) -> Iterator[Forgotten]:
+        """Yield the targets that are not installed; nothing where an install rule can't be evaluated."""
+        rules = [rule for rule in self.cmake.installs if rule.kind in ("TARGETS", "CODE")]
+        unclear = any(rule.kind == "CODE" or any(not word.known for word in rule.items) for rule in rules)
+        if unclear or not self.cmake.complete or not self.cmake.ends_a_package:
+            return
+        stopping = {each.target.name: each for each in self.unexported()}
+        yield from stopping.values()
+        yield from self.parameters()
+        for target in self.candidates():
+            if target.name in stopping:
+                continue
+            if target.executable and not target.call.maybe and not self.is_used(target):
+                yield Forgotten(target, "")
+            elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)):
+                yield Forgotten(target, needed)
+
+    def candidates(self) -> Iterator[Target]:
+        for target in self.cmake.targets:
+            sure = HOLE not in target.name and not target.word.maybe
+            if target.call.name not in MADE_BY or not sure or target.call.testing or not target.built:
+                continue
+            if target.name not in self.links.installed and "EXCLUDE_FROM_ALL" not in target.options:
+                yield target
+
+    def is_used(self, target: Target) -> bool:
+        """Return whether an executable serves the build or a test, or is aside."""
+        if is_aside(target):
+            return True
+        return any(call is not target.call for call in self.users.get(target.name, ()))
+
+    @cached_property
+    def users(self) -> dict[str, list[Call]]:
+        """Name → the calls that use what is built of a target of that name."""
+        found: dict[str, list[Call]] = {}
+        for call in self.cmake.calls:
+            for name in dict.fromkeys(used_by(call)):
+                found.setdefault(name, []).append(call)
+        return found
+
+    def has_code(self, target: Target) -> bool:
+        """Return whether there may be more in a library than headers: the linker leaves an empty one out."""
+        only = bool(target.sources) and all(word.known and word.text.endswith(HEADERS) for word in target.sources)
+        return not only or target.name in self.added_to
+
+    @cached_property
+    def added_to(self) -> frozenset[str]:
+        """The targets that get sources of target_sources."""
+        return frozenset(text for call in self.cmake.named("target_sources") for text in call.texts[:1])
+
+    def needed_by(self, target: Target) -> str:
+        """Return what does not work without a library."""
+        if (plugin := self.plugins.get(target.name)) is not None:
+            return f"the component `{plugin}`"
+        if target.name in self.promised:
+            return "those who use the package, as `ament_export_libraries` promises it,"
+        for link in self.links.with_word(target.name):
+            if link.target in self.links.installed and not link.package:
+                return f"`{link.target}`, which is linked with it and is installed,"
+        return ""
+
+    @cached_property
+    def plugins(self) -> dict[str, str]:
+        """Target → the first component that is registered of it."""
+        return {each.target.text: each.plugin.text for each in reversed(self.cmake.components)}
+
+    @cached_property
+    def promised(self) -> frozenset[str]:
+        return frozenset(text for call in self.cmake.named("ament_export_libraries") for text in call.texts)
+
+    def unexported(self) -> Iterator[Forgotten]:
+        """Yield what an exported target is linked with, and what no export holds: `install(EXPORT)` refuses that."""
+        exports = {text for call in self.cmake.exports for text in call.texts}
+        rules = [rule for rule in self.cmake.installs if rule.export is not None]
+        held = {word.text for rule in rules for word in rule.items}
+        seen: set[str] = set()
+        for rule in rules:
+            if rule.export is None or rule.export.text not in exports or rule.call.maybe:
+                continue
+            for word in rule.items:
+                for name in self.interface_of(word):
+                    target = self.cmake.target(name)
+                    if target is not None and name not in held and name not in seen and is_refused(target):
+                        seen.add(name)
+                        yield Forgotten(target, f"the exported target `{word.text}`", stops=True)
+
+    def parameters(self) -> Iterator[Forgotten]:
+        """Yield parameter libraries that nothing is linked with, where all their like are installed."""
+        made = [target for target in self.cmake.targets if target.call.name == "generate_parameter_library"]
+        idle = [target for target in made if target.name not in self.links.installed and not target.call.maybe]
+        if len(idle) == 1 and len(made) > 2 and not any(link.word.text == idle[0].name for link in self.links.all):
+            yield Forgotten(idle[0], "who links it, as the other parameter libraries can be,")
+
+    def interface_of(self, word: Word) -> Iterator[str]:
+        """Yield the package's targets that a target passes on to whoever links it."""
+        static = (target := self.cmake.target(word.text)) is not None and "STATIC" in target.options
+        for link in self.links.of(word.text):
+            if (link.exported or static) and not link.package and not link.call.maybe and not link.word.maybe:
+                yield link.word.text
+
+
+def is_refused(target: Target) -> bool:
+    return target.call.name in MADE_BY and not target.call.maybe and not target.options & {"IMPORTED", "ALIAS"}
+
+
+def is_aside(target: Target) -> bool:
+    folders = {*target.call.folder.split("/")}
+    folders |= {part for word in target.sources for part in word.text.split("/")[:-1]}
+    return bool(folders & ASIDE)
+
+
+def used_by(call: Call) -> Iterator[str]:
+    """Yield the names of targets of which a call uses what is built, if they are targets."""
+    setter = call.name.startswith(SETTERS)
+    if setter and call.name != "install":
+        return
+    for text in call.texts:
+        if not setter:
+            yield text
+        for piece in text.split(">")[:-1]:
+            parts = piece.rpartition("<")[2].split(":")
+            yield from (":".join(parts[-count:]) for count in range(1, min(len(parts), MAX_PARTS + 1)))

@@ -1,0 +1,34 @@
+"""What a manifest says of other packages, as PackageFacts tells it."""
+
+from __future__ import annotations
+
+from ..languages.rep149_condition import certain, possible
+from ..ros.distros import Targets
+from .manifest import Manifest
+from .package_facts import Need
+
+
+def dependencies(manifest: Manifest, targets: Targets) -> tuple[Need, ...]:
+    """Return the dependencies that hold, or may hold, for one of the targets."""
+    environments = targets.environments()
+    return tuple(
+        Need(each.tag, each.name, each.span, certain(each.condition, environments))
+        for each in manifest.dependencies
+        if each.active(targets)
+    )
+
+
+def groups(manifest: Manifest, targets: Targets) -> frozenset[str]:
+    """Return the groups that a package is a member of, whatever the target."""
+    environments = targets.environments()
+    members = manifest.all("member_of_group")
+    return frozenset(each.text for each in members if certain(each.get("condition"), environments))
+
+
+def group_needs(manifest: Manifest, targets: Targets) -> tuple[Need, ...]:
+    environments = targets.environments()
+    return tuple(
+        Need(each.tag, each.text, manifest.span(each), certain(each.get("condition"), environments))
+        for each in manifest.all("group_depend")
+        if possible(each.get("condition"), environments)
+    )

@@ -1,0 +1,63 @@
+"""The install table: what stands where below the prefix after the build, and where that was said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from ..languages.cmake.call_stack import PYTHON as PYTHON
+from ..source import Span
+from .package_facts import NOWHERE
+
+What = Literal["executable", "share", "module", "library", "header", "other"]
+
+
+@dataclass(frozen=True, slots=True)
+class Installed:
+    """One file that will be there."""
+
+    what: What
+    destination: str
+    """Relative to the prefix: `share/my_pkg/launch/a.launch.py`, `lib/my_pkg/talker`, `lib/python/my_pkg/talker.py`."""
+    source: str = ""
+    """The file of the package that it is a copy of; "" where the build makes it."""
+    entry: str = ""
+    """`module:attribute` of an executable that calls a function."""
+    path: str = ""
+    """The file that says so."""
+    span: Span = NOWHERE
+    maybe: bool = False
+    """It is there only under a condition that can't be evaluated."""
+    testing: bool = False
+    """It is there only where tests are built, as colcon does unless it is told otherwise."""
+
+
+@dataclass(frozen=True, slots=True)
+class NotKnown:
+    """A part of the table that can't be told."""
+
+    what: What
+    why: str
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class InstallTable:
+    rows: tuple[Installed, ...] = ()
+    unknown: tuple[NotKnown, ...] = ()
+
+    def of(self, what: What) -> Iterator[Installed]:
+        return (row for row in self.rows if row.what == what)
+
+    def below(self, folder: str) -> Iterator[tuple[str, Installed]]:
+        """Yield the rows below a folder of the prefix, with their path relative to it."""
+        prefix = folder.rstrip("/") + "/"
+        return ((row.destination[len(prefix) :], row) for row in self.rows if row.destination.startswith(prefix))
+
+    def knows(self, what: What) -> bool:
+        return all(each.what != what for each in self.unknown)
+
+    def joined(self, other: InstallTable) -> InstallTable:
+        return InstallTable(tuple(dict.fromkeys(self.rows + other.rows)), self.unknown + other.unknown)

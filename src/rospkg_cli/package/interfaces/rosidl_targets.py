@@ -1,0 +1,138 @@
+"""The interface files that CMake hands to rosidl_generate_interfaces, beside those that are there."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.values import Word
+from ...ros.core_messages import CORE_NEEDS
+from ...ros.distros import Targets
+from ...ros.interfaces import KINDS
+from ..cmake.cmake_project import CMake
+from ..cmake.components import InterfaceTarget
+from ..cmake.referenced_paths import NamedPaths
+from ..package_facts import PackageFacts
+from ..workspace import Workspace
+from .interface_file import FieldType, Interface
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """One file of a call; `path` is relative to the package, None where it is elsewhere or unknown."""
+
+    word: Word
+    target: InterfaceTarget
+    path: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class UnlistedNeed:
+    """A package that a call's files use and that the call does not know of."""
+
+    target: InterfaceTarget
+    package: str
+    interface: Interface
+    kind: FieldType
+    """Its first use."""
+    certain: bool
+    """None of the packages that are listed can pass it on."""
+
+
+@dataclass(frozen=True)
+class GeneratedInterfaces:
+    cmake: CMake
+    interfaces: tuple[Interface, ...]
+    package: PackageFacts
+    workspace: Workspace
+    targets: Targets
+
+    @cached_property
+    def listed(self) -> tuple[Listed, ...]:
+        return tuple(
+            Listed(word, target, listed_path(word, target))
+            for target in self.cmake.interface_targets
+            for word in target.files
+        )
+
+    @property
+    def is_told(self) -> bool:
+        """Whether every file that is generated is known."""
+        return self.cmake.complete and all(each.word.known for each in self.listed) and bool(self.listed)
+
+    def left_out(self) -> Iterator[Interface]:
+        """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""
+        listed = {each.path for each in self.listed}
+        for interface in self.interfaces:
+            if self.is_told and interface.path not in listed and interface.folder.rpartition("/")[2] in KINDS:
+                yield interface
+
+    def absent(self) -> Iterator[Listed]:
+        """Yield what is listed, and neither there nor made by a command."""
+        named = NamedPaths(self.cmake)
+        for each in self.listed:
+            certain = each.word.known and not each.word.maybe and not each.target.call.maybe
+            if certain and each.path and not self.cmake.package.exists(each.path):
+                made = each.path in named.made or posixpath.basename(each.path) in named.made_names
+                if not made:
+                    yield each
+
+    def repeated(self) -> Iterator[tuple[Listed, Listed]]:
+        """Yield what one call lists again, with the first of its kind."""
+        for target in self.cmake.interface_targets:
+            seen: dict[str, Listed] = {}
+            for each in self.listed:
+                if each.target is target and each.path and not each.word.maybe:
+                    first = seen.setdefault(each.path, each)
+                    if first is not each:
+                        yield each, first
+
+    def unlisted_needs(self) -> Iterator[UnlistedNeed]:
+        """Yield each package whose types a call's files use and that its DEPENDENCIES neither list nor pass on."""
+        by_path = {interface.path: interface for interface in self.interfaces}
+        for target in self.cmake.interface_targets:
+            if any(not word.known or word.maybe for word in target.dependencies):
+                continue
+            passed_on, certain = self.passed_on(target)
+            seen = {*passed_on, "", self.package.name}
+            for each in self.listed:
+                interface = by_path.get(each.path or "") if each.target is target else None
+                for kind in interface.types if interface else ():
+                    if interface and kind.package not in seen:
+                        seen.add(kind.package)
+                        yield UnlistedNeed(target, kind.package, interface, kind, certain)
+
+    def passed_on(self, target: InterfaceTarget) -> tuple[set[str], bool]:
+        """Return the packages whose interfaces a call links, and whether these are all.
+
+        Actions pass `action_msgs` on; since Iron, services pass `service_msgs` on too.
+        """
+        found: set[str] = set()
+        certain, waiting = True, [word.text for word in target.dependencies]
+        services_do = not self.targets.named(lambda distro: distro.name == "humble")
+        if any(word.text.endswith((".srv", ".action") if services_do else ".action") for word in target.files):
+            waiting += ["action_msgs", "service_msgs"]
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                facts = self.workspace.named(name)
+                if facts is not None:
+                    waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
+                elif name in CORE_NEEDS:
+                    waiting += CORE_NEEDS[name]
+                else:
+                    certain = False
+        return found, certain
+
+
+def listed_path(word: Word, target: InterfaceTarget) -> str | None:
+    """Return the path of a listed file; an absolute one has a `:` where its own part begins."""
+    text = word.text
+    if text.startswith("/") and ":" in text:
+        base, _, own = text.rpartition(":")
+        text = f"{base}/{own}"
+    return located(text, target.call.folder) if word.known else None

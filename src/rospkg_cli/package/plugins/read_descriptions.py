@@ -1,0 +1,67 @@
+"""Find the plug-in descriptions of a package: the files that it exports as such."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...files import PackageFiles, Reading
+from ...languages.cmake.evaluated_command import located
+from ...languages.xml.parser import read_xml
+from ...source import Span
+from ...unreadable import Unreadable, UnreadableError
+from ..cmake.cmake_project import CMake
+from ..manifest import Manifest
+from .description import Exported, PluginDescription
+
+PREFIX = "${prefix}/"
+EXPORT = "pluginlib_export_plugin_description_file"
+
+
+def read_plugin_descriptions(reading: Reading) -> Iterator[PluginDescription | Unreadable]:
+    """Yield every description that is there, once, with all places that export it.
+
+    A file that nobody exports counts where it looks like one; whether it can be read is nobody's business then.
+    """
+    found: dict[str, list[Exported]] = {}
+    for path, exported in (*by_cmake(reading), *by_manifest(reading)):
+        if reading.files.exists(path):
+            found.setdefault(path, []).append(exported)
+    for path in reading.files.paths:
+        if path.endswith(".xml") and path not in found and is_like_one(reading.files, path):
+            found[path] = []
+    for path, exports in found.items():
+        try:
+            yield PluginDescription(read_xml(reading.files.source(path)), tuple(exports))
+        except UnreadableError as error:
+            if exports:
+                yield error.unreadable
+
+
+def is_like_one(files: PackageFiles, path: str) -> bool:
+    try:
+        text = files.source(path).text
+    except UnreadableError:
+        return False
+    return "base_class_type" in text and "<library" in text
+
+
+def by_cmake(reading: Reading) -> Iterator[tuple[str, Exported]]:
+    for cmake in reading.parts(CMake).good:
+        for call in cmake.named(EXPORT):
+            if len(call.words) > 1 and call.words[0].known and call.words[1].known:
+                base, file = call.words[:2]
+                path = located(file.text, call.folder)
+                if path:
+                    exported = Exported(base.text, base.span, call.path, file.span, True, call.testing)
+                    yield path, exported
+
+
+def by_manifest(reading: Reading) -> Iterator[tuple[str, Exported]]:
+    for manifest in reading.parts(Manifest).good:
+        for element in manifest.exports:
+            plugin = element.attributes.get("plugin")
+            if plugin is not None and plugin.value.startswith(PREFIX):
+                tag = Span(element.open.start + 1, element.open.start + 1 + len(element.tag))
+                exported = Exported(element.tag, tag, manifest.path, plugin.value_span, False)
+                yield posixpath.normpath(plugin.value[len(PREFIX) :]), exported

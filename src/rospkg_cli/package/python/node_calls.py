@@ -1,0 +1,42 @@
+"""Nodes of a launch that Python code describes outside of launch files: `Node(package='…', executable='…')`."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...languages.python.file import PythonFile
+from ...source import Span
+
+CLASSES = frozenset({"Node", "LifecycleNode", "ComposableNode", "ComposableNodeContainer"})
+WHAT = frozenset({"executable", "plugin"})
+
+
+@dataclass(frozen=True, slots=True)
+class DescribedNode:
+    """The package that a call names for certain, and where."""
+
+    package: str
+    span: Span
+
+
+def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
+    """Yield the nodes whose package and executable (or plug-in) stand in the call, in the order of the text."""
+    if "package=" not in file.source.text:
+        return
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.Call) and called(node.func) in CLASSES:
+            given = {keyword.arg: keyword.value for keyword in node.keywords}
+            package = given.get("package")
+            literal = isinstance(package, ast.Constant) and isinstance(package.value, str)
+            if isinstance(package, ast.Constant) and literal and WHAT & given.keys():
+                yield DescribedNode(str(package.value), file.span(package))
+
+
+def called(function: ast.expr) -> str:
+    """Return the last part of the name of what is called."""
+    match function:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name
+    return ""

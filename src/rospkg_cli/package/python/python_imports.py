@@ -1,0 +1,120 @@
+"""The Python of a package: what each file imports, and which modules are the package's own."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import PurePosixPath
+
+from ...files import PackageFiles, Reading
+from ...languages.python.file import Import, PythonFile, parse_python
+from ...source import Source
+from ...unreadable import UnreadableError
+from ..file_role import Role, role_of
+from ..install_table import InstallTable
+from ..python_modules import Modules
+from .installed_python import InstalledPython
+from .node_calls import DescribedNode, described_nodes
+
+NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
+"""Folders without `__init__.py` that nobody imports, though Python would let them."""
+
+VARIABLE = re.compile(r"@(\w+)@")
+
+
+@dataclass(frozen=True)
+class PythonImports:
+    """What one file imports that is not its package's own."""
+
+    path: str
+    role: Role
+    imports: tuple[Import, ...]
+    nodes: tuple[DescribedNode, ...] = ()
+
+
+@dataclass(frozen=True)
+class PythonUse:
+    """Every Python file of a package that can be read; `complete` says whether all of them could."""
+
+    files: tuple[PythonImports, ...] = ()
+    complete: bool = True
+
+
+@dataclass(frozen=True)
+class OwnModules:
+    """The modules that a package may import of itself, by their first name."""
+
+    files: PackageFiles
+
+    @cached_property
+    def everywhere(self) -> frozenset[str]:
+        """Packages at any depth (a `src/` or a vendored copy may hold them), and modules beside setup.py."""
+        paths = [PurePosixPath(path) for path in self.files.paths if path.endswith(".py")]
+        packages = {path.parent.name for path in paths if path.name == "__init__.py"}
+        top = {path.parts[0] for path in paths if len(path.parts) > 1} - NO_PACKAGES
+        return frozenset(packages | top | {path.stem for path in paths if len(path.parts) == 1})
+
+    @cached_property
+    def _beside(self) -> dict[str, set[str]]:
+        found: dict[str, set[str]] = {}
+        for path in self.files.paths:
+            if path.endswith((".py", ".so", ".pyi")):
+                where = PurePosixPath(path)
+                found.setdefault(str(where.parent), set()).add(where.name.partition(".")[0])
+                found.setdefault(str(where.parent.parent), set()).add(where.parent.name)
+        return found
+
+    def has(self, module: str, importer: str) -> bool:
+        """Return whether a file that stands at `importer` may mean one of these."""
+        top = module.partition(".")[0]
+        return top in self.everywhere or top in self._beside.get(str(PurePosixPath(importer).parent), ())
+
+
+def read_python_use(reading: Reading) -> Iterator[PythonUse]:
+    """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
+    own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
+    modules = reading.parts(Modules).only
+    assert modules is not None
+    found: list[PythonImports] = []
+    complete = True
+    for path in reading.files.paths:
+        if is_python(reading.files, path):
+            file, role = modules.at(path), role_of(path)
+            if file is None:
+                complete = False
+                continue
+            used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
+            role = role if used else "aside"
+            found.append(PythonImports(path, role, foreign(file, own), tuple(described_nodes(file))))
+        elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
+            file = read_template(reading.files, path)
+            found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
+    yield PythonUse(tuple(found), complete)
+
+
+def read_template(files: PackageFiles, path: str) -> PythonFile | None:
+    """Read what configure_file makes a test of, with a name in the place of every `@VARIABLE@`."""
+    try:
+        return parse_python(Source(path, VARIABLE.sub(r"_\1_", files.source(path).text)))
+    except UnreadableError:
+        return None
+
+
+def foreign(file: PythonFile, own: OwnModules) -> tuple[Import, ...]:
+    return tuple(each for each in file.imports if not each.level and not own.has(each.module, file.path))
+
+
+def is_python(files: PackageFiles, path: str) -> bool:
+    """Return whether a file is Python by its suffix, or by the first line of a script without one."""
+    name = path.rpartition("/")[2]
+    if "." in name:
+        return name.endswith(".py")
+    if not files.executable(path):
+        return False
+    try:
+        first = files.source(path).text.partition("\n")[0]
+    except UnreadableError:
+        return False
+    return first.startswith("#!") and "python" in first

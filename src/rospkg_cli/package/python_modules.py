@@ -1,0 +1,48 @@
+"""The Python files of a package, each parsed once and only when asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ..files import PackageFiles, Reading
+from ..languages.python.file import PythonFile, parse_python
+from ..unreadable import Unreadable, UnreadableError
+from .install_table import InstallTable
+from .setup.setup_py import SetupPy
+
+
+@dataclass(frozen=True)
+class Modules:
+    files: PackageFiles
+    parsed: dict[str, PythonFile | Unreadable] = field(default_factory=dict)
+
+    def read(self, path: str) -> PythonFile | Unreadable:
+        """Return a file's syntax, or what keeps us from it."""
+        if path not in self.parsed:
+            try:
+                self.parsed[path] = parse_python(self.files.source(path))
+            except UnreadableError as error:
+                self.parsed[path] = error.unreadable
+        return self.parsed[path]
+
+    def at(self, path: str) -> PythonFile | None:
+        """Return the file at a path; None where there is none, or none that can be parsed."""
+        found = self.read(path) if self.files.exists(path) else None
+        return found if isinstance(found, PythonFile) else None
+
+
+def read_modules(reading: Reading) -> Iterator[Modules]:
+    yield Modules(reading.files)
+
+
+def read_installed_modules(reading: Reading) -> Iterator[PythonFile | Unreadable]:
+    """Read every module and script that is installed: one that can't be parsed is a fault that shows at run time."""
+    setup, modules = reading.parts(SetupPy).only, reading.parts(Modules).only
+    table = reading.parts(InstallTable).only
+    rows = table.rows if table is not None else ()
+    paths = {row.source for row in rows if row.what in ("module", "executable") and row.source.endswith(".py")}
+    paths |= set(setup.modules.values()) if setup is not None else set()
+    if modules is not None:
+        for path in sorted(paths):
+            yield modules.read(path)

@@ -1,0 +1,69 @@
+"""Evaluate setup.py where it is what colcon runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...languages.python.evaluate.evaluator import Evaluator
+from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.values import Call, Unknown
+from ...languages.python.file import parse_python
+from ...source import Span
+from ...unreadable import UnreadableError
+from ..manifest import Manifest
+from .find_packages import Search, knows
+from .setup_cfg import SetupCfg
+from .setup_py import SetupPy
+
+
+def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
+    """Evaluate setup.py where it is what colcon runs; raises UnreadableError where it is no Python."""
+    if not reading.files.exists("setup.py") or not runs_setup_py(reading):
+        return
+    file = parse_python(reading.files.source("setup.py"))
+    searches: list[Search] = []
+    folder = Folder(reading.files)
+    evaluator = Evaluator(file, folder, knows(searches))
+    evaluator.run_file()
+    cfg = reading.parts(SetupCfg)
+    call, doubt = setup_call(evaluator)
+    yield SetupPy(
+        file=file,
+        folder=folder,
+        call=call,
+        doubt=doubt,
+        cfg=cfg.only,
+        cfg_broken=bool(cfg.broken) or has_project_table(reading),
+        calls=tuple(evaluator.calls),
+        globs=tuple(evaluator.globs),
+        searches=tuple(searches),
+        names=evaluator.scope.names,
+        cwd=evaluator.cwd,
+    )
+
+
+def runs_setup_py(reading: Reading) -> bool:
+    """Return whether the package is built with its setup.py: ament_python, or nothing else is said or there."""
+    manifest = reading.parts(Manifest).only
+    types = {element.text for element in manifest.exports if element.tag == "build_type"} if manifest else set()
+    return "ament_python" in types or (not types and not reading.files.exists("CMakeLists.txt"))
+
+
+def has_project_table(reading: Reading) -> bool:
+    """Return whether pyproject.toml gives metadata, or can't be read and may."""
+    if not reading.files.exists("pyproject.toml"):
+        return False
+    try:
+        return "\n[project]" in "\n" + reading.files.source("pyproject.toml").text
+    except UnreadableError:
+        return True
+
+
+def setup_call(evaluator: Evaluator) -> tuple[Call | None, Unknown | None]:
+    """Return the one call of setup(), or why there is none to rely on."""
+    found = [call for call in evaluator.calls if call.callee.rpartition(".")[2] == "setup" and call.receiver is None]
+    if len(found) == 1 and found[0].certain:
+        return found[0], None
+    why = evaluator.gave_up or ("setup() is not called" if not found else "which setup() is called can't be told")
+    return None, Unknown(found[0].span if found else Span(0, 0), why)

@@ -1,0 +1,95 @@
+"""The arguments of setup() as they were given, by setup.py or by setup.cfg, and where they stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.values import Argument, Call, Constant, Sequence, Text, Unknown, Value
+from ...languages.python.file import PythonFile
+from ...source import Source, Span
+from .located_text import Said
+from .setup_cfg import SetupCfg
+from .setup_cfg_arguments import FromCfg
+
+
+@dataclass(frozen=True)
+class Told:
+    file: PythonFile
+    folder: Folder
+    call: Call | None
+    """The call of setup(); None where it can't be told."""
+    doubt: Unknown | None
+    """Why not."""
+    cfg: SetupCfg | None
+    cfg_broken: bool
+    """Whether setup.cfg is there and can't be read, or pyproject.toml may say more."""
+
+    @property
+    def source(self) -> Source:
+        return self.file.source
+
+    @property
+    def path(self) -> str:
+        return self.file.path
+
+    @property
+    def span(self) -> Span:
+        """Of `setup` in the call of setup()."""
+        return Span(self.call.span.start, self.call.span.start + 5) if self.call else Span(0, 0)
+
+    def argument(self, name: str) -> Argument | None:
+        return self.call.argument(name) if self.call else None
+
+    def name_span(self, name: str) -> Span:
+        """Return where an argument is named; the name of the function where it isn't given there."""
+        found = self.argument(name)
+        if found is None or self.call is None or not self.call.span.start < found.span.start < self.call.span.end:
+            return self.span
+        return Span(found.span.start, found.span.start + len(name))
+
+    def value_span(self, name: str) -> Span:
+        """Return where the value of an argument stands; the name of the function where it isn't given there."""
+        found, name_at = self.argument(name), self.name_span(name)
+        if found is None or name_at == self.span:
+            return self.span
+        equals = self.source.text.index("=", name_at.end) + 1
+        blanks = len(self.source.text[equals:]) - len(self.source.text[equals:].lstrip())
+        return Span(equals + blanks, found.span.end)
+
+    def value(self, name: str) -> Value | None:
+        """Return what setup() is given; None where setup.cfg or nobody says it; Unknown where it can't be told."""
+        if self.call is None:
+            return self.doubt
+        found = self.call.get(name)
+        if found is None:
+            return self.call.rest
+        return None if isinstance(found, Constant) and not found.value else found
+
+    def absent(self, name: str) -> Unknown | None:
+        """Return why a missing argument may yet be given elsewhere."""
+        if self.cfg_broken:
+            return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
+        return None
+
+    def said(self, name: str) -> Said | None:
+        """Return a text of the metadata, as setup.py or setup.cfg gives it; None where it isn't known."""
+        value = self.value(name)
+        if value is None and self.cfg is not None:
+            return self.from_cfg.text(name)
+        return Said.of(self.path, value) if isinstance(value, Text) else None
+
+    @cached_property
+    def from_cfg(self) -> FromCfg:
+        return FromCfg(self.cfg, self.folder)
+
+    def texts(self, name: str) -> tuple[Said, ...]:
+        """Return the texts of a list: those that are known."""
+        value = self.value(name)
+        if value is None:
+            return self.from_cfg.texts(name)
+        if isinstance(value, Text):
+            return (Said.of(self.path, value),)
+        items = value.items if isinstance(value, Sequence) else []
+        return tuple(Said.of(self.path, item) for item in items if isinstance(item, Text))

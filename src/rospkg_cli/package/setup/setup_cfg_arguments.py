@@ -1,0 +1,146 @@
+"""What setup.cfg's `[metadata]` and `[options…]` say, in the terms of setup()'s arguments."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...languages.python.evaluate.sandbox_filesystem import MAGIC, Folder, OutsideError
+from ...languages.python.evaluate.values import Unknown
+from ...source import Span
+from .data_files import DataEntry, DataFile
+from .entry_points import EntryPoint, parse_entry_point
+from .find_packages import find
+from .located_text import Said
+from .setup_cfg import Option, SetupCfg
+
+METADATA = {
+    "home_page": "url", "summary": "description", "classifier": "classifiers", "platform": "platforms",
+}  # fmt: skip
+"""Old names of options, as setuptools still takes them."""
+
+FIND = {"find:": False, "find_namespace:": True}
+
+
+@dataclass(frozen=True)
+class FromCfg:
+    cfg: SetupCfg | None
+    folder: Folder
+
+    def option(self, name: str) -> Option | None:
+        """Return the option that gives an argument of setup()."""
+        if self.cfg is None:
+            return None
+        for section in ("metadata", "options"):
+            for option in self.cfg.options(section):
+                if METADATA.get(option.name, option.name) == name:
+                    return option
+        return None
+
+    def text(self, name: str) -> Said | None:
+        option = self.option(name)
+        if option is None or option.value.text.startswith(("attr:", "file:")):
+            return None
+        return option.value
+
+    def texts(self, name: str) -> tuple[Said, ...]:
+        """Return the items of a list: one a line, or separated by commas."""
+        option = self.option(name)
+        if option is None or option.value.text.startswith(("attr:", "file:")):
+            return ()
+        if name == "packages" and option.value.text.strip() in FIND:
+            found = self.found_packages
+            return tuple(Said("setup.cfg", package, option.value.span) for package in found or ())
+        return tuple(items_of(option.value))
+
+    @cached_property
+    def unknown(self) -> Mapping[str, Unknown]:
+        """What is given by a directive that is not followed."""
+        found: dict[str, Unknown] = {}
+        for name in ("name", "version", "packages", "py_modules", "scripts", "data_files", "entry_points"):
+            option = self.option(name)
+            if option and option.value.text.startswith(("attr:", "file:")):
+                found[name] = Unknown(Span(0, 0), f"`{option.value.text}` in setup.cfg is not followed")
+        packages = self.option("packages")
+        if packages and packages.value.text.strip() in FIND and self.found_packages is None:
+            found["packages"] = Unknown(Span(0, 0), f"`{packages.value.text}` in setup.cfg is not followed")
+        return found
+
+    @cached_property
+    def found_packages(self) -> tuple[str, ...] | None:
+        """What `packages = find:` finds; None where that can't be told."""
+        packages = self.option("packages")
+        if packages is None or self.cfg is None:
+            return None
+        asked = {option.name: option for option in self.cfg.options("options.packages.find")}
+        where = asked["where"].value.text if "where" in asked else "."
+        include = [said.text for said in items_of(asked["include"].value)] if "include" in asked else ["*"]
+        exclude = [said.text for said in items_of(asked["exclude"].value)] if "exclude" in asked else []
+        try:
+            inside = self.folder.inside(where)
+            namespace = FIND[packages.value.text.strip()]
+            return tuple(find(self.folder, inside, tuple(include), tuple(exclude), namespace=namespace))
+        except OutsideError:
+            return None
+
+    @cached_property
+    def package_dir(self) -> Mapping[str, str]:
+        option = self.option("package_dir")
+        pairs = [said.text.partition("=") for said in items_of(option.value)] if option else []
+        return {key.strip(): value.strip() for key, sign, value in pairs if sign}
+
+    @cached_property
+    def package_data(self) -> Mapping[str, tuple[str, ...]]:
+        options = self.cfg.options("options.package_data") if self.cfg else ()
+        return {option.key: tuple(said.text for said in items_of(option.value)) for option in options}
+
+    @property
+    def extras(self) -> set[str]:
+        """The names of `[options.extras_require]`."""
+        return {option.key for option in self.cfg.options("options.extras_require")} if self.cfg else set()
+
+    @cached_property
+    def entry_points(self) -> tuple[EntryPoint, ...]:
+        options = self.cfg.options("options.entry_points") if self.cfg else ()
+        return tuple(parse_entry_point(option.key, line) for option in options for line in option.value.lines())
+
+    @cached_property
+    def data_entries(self) -> tuple[DataEntry, ...]:
+        options = self.cfg.options("options.data_files") if self.cfg else ()
+        return tuple(self.data_entry(option, index) for index, option in enumerate(options))
+
+    def data_entry(self, option: Option, index: int) -> DataEntry:
+        into = Said("setup.cfg", option.key, option.key_span, option.key_span)
+        files = [
+            self.data_file(said, source, into, index) for said in items_of(option.value) for source in self.glob(said)
+        ]
+        return DataEntry("setup.cfg", option.span, option.span, into, None, tuple(files))
+
+    def glob(self, said: Said) -> list[str]:
+        try:
+            return self.folder.glob(said.text, recursive=True) if MAGIC.search(said.text) else [said.text]
+        except OutsideError:
+            return []
+
+    def data_file(self, said: Said, source: str, into: Said, index: int) -> DataFile:
+        try:
+            inside: str | None = self.folder.inside(source)
+        except OutsideError:
+            inside = None
+        target = posixpath.normpath(posixpath.join(into.text, posixpath.basename(source)))
+        return DataFile(said, said.span, inside, target, index, absolute=source.startswith("/"))
+
+
+def items_of(value: Said) -> list[Said]:
+    """Return the items of a list value: one a line where there are lines, else separated by commas."""
+    if "\n" in value.text:
+        return value.lines()
+    found, at = [], 0
+    for piece in value.text.split(","):
+        item = value.part(at, at + len(piece)).stripped()
+        at += len(piece) + 1
+        if item.text:
+            found.append(item)
+    return found

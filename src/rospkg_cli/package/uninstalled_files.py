@@ -1,0 +1,52 @@
+"""What the install table of a package does not tell: files that stay behind, and files that the build writes."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ..files import Reading
+from ..languages.cmake.evaluated_command import Call
+from ..languages.cmake.values import HOLE
+from ..ros.share import FOLDERS
+from .cmake.cmake_project import CMake
+from .cmake.referenced_paths import NamedPaths, written_by
+from .install_table import InstallTable
+
+RUNS = frozenset({"execute_process", "add_custom_command", "add_custom_target"})
+CODE = (".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".cxx", ".cmake", ".in", ".txt", ".so", ".a")
+
+
+def uninstalled_files(reading: Reading) -> frozenset[str]:
+    """Return the files in the folders for run time that nothing installs."""
+    table = reading.parts(InstallTable).only
+    if table is None:
+        return frozenset()
+    sources = {row.source for row in table.rows}
+    found = (path for folder in FOLDERS for path in reading.files.below(folder))
+    return frozenset(path for path in found if path not in sources)
+
+
+def made_files(reading: Reading) -> frozenset[str]:
+    """Return the names of the files that CMake writes, and of those that it installs and that are not here.
+
+    `*` stands for what of a name can't be told, and for all that a folder may hold.
+    """
+    cmake = reading.parts(CMake).only
+    if cmake is None:
+        return frozenset()
+    named = NamedPaths(cmake)
+    texts = [text for call in named.calls for text in made_by(call)]
+    texts += [each.path for each in named.missing() if each.use == "install"]
+    names = {posixpath.basename(text).replace(HOLE, "*") for text in texts}
+    folders = {f"*{posixpath.basename(each.path)}/*" for each in named.missing() if each.use == "folder"}
+    return frozenset(name for name in names if name.strip("*.") and not name.endswith(CODE)) | folders
+
+
+def made_by(call: Call) -> Iterator[str]:
+    """Yield the paths that a call may write: where it runs a program, all that it hands to it."""
+    yield from (word.text for word in written_by(call))
+    if call.name in RUNS:
+        yield from (text for text in call.texts if "." in posixpath.basename(text))
+    elif call.name.startswith("xacro_"):
+        yield from (text.removesuffix(".xacro") for text in call.texts)

@@ -1,0 +1,63 @@
+"""A robot description as rules see it: links, joints, what it refers to, and what its readers refuse."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ...languages.xml.parser import Document, Element
+from ...source import Source, Span
+
+Use = Literal["include", "resource"]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that urdfdom or xacro refuses."""
+
+    span: Span
+    message: str
+    related: tuple[Span, str] | None = None
+    mild: bool = False
+    """The robot is read all the same, with something missing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A file that is named by its package: `package://pkg/path`, `$(find pkg)/path`."""
+
+    span: Span
+    """From the scheme to the end of the path."""
+    path_span: Span
+    package: str
+    path: str | None
+    """Below the package's share folder; None where a part of it is filled in later."""
+    use: Use
+
+
+@dataclass(frozen=True, slots=True)
+class LocalInclude:
+    """A file that xacro includes by a path relative to the one that says so; `path` is relative to the package."""
+
+    span: Span
+    path: str
+
+
+@dataclass(frozen=True)
+class RobotFile:
+    document: Document
+    xacro: bool
+    """Whether xacro makes something else of it first."""
+    links: tuple[Element, ...] = ()
+    joints: tuple[Element, ...] = ()
+    faults: tuple[Fault, ...] = ()
+    references: tuple[Reference, ...] = ()
+    includes: tuple[LocalInclude, ...] = ()
+
+    @property
+    def source(self) -> Source:
+        return self.document.source
+
+    @property
+    def path(self) -> str:
+        return self.document.source.path
