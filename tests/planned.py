@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from rospkg_cli.scaffold.answers import Request
-from rospkg_cli.scaffold.around import Around
 from rospkg_cli.scaffold.plan import Plan, make_plan
+from rospkg_cli.scaffold.workspace import Around
 from rospkg_cli.tree import MemoryTree
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from test_lint_command import rospkg
 
-from rospkg_cli.cli.asking import ask, command_of
+from rospkg_cli.cli.new.interactive import ask, command_of
 from rospkg_cli.scaffold.answers import Request
 
 ADA = {"maintainer": "Ada", "email": "ada@example.org", "distro": "lyrical"}

@@ -12,7 +12,7 @@ from rospkg_cli.engine.suppression.comments import in_source
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cmake.call_stack import MAX_COST
 from rospkg_cli.languages.cmake.values import HOLE
-from rospkg_cli.ros.license_words import is_prose, licenses_in
+from rospkg_cli.ros.license_text import is_prose, licenses_in
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 

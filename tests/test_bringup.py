@@ -13,9 +13,9 @@ from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
-from rospkg_cli.scaffold.around import Around
-from rospkg_cli.scaffold.around import around as around_on_disk
 from rospkg_cli.scaffold.plan import Plan
+from rospkg_cli.scaffold.workspace import Around
+from rospkg_cli.scaffold.workspace import around as around_on_disk
 from rospkg_cli.scaffold.write import write_folder
 
 ROBOT = around(

@@ -9,11 +9,11 @@ from cmaking import read_files, table, unknown
 
 from rospkg_cli.example import BACKDROPS, manifest
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.package.cmake.table import cmake_table
-from rospkg_cli.package.facts import PackageFacts
-from rospkg_cli.package.gather import gather
-from rospkg_cli.package.install import InstallTable
+from rospkg_cli.package.cmake.cmake_install_table import cmake_table
+from rospkg_cli.package.collect_facts import gather
+from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.package import Package
+from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
 

@@ -8,7 +8,7 @@ import pytest
 from planned import ADA, texts
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.family import new_family
+from rospkg_cli.cli.new.family import new_family
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.scaffold import ScaffoldError, family
 from rospkg_cli.scaffold.answers import Request

@@ -9,14 +9,14 @@ import pytest
 from small_rosdistro import DISTROS
 from test_lint_command import rospkg
 
-from rospkg_cli.cli.new import new
-from rospkg_cli.engine.discovery.elsewhere import lists_others
+from rospkg_cli.cli.new.run import new
+from rospkg_cli.engine.discovery.incomplete_workspace import lists_others
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.index.cache import keep
 from rospkg_cli.ros.distros import Targets
-from rospkg_cli.ros.index import Index, dump, parse
+from rospkg_cli.ros.name_index import Index, dump, parse
 from rospkg_cli.ros.names import FetchedNames
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.tree import MemoryTree

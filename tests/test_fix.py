@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from rospkg_cli.engine.fixing.apply import Changes, apply_fixes
+from rospkg_cli.engine.fixing.apply import Changes, Round, apply_fixes, touch
 from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move
 from rospkg_cli.source import Span
 from rospkg_cli.tree import Entry, MemoryTree
@@ -78,3 +80,15 @@ def test_the_mode_stays() -> None:
     tree = MemoryTree.of({"a.txt": Entry("file", b"one\n", 0o775)})
     changes, _ = apply_fixes(tree, [Fix("x", (edit(0, 3, "1"),))])
     assert changes["a.txt"] == Entry("file", b"1\n", 0o775)
+
+
+@given(st.lists(st.tuples(st.integers(0, 30), st.integers(0, 4), st.sampled_from(["", "x"])), max_size=12))
+def test_neighbours_are_enough_to_see_what_touches(spans: list[tuple[int, int, str]]) -> None:
+    """Against the plain definition: each new edit compared with all that were taken."""
+    round_, taken = Round(), list[Edit]()
+    for start, length, text in spans:
+        new = edit(start, start + length, text)
+        free = new in taken or not any(touch(new.span, other.span) for other in taken)
+        assert round_.take(Fix("x", (new,))) == free
+        if free and new not in taken:
+            taken.append(new)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rospkg_cli.cli.format.run.run import format_manifests
 
 from rospkg_cli.cli import UsageError
+from rospkg_cli.cli.format.run import format_manifests
 from rospkg_cli.edits.format_manifest import format_text
 from rospkg_cli.example import manifest
 

@@ -17,7 +17,7 @@ import pytest
 import yaml
 from planned import plan
 
-from rospkg_cli.scaffold.kinds import all_kinds
+from rospkg_cli.scaffold.node_kinds import all_kinds
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template
 from rospkg_cli.scaffold.write import write_folder

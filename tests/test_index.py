@@ -18,8 +18,8 @@ from test_lint_command import rospkg
 from rospkg_cli.cli import app
 from rospkg_cli.index import NamesError
 from rospkg_cli.index.fetch import fetch
-from rospkg_cli.index.place import Place
-from rospkg_cli.ros.index import parse
+from rospkg_cli.index.file_url import Place
+from rospkg_cli.ros.name_index import parse
 
 Run = Callable[..., SimpleNamespace]
 

@@ -22,7 +22,7 @@ from test_index import surroundings as surroundings
 from rospkg_cli.index import plain_yaml
 from rospkg_cli.index.cache import STRAY_SECONDS
 from rospkg_cli.index.plain_yaml import MAX_DEPTH, YamlError
-from rospkg_cli.ros.index import parse
+from rospkg_cli.ros.name_index import parse
 
 Run = Callable[..., SimpleNamespace]
 

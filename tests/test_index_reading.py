@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from small_rosdistro import FILES
 
 from rospkg_cli.index import NamesError
-from rospkg_cli.index.lists import KeyList, key_lists
-from rospkg_cli.index.place import Place, place_of
-from rospkg_cli.index.read import distribution_files, released
+from rospkg_cli.index.file_url import Place, place_of
+from rospkg_cli.index.rosdep_lists import KeyList, key_lists
+from rospkg_cli.index.rosdistro_files import distribution_files, released
 from rospkg_cli.index.update import make_index, tables
-from rospkg_cli.ros.index import BrokenIndexError, Index, check, dump, parse
+from rospkg_cli.ros.name_index import BrokenIndexError, Index, check, dump, parse
 from rospkg_cli.ros.rosdep import CODENAMES, installer, merged, packages
 
 WORDS = st.text("abc-_.+7é", min_size=1, max_size=8)

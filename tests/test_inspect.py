@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.inspect import inspect
+from rospkg_cli.cli.inspect.run import inspect
 from rospkg_cli.example import BACKDROPS, SETUP_PY, manifest, scripts, setup_py
 from rospkg_cli.resources import resources
 

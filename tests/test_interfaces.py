@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from interface_texts import REFUSED, TAKEN
 
-from rospkg_cli.checks.interfaces.names import is_accepted
+from rospkg_cli.checks.interfaces.member_names import is_accepted
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.example import BACKDROPS, INTERFACES_BODY, manifest
-from rospkg_cli.package.interfaces.declared import Interface
+from rospkg_cli.package.interfaces.interface_file import Interface
 from rospkg_cli.package.interfaces.text import parse_interface
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files

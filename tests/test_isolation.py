@@ -11,15 +11,15 @@ from pathlib import Path
 
 import pytest
 
-from rospkg_cli.cli import inspect as inspecting
-from rospkg_cli.cli.inspect import inspect
+from rospkg_cli.cli.inspect.run import inspect
+from rospkg_cli.cli.inspect.run import run as inspecting
 from rospkg_cli.disk import MAX_BYTES, DiskTree
 from rospkg_cli.engine.fixing.fix import repair
-from rospkg_cli.engine.run import shard
-from rospkg_cli.engine.run.check import MAX_HITS
-from rospkg_cli.engine.run.pool import ProcessPool
+from rospkg_cli.engine.run import worker as shard
+from rospkg_cli.engine.run.finding_builder import rule_by_code
+from rospkg_cli.engine.run.process_pool import ProcessPool
+from rospkg_cli.engine.run.run_rules import MAX_HITS
 from rospkg_cli.engine.run.session import Results, Scope, Session
-from rospkg_cli.engine.run.stamp import rule_by_code
 from rospkg_cli.finding import Delete, Edit, Fix, Hit, Safety
 from rospkg_cli.package import readers
 from rospkg_cli.package.manifest import Manifest

@@ -10,11 +10,11 @@ import pytest
 from rospkg_cli.ros.aliases import key_for_apt, key_for_pip, keys_for_cmake, successors
 from rospkg_cli.ros.distros import DISTROS, Targets, distro
 from rospkg_cli.ros.imports import NO_PYTHON, may_serve, serving
-from rospkg_cli.ros.index import Index, dump
-from rospkg_cli.ros.likely import MOST, likely, slips
+from rospkg_cli.ros.name_index import Index, dump
+from rospkg_cli.ros.name_suggestions import MOST, suggested_name, typos_between
 from rospkg_cli.ros.names import BUILT_IN, FetchedNames, Known
+from rospkg_cli.ros.read_table import rows
 from rospkg_cli.ros.rosdep import installer, merged, pip_names
-from rospkg_cli.ros.table import rows
 
 ALL = tuple(each.name for each in DISTROS)
 FETCHED = FetchedNames(
@@ -178,7 +178,7 @@ def test_a_name_in_ubuntu_with_several_keys_means_none() -> None:
     ],
 )
 def test_what_is_likely_meant(name: str, meant: str | None) -> None:
-    assert likely(name, BUILT_IN, Targets(("jazzy",))) == meant
+    assert suggested_name(name, BUILT_IN, Targets(("jazzy",))) == meant
 
 
 @pytest.mark.parametrize(
@@ -194,12 +194,12 @@ def test_what_is_likely_meant(name: str, meant: str | None) -> None:
     ],
 )
 def test_a_slip_wants_a_word_that_is_long_enough(word: str, other: str, far: int) -> None:
-    assert slips(word, other) == slips(other, word) == far
+    assert typos_between(word, other) == typos_between(other, word) == far
 
 
 def test_only_what_a_target_has_is_meant() -> None:
-    assert likely("wheel_drivers", FETCHED, Targets(("humble",))) == "wheel_driver"
-    assert likely("wheel_drivers", FETCHED, Targets(("jazzy",))) is None
+    assert suggested_name("wheel_drivers", FETCHED, Targets(("humble",))) == "wheel_driver"
+    assert suggested_name("wheel_drivers", FETCHED, Targets(("jazzy",))) is None
 
 
 def test_cmake_names() -> None:

@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.new import new
+from rospkg_cli.cli.new.run import new
 from rospkg_cli.configkeys import ConfigError
 from rospkg_cli.scaffold import write as writing
 from rospkg_cli.scaffold.answers import Request
-from rospkg_cli.scaffold.ask import distro_of
 from rospkg_cli.scaffold.names import check_node_name, check_package_name, repaired
-from rospkg_cli.scaffold.place import workspace_of
+from rospkg_cli.scaffold.resolve_request import distro_of
+from rospkg_cli.scaffold.target_folder import workspace_of
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}
 

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.new import new
+from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.fixing.signals import stopped_by_signals
-from rospkg_cli.scaffold import existing
+from rospkg_cli.scaffold import existing_folder as existing
 from rospkg_cli.scaffold.answers import Request
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}

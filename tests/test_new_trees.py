@@ -13,7 +13,7 @@ from planned import plan, texts
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.testing import TESTS
+from rospkg_cli.scaffold.test_level import TESTS
 
 TREES = Path(__file__).parent / "trees"
 SHOWN = ("package.xml", "setup.py", "CMakeLists.txt")

@@ -11,7 +11,7 @@ from planned import ADA, texts
 
 from rospkg_cli.scaffold import ScaffoldError, bounds
 from rospkg_cli.scaffold.answers import Request
-from rospkg_cli.scaffold.own import ADDRESS
+from rospkg_cli.scaffold.custom_template import ADDRESS
 from rospkg_cli.scaffold.plan import Plan, make_plan
 
 HEAD = """\

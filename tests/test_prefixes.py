@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rospkg_cli.engine.discovery.prefixes import prefix_names
+from rospkg_cli.engine.discovery.installed_packages import prefix_names
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.tree import MemoryTree

@@ -15,11 +15,11 @@ from rospkg_cli.cli.app import app
 from rospkg_cli.report import FORMATS
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.rule import all_rules
-from rospkg_cli.scaffold import launching
+from rospkg_cli.scaffold import launch_format as launching
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.kinds import OF, all_kinds
+from rospkg_cli.scaffold.node_kinds import OF, all_kinds
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.testing import TESTS
+from rospkg_cli.scaffold.test_level import TESTS
 
 ROOT = Path(__file__).parents[1]
 PAGES = {path.relative_to(ROOT).as_posix(): path for path in [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")]}

@@ -14,9 +14,9 @@ import pytest
 from test_lint_command import rospkg
 
 from rospkg_cli.engine.fixing.fix import repair
-from rospkg_cli.engine.run import shard
+from rospkg_cli.engine.run import worker as shard
+from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.session import Scope, Session
-from rospkg_cli.engine.run.stamp import rule_by_code
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety

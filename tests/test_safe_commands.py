@@ -11,9 +11,9 @@ import pytest
 
 from rospkg_cli.cli import progress
 from rospkg_cli.cli.app import run
-from rospkg_cli.cli.format import format_manifests
-from rospkg_cli.cli.inspect import inspect
-from rospkg_cli.report.style import paint
+from rospkg_cli.cli.format.run import format_manifests
+from rospkg_cli.cli.inspect.run import inspect
+from rospkg_cli.report.color import paint
 
 RAW = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\u2028\ufeff\ud800-\udfff]")
 HOSTILE = r"a\x1b]0;x\x07\x9b2J\u202e\r\n::error::x\ud800"
@@ -115,7 +115,7 @@ def test_a_fault_of_ours_is_told_safely(tmp_path: Path, monkeypatch, capsys) -> 
     def raises(*_: object) -> int:
         raise RuntimeError("a\n::error::\x1b\udcff")
 
-    monkeypatch.setattr("rospkg_cli.cli.lint.lint", raises)
+    monkeypatch.setattr("rospkg_cli.cli.lint.run.lint", raises)
     monkeypatch.chdir(tmp_path)
     for more in ([], ["-v"]):
         monkeypatch.setattr("sys.argv", ["rospkg", "lint", *more])

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reading import one, package
 
-from rospkg_cli.package.setup.cfg import SetupCfg
+from rospkg_cli.package.setup.setup_cfg import SetupCfg
 
 TEXT = """\
 # a comment

@@ -6,9 +6,9 @@ import pytest
 from reading import one, package
 
 from rospkg_cli.example import BACKDROPS, SETUP_PY
-from rospkg_cli.package.install import InstallTable
+from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.setup.entry_points import parse_entry_point
-from rospkg_cli.package.setup.said import Said
+from rospkg_cli.package.setup.located_text import Said
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.source import Span
 
@@ -218,7 +218,7 @@ def test_a_cmake_package_does_not_run_its_setup_py() -> None:
 
 
 def test_what_other_packages_may_know() -> None:
-    from rospkg_cli.package.gather import gather
+    from rospkg_cli.package.collect_facts import gather
     from rospkg_cli.ros.distros import Targets
 
     text = SETUP_PY.replace(

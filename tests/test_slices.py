@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rospkg_cli.engine.run.slices import Slices
+from rospkg_cli.engine.run.rule_inputs import Slices
 from rospkg_cli.example import Example
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.package.cmake.project import CMake
-from rospkg_cli.package.facts import PackageFacts
+from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.package import Package
-from rospkg_cli.package.settings import Settings
+from rospkg_cli.package.package_facts import PackageFacts
+from rospkg_cli.package.rule_settings import Settings
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree

@@ -21,13 +21,13 @@ from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
-from rospkg_cli.scaffold.around import Around
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.kinds import OF, all_kinds
-from rospkg_cli.scaffold.launching import FORMATS
+from rospkg_cli.scaffold.launch_format import FORMATS
+from rospkg_cli.scaffold.node_kinds import OF, all_kinds
 from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.testing import TESTS
+from rospkg_cli.scaffold.test_level import TESTS
+from rospkg_cli.scaffold.workspace import Around
 
 
 def node_sets(template: str) -> dict[str, tuple[str, ...]]:

@@ -17,10 +17,10 @@ from planned import plan, texts
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.launching import FORMATS
+from rospkg_cli.scaffold.launch_format import FORMATS
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.told import Told, UnescapedError, comment, markdown, pieces_of, told
+from rospkg_cli.scaffold.user_text import Told, UnescapedError, comment, markdown, pieces_of, told
 
 NASTY = (
     "it's \"quoted\" & <b>bold</b>", "back\\slash \\n \\N{DASH}", "{{ name }} {% raw %} {# no #}", "${HOME} $(id) `id`",

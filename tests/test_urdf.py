@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from urdf_texts import JOINT, PAIR, REFUSED, TAKEN
 
+from rospkg_cli.checks.urdf.substitutions import substitution_fault
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.package.urdf.file import RobotFile
 from rospkg_cli.package.urdf.reader import robot_file
-from rospkg_cli.package.urdf.substitution import substitution_fault
+from rospkg_cli.package.urdf.robot_file import RobotFile
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 from rospkg_cli.unreadable import UnreadableError

@@ -163,7 +163,7 @@ def test_ament_copyright_really_does_not_know_the_others(shell: Shell, workspace
 
 @pytest.mark.network
 def test_with_no_home_and_no_git_it_builds(one_colcon: Shell, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rospkg_cli.cli.new import new
+    from rospkg_cli.cli.new.run import new
     from rospkg_cli.scaffold.answers import Request
 
     monkeypatch.setenv("HOME", str(workspace / "nobody"))

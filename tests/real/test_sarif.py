@@ -18,8 +18,8 @@ import pytest
 from absent import absent
 from venvs import NoIndexError, venv
 
-from rospkg_cli.cli.lint import lint_to
-from rospkg_cli.cli.options import LintOptions
+from rospkg_cli.cli.lint.run import lint_to
+from rospkg_cli.cli.lint.session import LintOptions
 from rospkg_cli.report import Report, render
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files

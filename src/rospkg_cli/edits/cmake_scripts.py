@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.scripts import Script, Scripts
+from ..checks.cmake.installed_scripts import Script, Scripts
 from ..finding import Chmod, Edit, Operation
-from ..package.cmake.project import CMake
+from ..package.cmake.cmake_project import CMake
 from ..source import Span
 
 SHEBANG = "#!/usr/bin/env python3\n"

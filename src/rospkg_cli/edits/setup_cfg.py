@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..finding import Create, Edit
-from ..package.setup.cfg import SetupCfg
-from ..package.setup.said import Said
+from ..package.setup.located_text import Said
+from ..package.setup.setup_cfg import SetupCfg
 from ..source import Span
 
 

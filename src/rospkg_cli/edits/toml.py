@@ -26,7 +26,10 @@ def entry(text: str, keys: Sequence[str]) -> tuple[Span, Span] | None:
     `keys` leads to it from the top: ("tool", "rospkg", "ignore", "XML104"). None where it isn't there or its form is
     another.
     """
-    data = tomllib.loads(text)
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError:  # a lone carriage return, which is read as a line end elsewhere
+        return None
     if not isinstance(value_at(data, keys), str):
         return None
     wanted = deepcopy(data)

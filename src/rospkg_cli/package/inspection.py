@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from ..ros.distros import Targets
 from ..source import Source
 from ..unreadable import Unreadable, UnreadableError
-from .cmake.project import CMake
-from .facts import NOWHERE
+from .cmake.cmake_project import CMake
+from .collect_facts import gather
 from .file_role import role_of
-from .gather import gather
-from .install import InstallTable, NotKnown, What
+from .install_table import InstallTable, NotKnown, What
 from .launch.file import LaunchFile
 from .package import Package
+from .package_facts import NOWHERE
 
 EVERYTHING: tuple[What, ...] = ("executable", "share", "module")
 SAY_WHAT_IS_INSTALLED = ("package.xml", "setup.py", "setup.cfg", "CMakeLists.txt")

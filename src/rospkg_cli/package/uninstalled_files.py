@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ..files import Reading
 from ..languages.cmake.evaluated_command import Call
 from ..languages.cmake.values import HOLE
-from ..ros.share import FOLDERS
+from ..ros.share_layout import FOLDERS
 from .cmake.cmake_project import CMake
 from .cmake.referenced_paths import NamedPaths, written_by
 from .install_table import InstallTable

@@ -9,8 +9,8 @@ from ..ros.distros import Distro, Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
-from .facts import PackageFacts, Plugin
 from .launch.around import LaunchFiles
+from .package_facts import PackageFacts, Plugin
 from .params.index import ParameterIndex
 
 

@@ -7,7 +7,7 @@ import re
 from .distros import DISTROS
 from .imports import keys_called_like
 from .names import BUILT_IN, Names
-from .table import rows
+from .read_table import rows
 
 PYPI = {
     "beautifulsoup4": "python3-bs4",

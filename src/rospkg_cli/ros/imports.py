@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from .names import BUILT_IN, Names
-from .table import rows
+from .read_table import rows
 
 STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
     "_abcoll asynchat asyncore cgi cgitb chunk crypt distutils imghdr imp mailcap msilib nis nntplib ossaudiodev pipes "

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from enum import Enum
 
 from .distros import DISTROS, Distro, Targets
-from .index import Index, parse
+from .name_index import Index, parse
 from .rosdep import CODENAMES, NOT_THERE
-from .table import marked, rows
+from .read_table import marked, rows
 
 
 class Known(Enum):

@@ -15,7 +15,7 @@ from ...languages.cmake.values import HOLE, Word
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
-from ...ros.linking import Linking, linking
+from ...ros.link_targets import LinkTargets, link_targets
 from .distro_guards import guarded
 
 REMOVED = "ament_target_dependencies"
@@ -120,15 +120,15 @@ class LinkedPackages:
                 return None
         return first
 
-    def linking(self, name: str) -> Linking:
+    def link_targets(self, name: str) -> LinkTargets:
         facts = self.workspace.named(name)
         if facts is None:
-            return linking(name)
+            return link_targets(name)
         if facts.cmake_targets or facts.build_type != "ament_cmake":
-            return linking(name, facts.cmake_targets)
+            return link_targets(name, facts.cmake_targets)
         if facts.interfaces:
-            return Linking((f"${{{name}_TARGETS}}",))
-        return Linking((f"${{{name}_LIBRARIES}}",), (f"${{{name}_INCLUDE_DIRS}}",))
+            return LinkTargets((f"${{{name}_TARGETS}}",))
+        return LinkTargets((f"${{{name}_LIBRARIES}}",), (f"${{{name}_INCLUDE_DIRS}}",))
 
     def signature(self, call: Call) -> Signature:
         """Return how the call's target is linked elsewhere: CMake refuses to mix the two."""

@@ -13,7 +13,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import copies
 from ...package.cmake.install_rules import InstallRule
 from ...package.cmake.target_links import Links
-from ...ros.share import LAUNCH
+from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
 ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")

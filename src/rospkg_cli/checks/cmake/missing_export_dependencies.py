@@ -13,7 +13,7 @@ from ...package.cmake.installed_headers import INCLUDES, PLUGINS, Headers
 from ...package.cmake.target_links import Link, Links
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ...ros.table import rows
+from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
 VARIABLE = re.compile(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")

@@ -10,7 +10,7 @@ from functools import cached_property
 from ...languages.cmake.evaluated_command import Call, located
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
-from ...ros.share import FOLDERS, LAUNCH
+from ...ros.share_layout import FOLDERS, LAUNCH
 from ...unreadable import UnreadableError
 from ..share_references import speaks_of
 

@@ -13,7 +13,7 @@ from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
 from ...ros.names import Known
-from ...ros.table import rows
+from ...ros.read_table import rows
 from ...suggest import near
 
 MAX_DEPTH = 20

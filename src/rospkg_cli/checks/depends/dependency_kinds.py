@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...package.manifest import Dependency
 from ...ros.manifest import BUILDS, RUNS
-from ...ros.stands_for import IN_LAUNCH_FILES, IN_SOURCES, brought
+from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_imports import ImportDependencies
@@ -50,7 +50,7 @@ class DependencyKinds:
 
     def run(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
         """Yield what is used when the package runs, but for what other dependencies for that time bring."""
-        there = brought([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
+        there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
         for place, names in self.imported.uses("run"):
             yield names, "exec_depend", place.path, place.span, f"is imported here as `{place.module}`"
         for use in self.launched.uses(tests=False):
@@ -58,7 +58,7 @@ class DependencyKinds:
                 yield (use.name,), "exec_depend", use.path, use.span, "is needed by this launch file"
 
     def built(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
-        there = brought([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
+        there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
         for each in self.included.from_elsewhere() if self.included else ():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]

@@ -13,7 +13,7 @@ from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import Reference, RobotFile
 from ...ros.names import Known
 from ...ros.plugins import PLUGIN_HOMES, TOOLS
-from ...ros.stands_for import IN_PARAMETERS, NAVIGATION, brought
+from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...source import Span
 from ..launch.uses import every_use
 from .declared_dependencies import DeclaredDependencies
@@ -96,11 +96,11 @@ class RobotUses:
         """What comes where the package runs, with what is declared or what its launch files name, as far as known."""
         started = {use.name for file in self.launched.launch_files for use in every_use(file)}
         waiting = list(self.declared.names | started)
-        found = set(brought(waiting, IN_PARAMETERS))
+        found = set(implied_by(waiting, IN_PARAMETERS))
         while waiting:
             facts = self.declared.workspace.named(waiting.pop())
             new = {need.name for need in facts.dependencies if need.tag in RUN} - found if facts else set()
-            found |= new | brought(new, IN_PARAMETERS)
+            found |= new | implied_by(new, IN_PARAMETERS)
             waiting += new
         return frozenset(found)
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...package.manifest import Dependency
 from ...ros.imports import may_serve
-from ...ros.stands_for import LAUNCH
+from ...ros.implied_dependencies import LAUNCH
 from .unused_dependencies import BUILT_IN, TOOLS, UnusedDependencies
 
 TEST_TOOLS = TOOLS | {"python3-pytest", "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest"}

@@ -9,7 +9,7 @@ from functools import cached_property
 from ...package.manifest import Dependency
 from ...package.workspace import Workspace
 from ...ros.distros import DISTROS, Distro, Targets
-from ...ros.likely import likely
+from ...ros.name_suggestions import suggested_name
 from ...ros.rosdep import CODENAMES
 
 
@@ -30,7 +30,7 @@ class UnavailableDependency:
         """The name of something that the target has, where one is called nearly so."""
         if self.elsewhere:
             return None
-        return likely(self.name, self.workspace.index, Targets(tuple(each.name for each in self.distros)))
+        return suggested_name(self.name, self.workspace.index, Targets(tuple(each.name for each in self.distros)))
 
     @cached_property
     def elsewhere(self) -> list[str]:

@@ -13,7 +13,7 @@ from ...package.cmake.find_package import FoundPackage
 from ...package.interfaces.interface_file import Interface
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.names import Known
-from ...ros.stands_for import IN_CMAKE, brought
+from ...ros.implied_dependencies import IN_CMAKE, implied_by
 from .declared_dependencies import DeclaredDependencies
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
@@ -26,7 +26,7 @@ class UndeclaredFindPackage:
 
     found: FoundPackage
     names: tuple[str, ...]
-    brought: Literal["surely", "maybe", "no"]
+    implied_by: Literal["surely", "maybe", "no"]
     """Whether something that is declared brings it for whoever builds with it."""
 
 
@@ -42,7 +42,7 @@ class FindPackageDependencies:
         """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
         if not self.declared.judged:
             return
-        there = brought(self.declared.names, IN_CMAKE)
+        there = implied_by(self.declared.names, IN_CMAKE)
         seen: set[str] = set()
         for found in sorted(self.cmake.packages, key=lambda each: each.call.testing):
             if found.name in seen or not self.is_needed(found):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...package.file_role import Role
 from ...package.python.python_imports import PythonUse
-from ...ros.stands_for import IN_TESTS, brought
+from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
@@ -55,11 +55,11 @@ class ImportDependencies:
         found = {name: p for name, p in self.undeclared("test").items() if name not in installed}
         result = []
         for name, places in found.items():
-            bringing = next((d for d in sorted(self.declared.names) if name in brought([d], IN_TESTS)), "")
+            bringing = next((d for d in sorted(self.declared.names) if name in implied_by([d], IN_TESTS)), "")
             if bringing:
                 result += [UndeclaredImport(name, tuple(places), (), bringing)] if name not in RUNNERS else []
-            elif name not in brought(found.keys() - {name}, IN_TESTS):
-                brings = sorted(brought([name], IN_TESTS) & found.keys())
+            elif name not in implied_by(found.keys() - {name}, IN_TESTS):
+                brings = sorted(implied_by([name], IN_TESTS) & found.keys())
                 result.append(UndeclaredImport(name, tuple(places), tuple(brings)))
         return result
 

@@ -12,7 +12,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.names import Known
-from ...ros.stands_for import IN_SOURCES, brought
+from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...source import Span
 from .compiled_sources import compiled_sources
 from .declared_dependencies import DeclaredDependencies
@@ -93,7 +93,7 @@ class IncludeDependencies:
 
     def undeclared(self) -> Iterator[IncludedPackage]:
         """Yield what is included and not declared, but for what find_package names as well."""
-        there = brought(self.declared.names, IN_SOURCES)
+        there = implied_by(self.declared.names, IN_SOURCES)
         said = {missing.found.name for missing in self.sought.missing()}
         for each in self.from_elsewhere():
             if not self.is_declared(each) and each.cmake not in said and not there.intersection(each.names):

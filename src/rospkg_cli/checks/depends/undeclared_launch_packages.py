@@ -15,7 +15,7 @@ from ...package.launch.file import LaunchFile
 from ...package.python.python_imports import OwnModules, PythonUse
 from ...ros.imports import may_serve
 from ...ros.names import Known
-from ...ros.stands_for import IN_LAUNCH_FILES, IN_TESTS, brought
+from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ..launch.uses import NAME, PackageUse, package_uses
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
@@ -76,7 +76,7 @@ class LaunchDependencies:
         """Return each package that is needed and not declared, with the places that need it."""
         if not self.declared.judged:
             return {}
-        there = brought(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
+        there = implied_by(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
         found: dict[str, list[PackageUse]] = {}
         for use in self.uses(tests=tests):
             if not self.declared.has([use.name]) and use.name not in there:
@@ -90,7 +90,7 @@ class LaunchDependencies:
         """
         found: dict[str, list[PackageUse]] = {}
         if self.declared.judged:
-            there = brought(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
+            there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
             launches = {file.path for file in self.launch_files if file.nodes}
             for file in self.python.files:
                 for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():

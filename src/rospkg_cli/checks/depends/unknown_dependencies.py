@@ -11,7 +11,7 @@ from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.imports import STANDARD
-from ...ros.table import rows
+from ...ros.read_table import rows
 from ...suggest import near
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableDependency

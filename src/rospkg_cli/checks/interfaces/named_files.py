@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...files import PackageFiles
-from ...package.facts import PackageFacts
+from ...package.package_facts import PackageFacts
 
 
 @dataclass(frozen=True)

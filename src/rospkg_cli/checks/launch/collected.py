@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.facts import PackageFacts
 from ...package.file_role import role_of
-from ...package.install import Installed, InstallTable
+from ...package.install_table import Installed, InstallTable
 from ...package.launch.file import LaunchFile
-from ...ros.launch import LAUNCH_SUFFIXES
-from ...ros.share import LAUNCH
+from ...package.package_facts import PackageFacts
+from ...ros.launch_entities import LAUNCH_SUFFIXES
+from ...ros.share_layout import LAUNCH
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.facts import PackageFacts
 from ...package.launch.file import LaunchFile
 from ...package.launch.text import LaunchText
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.names import Known
 from ...suggest import nearest

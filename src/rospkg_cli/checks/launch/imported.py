@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...languages.python.file import PythonFile
-from ...ros.launch_names import EXPORTS, home_of
+from ...ros.launch_exports import EXPORTS, home_of
 from ...source import Span
 from ...suggest import nearest
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.cmake.project import CMake
+from ...package.cmake.cmake_project import CMake
 from ...package.setup.setup_py import SetupPy
-from ..cmake.shared import RuntimeFolders
-from ..setup.shared import SharedFiles, folder_of
+from ..cmake.share_folders import RuntimeFolders
+from ..setup.share_files import SharedFiles, folder_of
 from .scope import LaunchScope, Missing
 
 

@@ -9,16 +9,16 @@ from functools import cached_property
 from typing import Literal
 
 from ...files import PackageFiles
-from ...package.cmake.project import CMake
-from ...package.facts import PackageFacts
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
-from ...package.install import InstallTable
+from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchFile
 from ...package.launch.named_paths import NamedPath, Use
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import UnreadableError
-from ..near_files import meant_file
+from ..closest_path import meant_file
 
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 

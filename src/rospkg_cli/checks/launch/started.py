@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.facts import PackageFacts
+from ...package.package_facts import PackageFacts
 from ...source import Span
 from ...suggest import nearest
 from .scope import LaunchScope

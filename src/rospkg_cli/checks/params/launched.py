@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.facts import PackageFacts
-from ...package.install import InstallTable
+from ...package.package_facts import PackageFacts
+from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...package.params.declared import DeclaredParameter

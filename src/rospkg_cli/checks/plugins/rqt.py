@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.facts import PackageFacts
 from ...package.file_role import role_of
 from ...package.manifest import Manifest
+from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginDescription
 
 PYTHON = {"rqt_gui_py::": "rqt_gui", "qt_gui_py::": "qt_gui"}

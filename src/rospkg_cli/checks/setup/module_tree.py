@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.setup.setup_py import SetupPy
-from .exports import absolute
-from .slices import PythonPackage
+from .module_exports import absolute
+from .python_package import PythonPackage
 
 TESTS = frozenset({"test", "tests", "testing"})
 

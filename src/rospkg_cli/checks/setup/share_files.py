@@ -12,7 +12,7 @@ from ...languages.python.evaluate.sandbox_filesystem import MAGIC
 from ...languages.python.evaluate.values import Globbed
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
-from ...ros.share import FOLDERS, LAUNCH
+from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ...unreadable import UnreadableError
 from ..share_references import speaks_of

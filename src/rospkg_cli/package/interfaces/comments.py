@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ...source import Span
-from .declared import Problem
 from .escape import escape_fault
+from .interface_file import Problem
 
 UNIT = re.compile(r"\s*\[([^,\]]+)\]")
 

@@ -11,7 +11,7 @@ from ...source import Source, Span
 from ...unreadable import Unreadable
 from ..file_role import role_of
 from ..manifest import Manifest
-from .declared import Interface, Problem
+from .interface_file import Interface, Problem
 from .text import parse_interface
 
 

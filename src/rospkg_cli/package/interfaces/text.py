@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
-from .declared import Interface, Problem, Section
-from .section import Line, SectionReader
+from .interface_file import Interface, Problem, Section
+from .section_parser import Line, SectionReader
 
 NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 """A separator as people write it; rosidl takes only a line that is exactly `---`."""

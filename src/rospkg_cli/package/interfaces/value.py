@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ...ros.interfaces import FLOATS, INTEGERS
-from .declared import FieldType
+from .interface_file import FieldType
 
 QUOTES = ('"', "'")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.located_text import Written
-from ...ros.launch import ACTIONS
+from ...ros.launch_entities import ACTIONS
 from .entity import Entity
 from .events import Event, file_name, passing, uses_of
 from .substitution import SubstitutionError, parse_text

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ...languages.located_text import Written
-from ...ros.launch import ACTIONS
+from ...ros.launch_entities import ACTIONS
 from ...source import Source, Span
 from .defaults import literal_defaults
 from .entity import Entity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...ros.launch import ROS1_ENTITIES, ROS1_SUBSTITUTIONS
+from ...ros.launch_entities import ROS1_ENTITIES, ROS1_SUBSTITUTIONS
 from ...source import Source, Span
 from .entity import Entity
 from .faults import OldSyntax

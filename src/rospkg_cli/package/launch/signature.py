@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from ...files import Reading
 from ...ros.imports import STANDARD
-from ..install import InstallTable
+from ..install_table import InstallTable
 from .declared import LaunchSignature
 from .file import DeclaredArgument, LaunchFile
 from .named_paths import paths_in

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...ros.launch import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
+from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
 from ...suggest import did_you_mean, nearest
 from .entity import Entity
 from .faults import Fault

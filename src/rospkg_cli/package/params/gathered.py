@@ -11,7 +11,7 @@ from ...languages.cpp.read import SUFFIXES
 from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import role_of
-from ..modules import Modules
+from ..python_modules import Modules
 from . import cpp, python
 from .declared import DeclaredParameter
 from .file import ParameterFile

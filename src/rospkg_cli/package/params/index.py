@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..facts import PackageFacts
+from ..package_facts import PackageFacts
 from .declared import DeclaredParameter
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.linking import LinkedPackages, Removed, Replacement
+from ...checks.cmake.ament_target_dependencies import LinkedPackages, Removed, Replacement
 from ...edits.cmake_link import link_instead
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity

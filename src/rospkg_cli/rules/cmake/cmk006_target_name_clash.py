@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.clashes import Clash, clashes
+from ...checks.cmake.duplicate_targets import Clash, clashes
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 BEFORE = "ament_export_dependencies"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.shared import RuntimeFolders
+from ...checks.cmake.share_folders import RuntimeFolders
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.cmake.named import Named, NamedPaths
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.referenced_paths import Named, NamedPaths
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.astray import Astray, AstrayExecutables
+from ...checks.cmake.misplaced_executables import Astray, AstrayExecutables
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity

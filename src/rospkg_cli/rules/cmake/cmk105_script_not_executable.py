@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.scripts import Script, Scripts
+from ...checks.cmake.installed_scripts import Script, Scripts
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.headers import INCLUDES, Headers
+from ...package.cmake.installed_headers import INCLUDES, Headers
 from ...rule import rule
 
 LINES = """\

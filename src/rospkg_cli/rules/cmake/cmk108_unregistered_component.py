@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.registered import MACRO, Components
+from ...checks.cmake.component_registration import MACRO, Components
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.components import Component

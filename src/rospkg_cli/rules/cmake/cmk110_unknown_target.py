@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.references import Reference, References
+from ...checks.cmake.target_references import Reference, References
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.cmake.package import CMakePackage
+from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -9,7 +9,7 @@ from ...checks.launch.uses import PackageUse
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...ros.stands_for import LAUNCH
+from ...ros.implied_dependencies import LAUNCH
 from ...rule import rule
 from ...suggest import did_you_mean
 

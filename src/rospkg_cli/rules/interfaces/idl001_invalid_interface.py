@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.scope import InterfaceInWorkspace
+from ...checks.interfaces.type_resolution import InterfaceInWorkspace
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.interfaces.declared import Interface
+from ...package.interfaces.interface_file import Interface
 from ...ros.interfaces import KINDS, valid_interface_name
 from ...rule import rule
 from ...source import Span

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.names import is_valid, language_of, repeated, suggestion
+from ...checks.interfaces.member_names import is_valid, language_of, repeated, suggestion
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.declared import Interface, Member
+from ...package.interfaces.interface_file import Interface, Member
 from ...rule import rule
 
 HARM = {

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.interfaces.generated import GeneratedInterfaces
+from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -9,7 +9,7 @@ from ...checks.launch.names import Unbound, undefined_names
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.launch.file import LaunchFile
-from ...ros.launch_names import home_of
+from ...ros.launch_exports import home_of
 from ...rule import rule
 from ...suggest import nearest
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from ...checks.manifest.manifest_slices import ManifestInFolder
+from ...checks.manifest.manifest_inputs import ManifestInFolder
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule

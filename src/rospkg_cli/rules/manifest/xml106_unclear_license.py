@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.manifest import Manifest
-from ...ros.license_words import is_prose, licenses_in
+from ...ros.license_text import is_prose, licenses_in
 from ...rule import rule
 
 CMAKE = manifest(build_type="ament_cmake")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndFiles
+from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule

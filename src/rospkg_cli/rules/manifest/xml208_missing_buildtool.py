@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndCMake
+from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity

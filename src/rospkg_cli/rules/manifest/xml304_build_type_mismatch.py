@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndFiles
+from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...ros.manifest import BUILD_FILES

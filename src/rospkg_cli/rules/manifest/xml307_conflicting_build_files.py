@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_slices import ManifestAndCMake
+from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...example import CMAKE, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule

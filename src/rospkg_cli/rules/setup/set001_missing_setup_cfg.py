@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.script_home import ScriptHome
+from ...checks.setup.script_dir import ScriptHome
 from ...edits.setup_cfg import new_setup_cfg
 from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity

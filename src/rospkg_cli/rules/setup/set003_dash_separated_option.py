@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import SETUP_CFG, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.setup.cfg import SetupCfg
+from ...package.setup.setup_cfg import SetupCfg
 from ...rule import rule
 
 BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts", "«install-scripts»")

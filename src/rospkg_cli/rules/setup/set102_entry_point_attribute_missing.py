@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.slices import PythonPackage
+from ...checks.setup.python_package import PythonPackage
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.shared import SharedFiles
+from ...checks.setup.share_files import SharedFiles
 from ...example import SETUP_PY, Example
 from ...finding import Create, Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.shared import SharedFiles, folder_of
+from ...checks.setup.share_files import SharedFiles, folder_of
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.shared import SharedFiles
+from ...checks.setup.share_files import SharedFiles
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.python_build import PythonBuild
+from ...checks.setup.ament_python_files import PythonBuild
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule

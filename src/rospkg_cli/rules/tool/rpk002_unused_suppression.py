@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.happenings import UnusedSuppression
+from ...package.run_events import UnusedSuppression
 from ...rule import rule
 
 IGNORE = "  <!-- rospkg: ignore[«XML104»] the text will come -->\n"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.happenings import UnknownRuleName
+from ...package.run_events import UnknownRuleName
 from ...rule import rule
 
 BAD = manifest("  <!-- rospkg: ignore[«placeholder-metdata»] the text will come -->\n")

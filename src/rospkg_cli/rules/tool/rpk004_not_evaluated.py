@@ -7,7 +7,7 @@ from itertools import groupby
 
 from ...example import SETUP_PY, Example
 from ...finding import Hit, Severity
-from ...package.install import InstallTable, NotKnown, What
+from ...package.install_table import InstallTable, NotKnown, What
 from ...rule import Profile, rule
 from ...source import Span
 

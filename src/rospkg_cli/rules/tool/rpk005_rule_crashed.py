@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...finding import Hit, Severity
-from ...package.happenings import RuleCrash
+from ...package.run_events import RuleCrash
 from ...rule import rule
 from ...source import Span
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.happenings import NothingChecked
+from ...package.run_events import NothingChecked
 from ...rule import rule
 from ...source import Span
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example
 from ...finding import Hit, Related, Severity
-from ...package.urdf.file import RobotFile
+from ...package.urdf.robot_file import RobotFile
 from ...rule import rule
 
 GOOD = """\

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.urdf.scope import Missing, RobotInWorkspace
+from ...checks.urdf.missing_files import Missing, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...rule import rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.workspace.cycles import Step, cycles
+from ...checks.workspace.dependency_cycles import Step, cycles
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.workspace import Workspace

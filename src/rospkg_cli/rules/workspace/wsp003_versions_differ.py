@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.workspace.versions import deviants
+from ...checks.workspace.version_mismatches import deviants
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.workspace import Workspace

@@ -1,0 +1,49 @@
+"""Names in interface files: what rosidl refuses, and what the generated code can't use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...package.interfaces.interface_file import Interface, Member, Section
+from ...ros.interfaces import CONSTANT_NAME, CPP_KEYWORDS, FIELD_NAME, IDL_KEYWORDS, PYTHON_KEYWORDS
+
+HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+
+
+def is_valid(member: Member) -> bool:
+    """Return whether rosidl takes the name of a field or a constant."""
+    return (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(member.name) is not None
+
+
+def repeated(section: Section) -> Iterator[tuple[Member, Member]]:
+    """Yield each field and each constant whose name stands before in the same section, with the first of that name."""
+    seen: dict[tuple[bool, str], Member] = {}
+    for member in section.members:
+        key = member.constant, member.name
+        if key in seen:
+            yield member, seen[key]
+        else:
+            seen[key] = member
+
+
+def suggestion(member: Member) -> str | None:
+    """Return the name that was meant, if one that rosidl takes comes of it."""
+    words = re.sub(r"[-_]+", "_", HUMP.sub("_", member.name)).strip("_")
+    name = words.upper() if member.constant else words.lower()
+    return name if (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(name) else None
+
+
+def language_of(member: Member) -> str | None:
+    """Return the language in which a field's name is a keyword, so that its generated code does not work."""
+    for words, language in ((PYTHON_KEYWORDS, "Python"), (CPP_KEYWORDS, "C++"), (IDL_KEYWORDS, "OMG IDL")):
+        if member.name in words and not member.constant:
+            return language
+    return None
+
+
+def is_accepted(interface: Interface) -> bool:
+    """Return whether rosidl builds the file, whatever it is called and whatever types it names."""
+    return not interface.problems and all(
+        all(map(is_valid, section.members)) and not any(repeated(section)) for section in interface.sections
+    )

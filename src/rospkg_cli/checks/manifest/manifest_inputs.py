@@ -1,0 +1,111 @@
+"""A manifest together with what else of its package its rules look at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...package.cmake.cmake_project import CMake
+from ...package.package_facts import PackageFacts
+from ...package.install_table import InstallTable
+from ...package.manifest import Manifest
+from ...package.rule_settings import Settings
+from ...ros.distros import Targets
+from ...ros.interfaces import KINDS
+from ...ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
+
+
+@dataclass(frozen=True)
+class ManifestForTargets:
+    manifest: Manifest
+    targets: Targets
+
+
+@dataclass(frozen=True)
+class ManifestInFolder:
+    manifest: Manifest
+    facts: PackageFacts
+
+
+@dataclass(frozen=True)
+class ManifestAndFiles:
+    manifest: Manifest
+    files: PackageFiles
+    targets: Targets
+    settings: Settings
+
+    @cached_property
+    def interface_files(self) -> tuple[str, ...]:
+        """The .msg, .srv and .action files in the folders of those names."""
+        return tuple(
+            path
+            for kind in KINDS
+            for path in self.files.below(kind)
+            if path.endswith("." + kind) and path.count("/") == 1
+        )
+
+    @property
+    def known_build_types(self) -> frozenset[str]:
+        return self.settings.build_types.union(BUILD_TYPES, OTHER_BUILD_TYPES)
+
+
+@dataclass(frozen=True)
+class ManifestAndInstalls:
+    manifest: Manifest
+    files: PackageFiles
+    table: InstallTable | None
+    targets: Targets
+
+    def is_installed(self, path: str) -> bool | None:
+        """Return whether a file stands in share/<name>, at this path, after the build; None where it can't be told."""
+        if self.table is None or not self.table.knows("share"):
+            return None
+        return any(path == below for below, _ in self.table.below(f"share/{self.manifest.name}"))
+
+
+@dataclass(frozen=True)
+class ManifestAndCMake:
+    """Made only where the CMake files of the package, if it has some, can be read."""
+
+    manifest: Manifest
+    cmake: CMake | None
+    files: PackageFiles
+    targets: Targets
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The names that `find_package` asks for, wherever it stands."""
+        return frozenset(each.name for each in self.cmake.packages) if self.cmake else frozenset()
+
+    @property
+    def ends_a_package(self) -> bool:
+        """Whether CMake calls `ament_package`, by whatever name."""
+        return self.cmake is not None and self.cmake.ends_a_package
+
+    @property
+    def installs_python(self) -> bool:
+        """Return whether CMake has to do with Python packages, so that a setup.py beside it is no oversight."""
+        words = ("ament_cmake_python", "catkin", "Python3", "PythonInterp", "pybind11", "pybind11_vendor")
+        called = self.cmake is not None and self.cmake.named("ament_python_install_package")
+        return bool(called) or not self.found.isdisjoint(words)
+
+    @property
+    def is_catkin(self) -> bool:
+        """Whether it is ROS 1's: it depends on catkin and on nothing of ament."""
+        names = {each.name for each in self.manifest.dependencies} | self.found
+        return "catkin" in names and not any(name.startswith("ament_") for name in names)
+
+    @property
+    def likely_build_type(self) -> str:
+        """The build type that its files speak of; "" where they speak of none, or of two."""
+        if not self.files.exists("CMakeLists.txt"):
+            return "ament_python" if self.files.exists("setup.py") else ""
+        if self.ends_a_package or any(name.startswith("ament_cmake") for name in self.found):
+            return "ament_cmake"
+        return "" if self.files.exists("setup.py") or self.uses_wrappers else "cmake"
+
+    @property
+    def uses_wrappers(self) -> bool:
+        """Return whether a package is asked for that may bring ament_package under another name."""
+        return any(name.endswith("_cmake") for name in self.found)

@@ -1,0 +1,120 @@
+"""Base classes of plug-ins: to which package a description is exported, and under which name it is loaded.
+
+pluginlib compares texts: the package of the ament index entry with the first argument of the ClassLoader, and
+`base_class_type` with its second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.package_facts import PackageFacts
+from ...package.plugins.description import Exported, PluginClass, PluginDescription
+from ...package.plugins.loaders import PluginLoader, PluginLoaders
+from ...package.workspace import Workspace
+from ...ros.names import Known
+from ...suggest import near, nearest
+from .plugin_package import PluginPackage, spaceless
+
+
+@dataclass(frozen=True)
+class Misplaced:
+    """A description that is exported to a package for which nobody loads it."""
+
+    description: PluginDescription
+    exported: Exported
+    base: str
+    """The class that is loaded elsewhere; "" where only the package is unknown."""
+    owners: tuple[str, ...]
+    """The packages that it is loaded from."""
+
+
+@dataclass(frozen=True)
+class Misnamed:
+    """A class whose base class nobody loads under that name."""
+
+    description: PluginDescription
+    plugin: PluginClass
+    meant: str
+
+
+@dataclass(frozen=True)
+class Astray:
+    """A loader that looks for plug-ins of a package that isn't there."""
+
+    loader: PluginLoader
+    meant: str | None
+
+
+@dataclass(frozen=True)
+class PluginBases:
+    package: PluginPackage | None
+    loaders: PluginLoaders
+    facts: PackageFacts
+    workspace: Workspace
+
+    def described(self) -> Iterator[tuple[PluginDescription, tuple[PluginClass, ...]]]:
+        """Yield what CMake exports, with its classes that a source makes."""
+        if self.package is None:
+            return
+        unmade = {entry.plugin.element.span for entry in self.package.unmade()}
+        for description in self.package.descriptions:
+            if description.indexed:
+                cpp = [each for each in description.classes if not each.python and each.element.span not in unmade]
+                yield description, tuple(cpp)
+
+    def misplaced(self) -> Iterator[Misplaced]:
+        for description, classes in self.described():
+            owners = {each.base.value: self.workspace.loading(each.base.value) for each in classes}
+            for exported in description.exported:
+                serves = any(exported.base in packages or not packages for packages in owners.values())
+                if not exported.indexed:
+                    continue
+                if owners and not serves and self.is_certain(exported.base):
+                    base, packages = next(iter(owners.items()))
+                    yield Misplaced(description, exported, base, tuple(sorted(packages)))
+                elif self.workspace.what(exported.base) is Known.UNKNOWN:
+                    yield Misplaced(description, exported, "", ())
+
+    def is_certain(self, package: str) -> bool:
+        """Return whether all that a package may load is known: it is none, or every loader around is known."""
+        if not self.workspace.is_here(package) and self.workspace.what(package) is not Known.PACKAGE:
+            return True
+        around = self.workspace.named(package) is not None
+        return around and all(facts.knows("loaders") for facts in self.workspace.packages)
+
+    def misnamed(self) -> Iterator[Misnamed]:
+        """Yield classes whose base is not known where it is exported, and almost that of another that is."""
+        for description, classes in self.described():
+            known = {base for package in description.bases for base in self.workspace.loaded_from(package)}
+            for plugin in classes:
+                if not self.workspace.loading(plugin.base.value):
+                    meant = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
+                    if meant is not None:
+                        yield Misnamed(description, plugin, meant)
+
+    def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
+        """Return the base that the macro has, where that is one that is loaded."""
+        exported = self.package.exported if self.package is not None else ()
+        bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
+        return bases.pop() if len(bases) == 1 and bases <= known else None
+
+    def astray(self) -> Iterator[Astray]:
+        for loader in self.loaders.loaders if self.facts.ament else ():
+            package, base = loader.names
+            known = self.workspace.what(package)
+            if known is Known.PACKAGE or self.workspace.is_here(package) or package == self.facts.name:
+                continue
+            served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
+            if package not in served and (served or known is Known.UNKNOWN):
+                meant = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
+                yield Astray(loader, meant)
+
+
+def misspelt(base: str, known: set[str]) -> str | None:
+    """Return the one class of the same namespace whose name differs by a slip; what is new there is left alone."""
+    space, _, name = base.rpartition("::")
+    names = [each.rpartition("::")[2] for each in known if each.rpartition("::")[0] == space]
+    found = near(name, names)
+    return f"{space}::{found[0]}" if len(found) == 1 else None

@@ -1,0 +1,90 @@
+"""Names of plug-ins that nobody describes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.package_facts import PackageFacts, Plugin, PluginUse
+from ...package.workspace import Workspace
+from ...ros.names import Known
+from ...suggest import near
+from .exported_classes import tail
+
+SEPARATOR = re.compile(r"/|::")
+BUILT_IN = frozenset({"rviz_common"})
+"""They have plug-ins that no description tells."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    user: PackageFacts
+    use: PluginUse
+    owner: PackageFacts
+    """The package that describes the one that is meant, or that should."""
+    meant: Plugin | None
+
+
+@dataclass(frozen=True)
+class Sought:
+    workspace: Workspace
+
+    @cached_property
+    def names(self) -> dict[str, tuple[PackageFacts, Plugin]]:
+        return {plugin.name: (facts, plugin) for facts in self.workspace.packages for plugin in facts.plugins}
+
+    @cached_property
+    def _tails(self) -> dict[str, list[tuple[PackageFacts, Plugin]]]:
+        found: dict[str, list[tuple[PackageFacts, Plugin]]] = {}
+        for each in self.names.values():
+            found.setdefault(tail(each[1].name), []).append(each)
+        return found
+
+    def unknown(self) -> Iterator[Unknown]:
+        for user in self.workspace.packages:
+            for use in user.plugin_uses if user.build_type != "catkin" else ():
+                if use.name not in self.names:
+                    yield from self.judged(user, use)
+
+    def judged(self, user: PackageFacts, use: PluginUse) -> Iterator[Unknown]:
+        name = SEPARATOR.split(use.name)[0]
+        owner = self.workspace.named(name)
+        if owner is not None:
+            if self.is_certain(owner) and not is_something_else(owner, use.name):
+                yield Unknown(user, use, owner, self.meant(owner, use.name))
+        elif self.is_nowhere(name):
+            alike = self._tails.get(tail(use.name), [])
+            if len(alike) == 1:
+                yield Unknown(user, use, *alike[0])
+
+    def is_nowhere(self, package: str) -> bool:
+        """Return whether there is no such package, as far as anybody knows."""
+        known = self.workspace.is_here(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
+        return self.workspace.complete and not known
+
+    def is_certain(self, owner: PackageFacts) -> bool:
+        """Return whether a package has plug-ins in C++, and all of them are known."""
+        cpp = any("_py::" not in plugin.base for plugin in owner.plugins)
+        return cpp and owner.ament and owner.knows("plugins") and owner.name not in BUILT_IN
+
+    def meant(self, owner: PackageFacts, name: str) -> Plugin | None:
+        """Return the plug-in of a package with the same class, or with nearly that name; None where there are more."""
+        alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
+        if not alike:
+            nearby = near(tail(name), [tail(each.name) for each in owner.plugins])
+            alike = [each for each in owner.plugins if tail(each.name) in nearby]
+        return alike[0] if len(alike) == 1 else None
+
+
+def plain(name: str) -> str:
+    """Return the class of a name, without what people forget: blanks, underscores, capitals."""
+    return re.sub(r"[\s_]", "", tail(name)).lower()
+
+
+def is_something_else(owner: PackageFacts, name: str) -> bool:
+    """Return whether a name is that of a component or of an interface."""
+    kinds = {f"{kind}/{tail(name)}" for kind in ("msg", "srv", "action")}
+    unsure = not (owner.knows("components") and owner.knows("interfaces"))
+    return unsure or name in owner.components or bool(kinds & owner.interfaces)

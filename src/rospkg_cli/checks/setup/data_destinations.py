@@ -1,0 +1,36 @@
+"""Joined slice: destinations of data_files where nobody looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.setup.data_files import DataEntry
+from ...ros.share_layout import FOLDERS, SHARED
+from .share_files import SharedFiles
+
+
+@dataclass(frozen=True)
+class Destinations:
+    shared: SharedFiles
+
+    @cached_property
+    def astray(self) -> tuple[tuple[DataEntry, str, str], ...]:
+        """Entries whose destination nobody looks into: the entry, the right destination, and what is wrong."""
+        found = []
+        for entry in self.shared.package.setup.data_entries:
+            if entry.destination is None or not entry.files:
+                continue
+            text, (first, *rest) = entry.destination.text, entry.folder.strip("/").split("/")
+            if text.startswith("/"):
+                why = "begins with a slash: colcon stops, the destination is relative to the install prefix"
+                found.append((entry, entry.folder.strip("/"), why))
+            elif first == "share" and rest and rest[0] not in self.shared.names | SHARED:
+                own = rest if rest[0] in FOLDERS else rest[1:]
+                why = f"is not the share folder of `{self.shared.package.name}`, where its files are looked for"
+                found.append((entry, "/".join(("share", self.shared.package.name, *own)), why))
+            elif first in self.shared.names or first in FOLDERS:
+                own = [first, *rest] if first in FOLDERS else rest
+                why = "is a folder right below the install prefix, where nothing is looked for"
+                found.append((entry, "/".join(("share", self.shared.package.name, *own)), why))
+        return tuple(found)

@@ -1,0 +1,29 @@
+"""Joined slice: what install_requires names, against the packages around."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from ...package.setup.located_text import Said
+from .python_package import PythonPackage
+
+REQUIREMENT = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
+
+
+@dataclass(frozen=True)
+class Requirements:
+    package: PythonPackage
+
+    @property
+    def ros_requirements(self) -> tuple[tuple[Said, str], ...]:
+        """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
+        found = []
+        for said in self.package.setup.texts("install_requires"):
+            match = REQUIREMENT.match(said.text)
+            name = match.group() if match else ""
+            facts = self.package.workspace.named(name)
+            built = facts is not None and facts.build_type in ("ament_cmake", "cmake") and facts.knows("modules")
+            if name.endswith("_msgs") or (facts is not None and built and not facts.modules):
+                found.append((said, name))
+        return tuple(found)

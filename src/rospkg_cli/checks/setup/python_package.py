@@ -1,0 +1,166 @@
+"""Joined slices over setup.py: what rules ask of it together with its package."""
+
+from __future__ import annotations
+
+import posixpath
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...package.manifest import Manifest
+from ...package.package_facts import PackageFacts
+from ...package.python_modules import Modules
+from ...package.setup.entry_points import EntryPoint
+from ...package.setup.setup_py import SetupPy
+from ...package.workspace import Workspace
+from ...ros.distros import Targets
+from ...ros.imports import STANDARD
+from ...source import Span
+from ...suggest import nearest
+from .module_exports import offers
+
+
+@dataclass(frozen=True)
+class PythonPackage:
+    """A package that colcon builds with its setup.py."""
+
+    manifest: Manifest
+    setup: SetupPy
+    modules: Modules
+    files: PackageFiles
+    facts: PackageFacts
+    workspace: Workspace
+    targets: Targets
+
+    @property
+    def name(self) -> str:
+        return self.manifest.name
+
+    @cached_property
+    def on_disk(self) -> dict[str, str]:
+        """Every module below a folder with `__init__.py`, whether it is installed or not: dotted name to file."""
+        listed = {said.text.partition(".")[0] for said in self.setup.packages}
+        base = self.setup.package_dir.get("", "")
+        found: dict[str, str] = {}
+        for path in self.files.below(base):
+            inside = path[len(base) + 1 :] if base else path
+            parts = inside.removesuffix(".py").split("/")
+            if not path.endswith(".py") or len(parts) < 2 or not all(part.isidentifier() for part in parts):
+                continue
+            if parts[0] in listed or self.files.exists(posixpath.join(base, parts[0], "__init__.py")):
+                found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+        return found
+
+    @cached_property
+    def roots(self) -> frozenset[str]:
+        """The first parts of the names of its own modules."""
+        own = {said.text.partition(".")[0] for said in (*self.setup.packages, *self.setup.py_modules)}
+        return frozenset(own | {module.partition(".")[0] for module in self.on_disk} | {self.name})
+
+    def lacks(self, module: str) -> bool:
+        """Return whether a module that is meant to be the package's own is nowhere."""
+        setup = self.setup
+        if (
+            module.rpartition(".")[2] in setup.generated
+            or setup.makes_files
+            or not setup.knows("package_dir")
+            or setup.file_of(module)
+            or self.blurred(module)
+        ):
+            return False
+        return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
+
+    def blurred(self, module: str) -> bool:
+        """Return whether something else may provide a module: a compiled one, a template, what a link leads to."""
+        package, _, name = module.rpartition(".")
+        folder = self.setup.folder_of(package) if package else self.setup.package_dir.get("", "")
+        if self.setup.kind(posixpath.normpath(folder or ".").removeprefix(".")) == "unknown":
+            return True
+        names = self.setup.folder.children.get(folder, {})
+        return (
+            any(each.startswith(f"{name}.") and each != f"{name}.pyi" for each in names) or names.get(name) == "unknown"
+        )
+
+    def misplaced(self, module: str) -> str | None:
+        """Return the own module that a foreign name must mean: the same but for the name of the package.
+
+        A name that package.xml depends on is meant as it stands.
+        """
+        root, _, rest = module.partition(".")
+        if root in STANDARD or self.manifest.depends_on(root):
+            return None
+        tails = {other.partition(".")[2]: other for other in self.on_disk}
+        return tails.get(module) or (tails.get(rest) if rest else None)
+
+    def meant(self, module: str) -> str | None:
+        """Return the module that was probably meant."""
+        if (found := self.misplaced(module)) is not None:
+            return found
+        last = module.rpartition(".")[2]
+        same = [other for other in self.on_disk if other.rpartition(".")[2] == last]
+        return same[0] if len(same) == 1 else nearest(module, self.on_disk)
+
+    def offers(self, module: str, name: str) -> bool:
+        """Return whether a module of the package has a name, or may have it."""
+        path = self.setup.file_of(module)
+        return path is None or offers(self.modules, self.setup, path, name.partition(".")[0])
+
+    def is_node(self, module: str) -> bool:
+        """Return whether a module talks to ROS by itself: it imports rclpy."""
+        path = self.setup.file_of(module)
+        file = self.modules.at(path) if path else None
+        return file is not None and any(
+            each.module.partition(".")[0] == "rclpy" and not each.typing and not each.level for each in file.imports
+        )
+
+    @cached_property
+    def plugs_in(self) -> bool:
+        """Whether it extends a command line tool: then its scripts are commands, not nodes."""
+        return any(entry.group.startswith(("ros2cli.", "ros2")) for entry in self.setup.entry_points)
+
+    @cached_property
+    def executables(self) -> tuple[EntryPoint, ...]:
+        return tuple(entry for entry in self.setup.entry_points if entry.script)
+
+    @cached_property
+    def nodes(self) -> tuple[EntryPoint, ...]:
+        """The executables that run a node; one with a dash in its name is a command for the shell."""
+        if self.plugs_in:
+            return ()
+        found = (entry for entry in self.executables if entry.module and "-" not in entry.name)
+        return tuple(entry for entry in found if self.is_node(entry.module))
+
+    @cached_property
+    def forgotten_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
+        """Nodes with a `main` and no entry point, the only ones in their folder.
+
+        Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
+        """
+        started = {entry.module: entry for entry in self.nodes if entry.within is not None}
+        if not started or not self.setup.knows("entry_points") or any(e.fault for e in self.setup.entry_points):
+            return ()
+        known = {entry.module for entry in self.setup.entry_points}
+        found: list[tuple[str, str, Span, EntryPoint]] = []
+        for folder, like in {module.rpartition(".")[0]: entry for module, entry in started.items()}.items():
+            inside = [m for m in self.setup.modules if m.rpartition(".")[0] == folder and m not in known]
+            idle = [(m, main) for m in inside if (main := self.main_of_node(m)) is not None]
+            if len(idle) == 1:
+                module, main = idle[0]
+                found.append((module, self.setup.modules[module], main, like))
+        return tuple(found)
+
+    def main_of_node(self, module: str) -> Span | None:
+        """Return where a module that is a node defines `main`."""
+        file = self.modules.at(self.setup.modules[module])
+        return file.functions.get("main") if file is not None and self.is_node(module) else None
+
+    @property
+    def installs_all_it_says(self) -> bool:
+        """Whether it is known which modules are installed."""
+        setup = self.setup
+        return not setup.makes_files and all(setup.knows(name) for name in ("packages", "py_modules", "package_dir"))
+
+    @property
+    def installs_known_files(self) -> bool:
+        """Whether it is known which data files are installed."""
+        return not self.setup.makes_files and self.setup.knows("data_files")

@@ -1,0 +1,49 @@
+"""Joined slice: where the executables of a package go."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.setup.entry_points import EntryPoint
+from ...package.setup.located_text import Said
+from ...package.setup.setup_cfg import SetupCfg
+from ...package.workspace import Workspace
+from .python_package import PythonPackage
+
+SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
+ELSEWHERE = re.compile(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
+
+
+@dataclass(frozen=True)
+class ScriptHome:
+    """Where the executables of a package go."""
+
+    package: PythonPackage
+    cfg: SetupCfg | None
+    workspace: Workspace
+
+    @cached_property
+    def nodes(self) -> tuple[EntryPoint, ...]:
+        """The executables that run a node, and those that a launch file of the workspace starts."""
+        started = {pair for facts in self.workspace.packages for pair in facts.starts}
+        named = (e for e in self.package.executables if (self.package.name, e.name) in started)
+        return tuple(dict.fromkeys((*self.package.nodes, *named)))
+
+    @cached_property
+    def wrong(self) -> tuple[tuple[str, str, Said | None], ...]:
+        """The options that put nodes where nobody looks: section, key, and the value, None where it is missing.
+
+        A value that is no folder below lib/ was meant so; so was one for the name that setup.py gives the package.
+        """
+        found: list[tuple[str, str, Said | None]] = []
+        own = {self.package.name, said.text if (said := self.package.setup.said("name")) else ""}
+        for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
+            option = self.cfg.get(section, key) if self.cfg else None
+            match = ELSEWHERE.fullmatch(option.value.text) if option else None
+            if option is None and self.nodes:
+                found.append((section, key, None))
+            elif option is not None and match is not None and match["name"] not in own:
+                found.append((section, key, option.value))
+        return tuple(found)

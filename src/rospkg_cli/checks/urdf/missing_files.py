@@ -1,0 +1,99 @@
+"""A robot description among the files that it names: those of its package, and what other packages install."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+from ...files import PackageFiles
+from ...package.package_facts import PackageFacts
+from ...package.urdf.robot_file import Reference, RobotFile
+from ...package.workspace import Workspace
+from ...source import Span
+from ...suggest import nearest
+from ..closest_path import meant_file
+
+State = Literal["absent", "not installed"]
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A file that is named and won't be there."""
+
+    span: Span
+    package: str
+    path: str
+    state: State
+    include: bool
+    meant: str | None = None
+    again: tuple[Span, ...] = ()
+    """Other places that name it."""
+
+
+@dataclass(frozen=True)
+class RobotInWorkspace:
+    robot: RobotFile
+    files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
+
+    def missing(self) -> Iterator[Missing]:
+        """Yield each file that is named and is not there, once, as far as that can be told."""
+        found: dict[tuple[str, str], list[Missing]] = {}
+        for each in self.every_missing():
+            found.setdefault((each.package, each.path), []).append(each)
+        for first, *others in found.values():
+            yield replace(first, again=tuple(other.span for other in others))
+
+    def every_missing(self) -> Iterator[Missing]:
+        for reference in self.robot.references:
+            facts = self.facts_of(reference)
+            if facts is not None and reference.path and not reference.path.startswith(".."):
+                state = self.state(facts, reference.path)
+                meant = self.meant(facts, reference.path)
+                if state is not None and (facts.knows("share_files") or meant):
+                    include = reference.use == "include"
+                    yield Missing(reference.path_span, facts.name, reference.path, state, include, meant)
+        for local in self.robot.includes:
+            if not self.files.exists(local.path) and not local.path.startswith(".."):
+                near = nearest(posixpath.basename(local.path), self.beside(local.path))
+                yield Missing(local.span, self.package.name, local.path, "absent", True, near)
+
+    def facts_of(self, reference: Reference) -> PackageFacts | None:
+        own = reference.package == self.package.name
+        return self.package if own else self.workspace.named(reference.package)
+
+    def state(self, facts: PackageFacts, path: str) -> State | None:
+        if path in facts.share_files or path in self.share_folders(facts):
+            return None
+        if facts is not self.package or not (self.files.exists(path) or path in self.files.folders):
+            return "absent"
+        top = path.partition("/")[0]
+        partly = "/" not in path or top in self.share_folders(facts)
+        return "not installed" if partly and facts.knows("share_files") else None
+
+    def share_folders(self, facts: PackageFacts) -> frozenset[str]:
+        return self._own_folders if facts is self.package else folders_of(facts.share_files)
+
+    @cached_property
+    def _own_folders(self) -> frozenset[str]:
+        return folders_of(self.package.share_files)
+
+    def meant(self, facts: PackageFacts, path: str) -> str | None:
+        known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
+        return meant_file(path, known)
+
+    def beside(self, path: str) -> list[str]:
+        folder = posixpath.dirname(path)
+        return [posixpath.basename(each) for each in self.files.paths if posixpath.dirname(each) == folder]
+
+
+def folders_of(paths: frozenset[str]) -> frozenset[str]:
+    found = set()
+    for path in paths:
+        while path := posixpath.dirname(path):
+            found.add(path)
+    return frozenset(found)

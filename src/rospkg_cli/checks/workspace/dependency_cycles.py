@@ -1,0 +1,116 @@
+"""Packages of a workspace that wait for each other: the cycles of the graph that colcon orders.
+
+colcon-core orders packages by all their dependencies but doc_depend, test_depend included, and by those that these need
+to run (colcon_core.topological_order, colcon_ros.package_identification.ros); REP-149 adds the members of groups. A
+package that needs itself is no cycle here.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ...package.package_facts import Need, PackageFacts
+from ...package.workspace import Workspace
+from ...ros.manifest import NOT_ORDERED
+
+Edges = Mapping[str, Mapping[str, Need]]
+"""Package → the packages that it needs → the first place that says so."""
+
+
+@dataclass(frozen=True)
+class Step:
+    package: PackageFacts
+    needs: PackageFacts
+    need: Need
+
+
+def cycles(workspace: Workspace) -> Iterator[tuple[Step, ...]]:
+    """Yield one cycle for each knot of packages that takes part in any: the shortest through its first given one."""
+    edges = needed(workspace)
+    for knot in knots(edges):
+        given = sorted(name for name in knot if named(workspace, name).folder in workspace.given)
+        if given:
+            path = shortest(edges, given[0], knot)
+            yield tuple(
+                Step(named(workspace, here), named(workspace, there), edges[here][there])
+                for here, there in pairwise(path)
+            )
+
+
+def named(workspace: Workspace, name: str) -> PackageFacts:
+    found = workspace.named(name)
+    assert found is not None
+    return found
+
+
+def needed(workspace: Workspace) -> Edges:
+    """Return which package of the workspace certainly waits for which."""
+    members: dict[str, list[str]] = {}
+    for facts in workspace.packages:
+        for group in facts.groups:
+            members.setdefault(group, []).append(facts.name)
+    edges: dict[str, dict[str, Need]] = {}
+    for name in sorted(workspace.names):
+        facts = named(workspace, name)
+        found = edges.setdefault(name, {})
+        for need in facts.dependencies:
+            if need.certain and need.tag not in NOT_ORDERED and need.name in workspace.names:
+                found.setdefault(need.name, need)
+        for need in facts.group_needs:
+            for member in members.get(need.name, ()) if need.certain else ():
+                found.setdefault(member, need)
+        found.pop(name, None)
+    return edges
+
+
+def knots(edges: Edges) -> list[set[str]]:
+    """Return the sets of two packages or more that reach each other (Tarjan's strongly connected components)."""
+    order: dict[str, int] = {}
+    low: dict[str, int] = {}
+    open_: list[str] = []
+    found: list[set[str]] = []
+    for root in edges:
+        if root in order:
+            continue
+        order[root] = low[root] = len(order)
+        open_.append(root)
+        work = [(root, iter(edges[root]))]
+        while work:
+            name, others = work[-1]
+            other = next(others, None)
+            if other is not None and other not in order:
+                order[other] = low[other] = len(order)
+                open_.append(other)
+                work.append((other, iter(edges[other])))
+            elif other is not None:
+                low[name] = min(low[name], order[other]) if other in open_ else low[name]
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[name])
+                if low[name] == order[name]:
+                    at = open_.index(name)
+                    found.append(set(open_[at:]))
+                    del open_[at:]
+    return [knot for knot in found if len(knot) > 1]
+
+
+def shortest(edges: Edges, start: str, within: set[str]) -> list[str]:
+    """Return the shortest way from a package back to itself, both ends included."""
+    before: dict[str, str] = {}
+    waiting = deque([start])
+    while waiting:
+        name = waiting.popleft()
+        for other in edges[name]:
+            if other == start:
+                path = [start, name]
+                while path[-1] != start:
+                    path.append(before[path[-1]])
+                return path[::-1]
+            if other in within and other not in before:
+                before[other] = name
+                waiting.append(other)
+    raise ValueError(f"{start} is in no cycle")

@@ -1,0 +1,35 @@
+"""Which version the packages of a repository agree on, and who does not."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...package.changelog import number_of
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...ros.manifest import VERSION
+
+
+@dataclass(frozen=True)
+class Deviant:
+    """A package whose version is not that of the others."""
+
+    package: PackageFacts
+    common: str
+    others: tuple[PackageFacts, ...]
+    """Those that have the common version."""
+
+
+def deviants(workspace: Workspace) -> Iterator[Deviant]:
+    """Yield them by repository; the most common version counts, of several the highest, and `0.0.0` only at last."""
+    for folders in workspace.repositories:
+        packages = [
+            facts for facts in workspace.packages if facts.folder in folders and VERSION.fullmatch(facts.version)
+        ]
+        counted = Counter(facts.version for facts in packages)
+        if len(counted) > 1:
+            common = max(counted, key=lambda version: (any(number_of(version)), counted[version], number_of(version)))
+            others = tuple(facts for facts in packages if facts.version == common)
+            yield from (Deviant(facts, common, others) for facts in packages if facts.version != common)

@@ -1,0 +1,77 @@
+"""Phase one: what other packages may know of this one."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+from typing import get_args
+
+from ..files import Reading
+from ..ros.distros import Targets
+from .cmake.cmake_facts import exported_targets, registered_components
+from .dependency_facts import dependencies, group_needs, groups
+from .include_dirs import header_folders
+from .interfaces.interface_index import interface_names
+from .launch.file import launch_summaries, started_nodes
+from .launch.signature import launch_signatures
+from .manifest import Manifest
+from .metapackage import is_metapackage
+from .package_facts import PackageFacts, Unknown
+from .params.code import node_code
+from .params.gathered import declared_parameters, given_parameters
+from .plugins.plugin_facts import plugin_facts
+from .read_install_table import installed_facts
+from .uninstalled_files import made_files, uninstalled_files
+
+
+def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
+    """Return a package's facts; `fallback` is its name where package.xml can't be read."""
+    manifest = reading.parts(Manifest).only
+    if manifest is None:
+        return unknown_facts(folder, fallback)
+    unknown: set[Unknown] = set()
+    interfaces, complete = interface_names(reading)
+    unknown |= set() if complete else {"interfaces"}
+    installed = installed_facts(reading, manifest.name)
+    unknown |= installed.unknown
+    components, complete = registered_components(reading)
+    unknown |= set() if complete else {"components"}
+    plugins = plugin_facts(reading)
+    unknown |= plugins.unknown
+    declared = declared_parameters(reading)
+    return PackageFacts(
+        name=manifest.name or PurePosixPath(folder).name or fallback,
+        folder=folder,
+        build_type=manifest.build_type(targets),
+        name_span=manifest.name_span,
+        version=manifest.version,
+        version_span=manifest.version_span,
+        dependencies=dependencies(manifest, targets),
+        groups=groups(manifest, targets),
+        group_needs=group_needs(manifest, targets),
+        executables=installed.executables,
+        astray=installed.astray,
+        starts=started_nodes(reading),
+        launch_files=launch_signatures(reading),
+        launch_summaries=launch_summaries(reading),
+        interfaces=interfaces,
+        parameters=declared,
+        given_parameters=given_parameters(reading),
+        node_code=node_code(reading) if any(each.required for each in declared) else (),
+        share_files=installed.share_files,
+        uninstalled=uninstalled_files(reading),
+        made=made_files(reading),
+        components=components,
+        cmake_targets=exported_targets(reading),
+        modules=installed.modules,
+        plugins=plugins.plugins,
+        plugin_uses=plugins.uses,
+        loaders=plugins.loaders,
+        unknown=frozenset(unknown),
+        metapackage=is_metapackage(reading.files, manifest),
+        headers=header_folders(reading.files),
+    )
+
+
+def unknown_facts(folder: str, fallback: str) -> PackageFacts:
+    """Return what is known of a package that can't be read: a name by its folder."""
+    return PackageFacts(PurePosixPath(folder).name or fallback, folder, unknown=frozenset(get_args(Unknown)))

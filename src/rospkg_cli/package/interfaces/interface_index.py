@@ -1,0 +1,42 @@
+"""What other packages may know of a package's interfaces: their names, and whether these are all."""
+
+from __future__ import annotations
+
+from ...files import Reading
+from ...ros.interfaces import KINDS
+from ..cmake.build import is_built_with_cmake
+from ..cmake.cmake_project import CMake
+from ..file_role import role_of
+from .reader import interface_paths
+from .rosidl_targets import listed_path
+
+GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
+
+
+def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
+    """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
+
+    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own.
+    """
+    found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
+    for path in reading.files.paths:
+        folder = path.rpartition("/")[0].rpartition("/")[2]
+        if path.endswith(".idl") and folder in KINDS and role_of(path) == "run":
+            found.add(f"{folder}/{stem(path)}")
+    complete = not any(path.endswith(GENERATED) for path in reading.files.paths) and all_are_own(reading)
+    return frozenset(found), complete
+
+
+def stem(path: str) -> str:
+    return path.rpartition("/")[2].rpartition(".")[0]
+
+
+def all_are_own(reading: Reading) -> bool:
+    """Return whether rosidl_generate_interfaces is given files of the package alone, by names that are known."""
+    if not is_built_with_cmake(reading):
+        return True
+    cmake = reading.parts(CMake).only
+    if cmake is None or not cmake.complete:
+        return False
+    given = [(word, target) for target in cmake.interface_targets for word in target.files]
+    return all(listed_path(word, target) is not None for word, target in given)

@@ -1,0 +1,169 @@
+"""Read the lines of one message: fields, constants, comments."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...ros.interfaces import PRIMITIVES, STRINGS
+from ...source import Span
+from .comments import Comment, comment_problems
+from .escape import escape_fault
+from .interface_file import FieldType, Member, Problem
+from .type_parser import TypeProblemError, parse_type
+from .value import QUOTES, string_value, value_fault
+
+NAME = re.compile(r"[A-Za-z0-9_-]+")
+"""What may pass for a name; whether rosidl takes it is another question."""
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line without its end and the blanks before it, with blanks for tabs; its length in the file may be larger."""
+
+    text: str
+    at: int
+
+    def span(self, start: int, end: int) -> Span:
+        return Span(self.at + start, self.at + end)
+
+
+class SectionReader:
+    """Reads all lines at once; `members` and `problems` are what came of it."""
+
+    def __init__(self, lines: Sequence[Line]) -> None:
+        self.members: list[Member] = []
+        self.problems: list[Problem] = []
+        self.waiting: list[Comment] = []
+        self.of_last: list[Comment] = []
+        count = next((i for i, line in enumerate(lines) if not line.text.startswith("#")), len(lines))
+        self.judge([comment_in(line, 0) for line in lines[:count]], of_field=False)
+        for line in lines[count:]:
+            if line.text:
+                self.read(line)
+        self.judge_last()
+
+    def judge(self, comments: list[Comment], *, of_field: bool) -> None:
+        self.problems += comment_problems(comments, of_field=of_field)
+
+    def judge_last(self) -> None:
+        if self.members:
+            self.judge(self.of_last, of_field=not self.members[-1].constant)
+
+    def read(self, line: Line) -> None:
+        text, sign, rest = line.text.partition("#")
+        if sign:
+            comment = comment_in(line, len(text))
+            if text and not text.strip():
+                if self.members:
+                    self.of_last.append(comment)
+                return
+            self.waiting.append(comment)
+        behind = Comment(rest, line.at + len(text) + 1)
+        text = text.rstrip()
+        if not text:
+            return
+        member = self.member(Line(text, line.at), behind)
+        if member:
+            self.judge_last()
+            self.members.append(member)
+            self.of_last, self.waiting = self.waiting, []
+
+    def problem(self, span: Span, message: str, repair: str | None = None, title: str = "") -> None:
+        self.problems.append(Problem(span, message, repair, span if repair is not None else None, title))
+
+    def member(self, line: Line, comment: Comment) -> Member | None:
+        """Read a line that declares something; None, and a problem, where it does not."""
+        text = line.text
+        start = len(text) - len(text.lstrip(" "))
+        if start:
+            message = "rosidl can't read a line that begins with a blank: the build stops with an IndexError"
+            self.problem(line.span(0, start), message, "", "remove the blanks")
+        kind, _, rest = text[start:].partition(" ")
+        rest_at = len(text) - len(rest.lstrip())
+        if not rest.strip():
+            self.problem(line.span(start, len(text)), f"`{text[start:]}` lacks a blank between a type and a name")
+            return None
+        if "=" in rest:
+            return self.constant(line, line.span(start, start + len(kind)), rest_at, comment)
+        return self.field(line, line.span(start, start + len(kind)), rest_at, comment)
+
+    def field(self, line: Line, kind_span: Span, at: int, comment: Comment) -> Member | None:
+        kind = self.type_at(line, kind_span)
+        name, _, value = line.text[at:].partition(" ")
+        value = value.lstrip()
+        if kind is None or not self.is_name(line, at, name, value):
+            return None
+        value_span = line.span(len(line.text) - len(value), len(line.text))
+        if value:
+            self.judge_value(kind, value, value_span, comment)
+        return Member(kind, name, line.span(at, at + len(name)), False, value or None, value_span)
+
+    def constant(self, line: Line, kind_span: Span, at: int, comment: Comment) -> Member | None:
+        name, _, value = line.text[at:].partition("=")
+        name, value = name.rstrip(), value.lstrip()
+        span = line.span(at, at + len(name))
+        if not NAME.fullmatch(name):
+            hint = "a default value can't hold one" if any(q in name for q in QUOTES) else "a default has none"
+            self.problem(line.span(at, len(line.text)), f"rosidl reads a line with `=` as a constant; {hint}")
+            return None
+        kind = self.type_at(line, kind_span)
+        if kind is None:
+            return None
+        if kind.text not in PRIMITIVES:
+            self.problem(kind.span, f"a constant has a primitive type without bounds or brackets, not `{kind.text}`")
+            return None
+        value_span = line.span(len(line.text) - len(value), len(line.text))
+        self.judge_value(kind, value, value_span, comment)
+        return Member(kind, name, span, True, value, value_span)
+
+    def type_at(self, line: Line, span: Span) -> FieldType | None:
+        try:
+            return parse_type(line.text[span.start - line.at : span.end - line.at], span.start)
+        except TypeProblemError as error:
+            self.problems.append(error.problem)
+            return None
+
+    def is_name(self, line: Line, at: int, name: str, value: str) -> bool:
+        if NAME.fullmatch(name):
+            return True
+        span = line.span(at, at + len(name))
+        if name.startswith("["):
+            self.problem(span, f"the brackets belong to the type, without a blank: `{line.text.split()[0]}{name} …`")
+        elif NAME.fullmatch(name[:-1]) and name[-1] in ";," and not value:
+            end = line.span(at + len(name) - 1, at + len(name))
+            self.problem(end, f"a line ends without `{name[-1]}`: one field a line", "", f"remove the `{name[-1]}`")
+        else:
+            self.problem(span, f"`{name}` is no name of a field: lower case letters, digits and single `_`")
+        return False
+
+    def judge_value(self, kind: FieldType, value: str, span: Span, comment: Comment) -> None:
+        fault = value_fault(kind, value)
+        if kind.base in STRINGS and is_open(value) and value[0] in comment.text:
+            span = Span(span.start, comment.at + comment.text.index(value[0]) + 1)
+            fault = f"rosidl cuts the line at the `#`, even inside quotes: the value becomes `{value}`"
+        elif fault is None and kind.base in STRINGS:
+            fault = text_fault(kind, value)
+        if fault:
+            self.problem(span, fault)
+
+
+def is_open(value: str) -> bool:
+    """Return whether a quote is opened and not closed."""
+    return value[:1] in QUOTES and (len(value) == 1 or value[-1] != value[0])
+
+
+def text_fault(kind: FieldType, value: str) -> str | None:
+    """Return why rosidl can't write a string into the .idl file."""
+    if kind.array:
+        ascii_only = all(ord(char) < 128 or not char.isprintable() for char in value)
+        return None if ascii_only else "rosidl can't write default values of string arrays that are not ASCII"
+    if escape_fault(string_value(value)):
+        return f"rosidl decodes the backslashes in `{value}` as escapes and then can't read what it wrote; double them"
+    return None
+
+
+def comment_in(line: Line, at: int) -> Comment:
+    text = line.text[at:].lstrip("#")
+    return Comment(text, line.at + len(line.text) - len(text))

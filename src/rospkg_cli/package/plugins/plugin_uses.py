@@ -1,0 +1,48 @@
+"""Where a package names plug-ins: parameters, rviz's layouts, robots. Their names are found by what stands before them.
+
+Only whole, literal names of the forms `package/Class` and `namespace::Class` count; what a template or a launch file
+puts together is not looked at.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import PackageFiles, Reading
+from ...source import Span
+from ...unreadable import UnreadableError
+from ..file_role import role_of
+from ..package_facts import PluginUse
+
+NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
+YAML = re.compile(
+    rf"""^[ ]*(?:-[ ]+)?(["']?)(?:\w*plugin|plugin_type|type|Class)\1[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
+    re.MULTILINE,
+)
+RVIZ = re.compile(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
+"""The names of rviz's displays and tools may have blanks."""
+XML = re.compile(
+    rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</"""
+)
+COMMENT = re.compile(r"<!--[\s\S]*?-->")
+PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
+
+
+def plugin_uses(reading: Reading) -> tuple[PluginUse, ...]:
+    return tuple(use for path in reading.files.paths for use in uses_in(reading.files, path))
+
+
+def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
+    pattern = PATTERNS.get(path[path.rfind(".") :])
+    if pattern is None or role_of(path) not in ("run", "launch"):
+        return
+    try:
+        text = files.source(path).text
+    except UnreadableError:
+        return
+    if pattern is XML:
+        text = COMMENT.sub(lambda match: " " * len(match.group()), text)
+    for match in pattern.finditer(text):
+        group = "name" if match["name"] else "value"
+        yield PluginUse(match[group], path, Span(*match.span(group)))

@@ -1,0 +1,79 @@
+"""Make the install table of a package, whatever builds it, and the facts that other packages get of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+from typing import NamedTuple
+
+from ..files import Reading
+from .cmake.build import is_built_with_cmake
+from .cmake.cmake_install_table import cmake_table
+from .cmake.cmake_project import CMake
+from .cmake.uninstalled_targets import ForgottenTargets
+from .install_table import PYTHON, InstallTable
+from .manifest import Manifest
+from .package_facts import Unknown
+from .setup.python_install_table import python_table
+from .setup.setup_py import SetupPy
+
+
+def read_install_table(reading: Reading) -> Iterator[InstallTable]:
+    """Yield the install table; none where nothing that is understood installs the package."""
+    manifest, setup = reading.parts(Manifest).only, reading.parts(SetupPy).only
+    if manifest is None or not manifest.name:
+        return
+    if is_built_with_cmake(reading):
+        for cmake in reading.parts(CMake).good:
+            yield cmake_table(cmake, manifest.name)
+    elif setup is not None:
+        yield python_table(setup, manifest.name)
+
+
+class InstalledFacts(NamedTuple):
+    """What PackageFacts says of a table."""
+
+    executables: frozenset[str] = frozenset()
+    astray: frozenset[str] = frozenset()
+    share_files: frozenset[str] = frozenset()
+    modules: frozenset[str] = frozenset()
+    unknown: frozenset[Unknown] = frozenset({"executables", "share_files", "modules"})
+
+
+def installed_facts(reading: Reading, name: str) -> InstalledFacts:
+    table = reading.parts(InstallTable).only
+    if table is None:
+        return InstalledFacts()
+    unknown: set[Unknown] = set()
+    unknown |= {"executables"} if has_malformed(reading) or not table.knows("executable") else set()
+    unknown |= set() if table.knows("share") else {"share_files"}
+    unknown |= set() if table.knows("module") else {"modules"}
+    return InstalledFacts(
+        frozenset(path for path, _ in table.below(f"lib/{name}")),
+        frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
+        - {path for path, _ in table.below(f"lib/{name}")}
+        | forgotten(reading),
+        frozenset(path for path, _ in table.below(f"share/{name}")),
+        frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
+        frozenset(unknown),
+    )
+
+
+def forgotten(reading: Reading) -> frozenset[str]:
+    """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
+    found = (each for cmake in reading.parts(CMake).good for each in ForgottenTargets(cmake).all())
+    return frozenset(each.target.name for each in found if each.target.executable)
+
+
+def has_malformed(reading: Reading) -> bool:
+    """Return whether an entry point is written in a way that leaves open what its executable is called."""
+    setup = reading.parts(SetupPy).only
+    return setup is not None and any(each.script and each.fault for each in setup.entry_points)
+
+
+def module_name(path: str) -> str:
+    """Return the dotted name of an installed Python file or compiled module, "" for what is none."""
+    pure = PurePosixPath(path)
+    if pure.suffix not in (".py", ".so"):
+        return ""
+    return ".".join(pure.parent.parts if pure.stem == "__init__" else pure.with_suffix("").parts)

@@ -1,0 +1,171 @@
+"""setup.cfg with the place of everything: read as configparser reads it, and refused where it refuses."""
+
+from __future__ import annotations
+
+import configparser
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ...files import Reading
+from ...source import Source, Span
+from ...unreadable import UnreadableError
+from .located_text import Said
+
+SECTION = re.compile(r"\[(?P<name>.+)\]")
+OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
+APART = re.compile(r"\S[^\S\n]{200,}\S")
+"""What keeps OPTION, and configparser's own pattern, busy for the square of its length."""
+
+COMMENTS = ("#", ";")
+
+COMMANDS = frozenset(
+    "alias bdist bdist_dumb bdist_egg bdist_rpm bdist_wheel build build_clib build_ext build_py build_scripts check"
+    " clean develop dist_info easy_install editable_wheel egg_info install install_data install_egg_info"
+    " install_headers install_lib install_scripts register rotate saveopts sdist setopt test upload upload_docs".split()
+)
+"""The commands of distutils and setuptools, whose options stand in sections of that name."""
+
+FREE_KEYS = frozenset({"options.extras_require", "options.data_files", "options.entry_points", "options.package_data"})
+"""Sections whose keys are names of the user's own."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """One option, with a key in the spelling of the file."""
+
+    key: str
+    key_span: Span
+    value: Said
+    """All lines of it, blanks at both ends left out."""
+    span: Span
+    """From the first character of the key to the end of the last line of the value."""
+
+    @property
+    def name(self) -> str:
+        """The key as setuptools takes it: lower case, underscores."""
+        return self.key.lower().replace("-", "_")
+
+
+@dataclass(frozen=True)
+class Section:
+    name: str
+    span: Span
+    """Of `[name]`."""
+    options: dict[str, Option] = field(default_factory=dict)
+    """By key as it is spelled, in order."""
+
+    @property
+    def read_by_setuptools(self) -> bool:
+        """Whether its keys are options of setuptools: other tools may spell theirs as they like."""
+        return self.name in COMMANDS or (self.name.startswith(("metadata", "options")) and self.name not in FREE_KEYS)
+
+
+@dataclass(frozen=True)
+class SetupCfg:
+    source: Source
+    sections: dict[str, Section]
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    @property
+    def span(self) -> Span:
+        """Of the first section's name: the place for what is missing."""
+        return next((section.span for section in self.sections.values()), Span(0, 0))
+
+    def get(self, section: str, option: str) -> Option | None:
+        """Return an option by its name; of several spellings the last, as setuptools takes it."""
+        return next((each for each in reversed(self.options(section)) if each.name == option), None)
+
+    def options(self, section: str) -> tuple[Option, ...]:
+        found = self.sections.get(section)
+        return tuple(found.options.values()) if found else ()
+
+
+def read_setup_cfg(reading: Reading) -> Iterator[SetupCfg]:
+    """Read setup.cfg; raises UnreadableError where configparser refuses it."""
+    if reading.files.exists("setup.cfg"):
+        yield parse_setup_cfg(reading.files.source("setup.cfg"))
+
+
+def parse_setup_cfg(source: Source) -> SetupCfg:
+    """Return what a text says; raises UnreadableError where configparser refuses it."""
+    refuse(source)
+    return SetupCfg(source, {section.name: section for section in sections(source)})
+
+
+def refuse(source: Source) -> None:
+    """Raise UnreadableError at the line that configparser complains about."""
+    if apart := APART.search(source.text):
+        why = f"`{source.path}` is skipped: it has a line with more than 200 blanks in a row; take them out"
+        raise UnreadableError(source.path, Span(*apart.span()), why, skipped=True)
+    parser = configparser.RawConfigParser()
+    parser.optionxform = str  # type: ignore[assignment,method-assign]  # as setuptools sets it
+    try:
+        parser.read_string(source.text)
+    except configparser.MissingSectionHeaderError as error:
+        fail(source, error.lineno, "an option before the first `[section]`")
+    except configparser.ParsingError as error:
+        fail(source, error.errors[0][0] if error.errors else 1, "neither a `[section]` nor an `option = value`")
+    except configparser.DuplicateOptionError as error:
+        fail(source, error.lineno or 1, f"`{error.option}` stands twice in `[{error.section}]`")
+    except configparser.DuplicateSectionError as error:
+        fail(source, error.lineno or 1, f"`[{error.section}]` stands twice")
+    except configparser.Error as error:
+        fail(source, 1, str(error).splitlines()[0])
+
+
+def fail(source: Source, line: int, why: str) -> None:
+    span = source.line_span(min(line, len(source.line_starts)))
+    raise UnreadableError(source.path, span, f"`{source.path}` can't be read: {why}; setuptools stops there")
+
+
+def sections(source: Source) -> Iterator[Section]:
+    """Yield the sections of a file that configparser accepts."""
+    section: Section | None = None
+    key: tuple[str, Span] | None = None
+    value: list[Span] = []
+    indent = 0
+    for number in range(1, len(source.line_starts) + 1):
+        whole = source.line_span(number)
+        line = strip(source, whole)
+        text = source.slice(line)
+        if not text or text.startswith(COMMENTS):
+            continue
+        if key and section and line.start - whole.start > indent:
+            value.append(line)
+            continue
+        if key and section:
+            add(source, section, key, value)
+            key = None
+        indent = line.start - whole.start
+        if (header := SECTION.match(text)) is not None:
+            if section is not None:
+                yield section
+            section = Section(header["name"], Span(line.start, line.start + header.end()))
+        elif section is not None and (match := OPTION.match(text)) is not None:
+            key = match["key"], Span(line.start, line.start + match.end("key"))
+            at = line.start + (match.start("value") if match["sign"] else len(text))
+            value = [Span(at, line.end)]
+    if key and section:
+        add(source, section, key, value)
+    if section is not None:
+        yield section
+
+
+def strip(source: Source, span: Span) -> Span:
+    text = source.slice(span)
+    start = span.start + len(text) - len(text.lstrip())
+    return Span(start, max(start, span.start + len(text.rstrip())))
+
+
+def add(source: Source, section: Section, key: tuple[str, Span], lines: list[Span]) -> None:
+    """Put an option into its section; the value is taken as it stands, from its first line to its last."""
+    name, span = key
+    held = [line for line in lines if line.start < line.end] or lines[:1]
+    whole = Span(held[0].start, held[-1].end)
+    value = Said(source.path, source.slice(whole), whole, whole)
+    option = Option(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
+    section.options[option.key] = option

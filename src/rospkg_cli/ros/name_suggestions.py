@@ -1,0 +1,82 @@
+"""What is meant by a name that nobody has: the one package or key that is called nearly so."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from ..suggest import distance
+from .aliases import NOTHING_NEEDED, key_for_apt, key_for_pip
+from .distros import Targets
+from .names import Names
+from .read_table import rows
+
+SEPARATOR = re.compile(r"[-_.]")
+MOST = 2
+"""More slips than these make another name."""
+
+
+def suggested_name(name: str, names: Names, targets: Targets) -> str | None:
+    """Return what is meant by an unknown name, of what a target has; None where nothing or several things may be."""
+    for group in candidate_groups(name, names):
+        there = [
+            each for each in dict.fromkeys(group) if each != name and any(names.resolves(each, one) for one in targets)
+        ]
+        if there:
+            return there[0] if len(there) == 1 else None
+    return None
+
+
+def candidate_groups(name: str, names: Names) -> Iterable[list[str]]:
+    """Yield the names that may be meant, the surest first."""
+    bare = re.sub(r"^python3?-|-pip$", "", name)
+    for found in (key_for_apt(name, names), key_for_pip(name, names), key_for_pip(bare, names)):
+        yield [found] if found else []
+    yield [key for cmake, keys in rows("cmake.txt").items() if cmake.lower() == name for key in plain_names(keys)[:1]]
+    everything = [each for each in names.all() if each != name]
+    yield [each for each in everything if letters(each) == letters(name)]
+    yield from names_by_typos(name, everything)
+
+
+def plain_names(keys: Iterable[str]) -> list[str]:
+    """Return those of a row that are names, not patterns."""
+    return [key for key in keys if key != NOTHING_NEEDED and "*" not in key]
+
+
+def letters(name: str) -> str:
+    """Return what is left without capitals, dashes and underscores."""
+    return SEPARATOR.sub("", name.lower())
+
+
+def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
+    """Return the names that differ by slips in single words: those with the fewest first.
+
+    A number is never taken for another: those are generations, and each is a thing of its own.
+    """
+    words, numbers = SEPARATOR.split(name), digits(name)
+    found: dict[int, list[str]] = {}
+    for each in others:
+        have = SEPARATOR.split(each)
+        if (
+            len(have) != len(words)
+            or abs(len(each) - len(name)) > MOST
+            or (numbers and digits(each) not in ([], numbers))
+        ):
+            continue
+        far = sum(typos_between(word, other) for word, other in zip(words, have, strict=True))
+        if 0 < far <= MOST:
+            found.setdefault(far, []).append(each)
+    return [found[far] for far in sorted(found)]
+
+
+def typos_between(word: str, other: str) -> int:
+    """Return how many letters make a word another one; too many where that can't be a slip, as in a short word."""
+    if word == other:
+        return 0
+    short, far = min(len(word), len(other)), distance(word, other, MOST)
+    kept = far == 1 and (short > 4 or (short > 2 and len(word) != len(other)))
+    return far if kept or (far == 2 and short > 8) else MOST + 1
+
+
+def digits(name: str) -> list[str]:
+    return re.findall(r"\d+", name)
