@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from test_lint_command import TODO, rospkg
 
+from rospkg_cli.config.required_version import fulfils
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.finding import Severity
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.rule import Rule
-from rospkg_cli.versions import fulfils
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 from rospkg_cli.config.file.file import find_config
 from test_lint_command import rospkg
 
-from rospkg_cli.configkeys import ConfigError
+from rospkg_cli.config.schema import ConfigError
 
 
 @pytest.fixture

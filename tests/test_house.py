@@ -44,7 +44,7 @@ FLOORS = (
     {"edits", "example"},
     {"rule"},
     {"rules"},
-    {"configkeys", "config", "versions"},
+    {"config"},
     {"engine"},
     {"rule_docs"},
     {"report", "scaffold", "index"},

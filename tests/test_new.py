@@ -12,7 +12,7 @@ import pytest
 
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.new.run import new
-from rospkg_cli.configkeys import ConfigError
+from rospkg_cli.config.schema import ConfigError
 from rospkg_cli.scaffold import write as writing
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.names import check_node_name, check_package_name, repaired

@@ -8,7 +8,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from rospkg_cli.configkeys import FORMS, SECTION
+from rospkg_cli.config.schema import FORMS, SECTION
 from rospkg_cli.report import Report
 from rospkg_cli.report.json import document
 from rospkg_cli.resources import resources

@@ -14,15 +14,15 @@ from pathlib import Path
 from typing import Any
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.format import format_manifests
-from rospkg_cli.cli.inspect import inspect
-from rospkg_cli.cli.lint import lint
-from rospkg_cli.cli.options import LintOptions
-from rospkg_cli.configkeys import ConfigError
+from rospkg_cli.cli.format.run import format_manifests
+from rospkg_cli.cli.inspect.run import inspect
+from rospkg_cli.cli.lint.run import lint
+from rospkg_cli.cli.lint.session import LintOptions
+from rospkg_cli.config.schema import ConfigError
 from rospkg_cli.engine.baseline import BaselineError
 from rospkg_cli.engine.discovery.locate import LocateError
 from rospkg_cli.engine.fixing.write import WriteError
-from rospkg_cli.engine.run.plugged import PluginError
+from rospkg_cli.engine.run.rule_plugins import PluginError
 from rospkg_cli.index import NamesError
 from rospkg_cli.report import FORMATS
 

@@ -63,7 +63,7 @@ def run() -> int:
 
 def status() -> int:
     """Run the verb; return the exit status, of a fault too. Raises OutputError."""
-    from ..configkeys import ConfigError
+    from ..config.schema import ConfigError
     from ..engine.baseline import BaselineError
     from ..engine.discovery.locate import LocateError
     from ..engine.fixing.signals import StoppedError

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..configkeys import FORMS, place, read_section
-from ..configkeys import ConfigError as ConfigError
 from ..current_folder import absolute, here
+from .schema import FORMS, place, read_section
+from .schema import ConfigError as ConfigError
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ... import __version__
 from ...config.file import Config
+from ...config.required_version import fulfils
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
 from ...engine.run.process_pool import SERIAL_BELOW, ProcessPool
@@ -23,7 +24,6 @@ from ...ros.distros import Targets, fault_of_name
 from ...ros.names import BUILT_IN, Names
 from ...rule import Profile
 from ...suggest import did_you_mean
-from ...versions import fulfils
 from .. import UsageError
 from ..streams import say
 

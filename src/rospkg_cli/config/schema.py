@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from .ros.distros import DISTROS
-from .sentence import sentence
-from .suggest import did_you_mean
+from ..ros.distros import DISTROS
+from ..sentence import sentence
+from ..suggest import did_you_mean
 
 LONGEST_KEY = 1_000
 """Characters; a longer one is none of ours, and making a pattern of it takes long."""
