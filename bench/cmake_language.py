@@ -22,7 +22,7 @@ from pathlib import Path
 
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.package import Package
 from rospkg_cli.tree import MemoryTree
 

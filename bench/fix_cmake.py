@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 from xml.etree import ElementTree
 
-from rospkg_cli.ros.table import rows
+from rospkg_cli.ros.read_table import rows
 
 PROVIDER = Path(__file__).with_suffix(".cmake")
 REAL = ("Python3", "PythonInterp", "Threads", "GTest", "GMock")

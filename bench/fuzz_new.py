@@ -24,7 +24,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from rospkg_cli.cli import UsageError
-from rospkg_cli.cli.new import new
+from rospkg_cli.cli.new.run import new
 from rospkg_cli.scaffold.answers import Request
 
 from .fuzz_check import problems

@@ -25,12 +25,12 @@ from typing import Any
 
 import yaml
 
-from rospkg_cli.index.lists import DEFAULT_LISTS, key_lists
-from rospkg_cli.index.place import place_of
-from rospkg_cli.index.read import document
+from rospkg_cli.index.file_url import place_of
+from rospkg_cli.index.rosdep_lists import DEFAULT_LISTS, key_lists
+from rospkg_cli.index.rosdistro_files import document
 from rospkg_cli.index.update import make_index
 from rospkg_cli.ros.distros import DISTROS, Distro
-from rospkg_cli.ros.index import check, dump, parse
+from rospkg_cli.ros.name_index import check, dump, parse
 from rospkg_cli.ros.names import BUILT_IN, FetchedNames, Names
 from rospkg_cli.ros.rosdep import CODENAMES, NOT_THERE, merged, packages
 

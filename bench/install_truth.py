@@ -26,9 +26,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.package.cmake.project import CMake
+from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.inspection import Inspection, inspect_package
-from rospkg_cli.package.install import What
+from rospkg_cli.package.install_table import What
 from rospkg_cli.ros.distros import Targets
 
 from .cmake_world import UNKNOWN, World, make_world, name_of, open_package, real_packages

@@ -16,7 +16,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rospkg_cli.checks.interfaces.names import is_accepted
+from rospkg_cli.checks.interfaces.member_names import is_accepted
 from rospkg_cli.package.interfaces.text import parse_interface
 from rospkg_cli.source import Source
 

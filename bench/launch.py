@@ -25,8 +25,8 @@ from rospkg_cli.package.launch.file import DeclaredArgument, Include, LaunchedNo
 from rospkg_cli.package.launch.made import NODES
 from rospkg_cli.package.launch.text import LaunchText
 from rospkg_cli.package.package import Package
-from rospkg_cli.report.launched import launch_lines
-from rospkg_cli.ros.launch import ACTIONS, PARTS, SUBSTITUTIONS
+from rospkg_cli.report.inspect_launch import launch_lines
+from rospkg_cli.ros.launch_entities import ACTIONS, PARTS, SUBSTITUTIONS
 from rospkg_cli.source import Span
 
 Found = tuple[Path, LaunchFile]

@@ -13,10 +13,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from rospkg_cli.index.place import place_of
+from rospkg_cli.index.file_url import place_of
 from rospkg_cli.index.update import make_index
 from rospkg_cli.ros.distros import DISTROS
-from rospkg_cli.ros.index import Named
+from rospkg_cli.ros.name_index import Named
 from rospkg_cli.ros.rosdep import CODENAMES
 
 TABLES = Path(__file__).parents[1] / "src/rospkg_cli/ros/tables"

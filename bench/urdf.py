@@ -17,8 +17,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rospkg_cli.package.urdf.file import RobotFile
 from rospkg_cli.package.urdf.reader import robot_file
+from rospkg_cli.package.urdf.robot_file import RobotFile
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import UnreadableError
 

@@ -27,7 +27,8 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable
 from pathlib import Path
 
-from rospkg_cli.cli.commands import explain, lint  # noqa: F401  (so that no process has to import them)
+from rospkg_cli.cli.explain import options as explain  # noqa: F401  (so that no process has to import them)
+from rospkg_cli.cli.lint import options as lint  # noqa: F401
 
 from .case import make_case, write_case
 from .corpus import read_corpus

@@ -78,7 +78,7 @@ def rule(
 
 
 PLUGGED_IN: dict[str, Rule[Any]] = {}
-"""Rules of other installed packages, by code; `engine.run.plugged` puts them here when a config names them."""
+"""Rules of other installed packages, by code; `engine.run.rule_plugins` puts them here when a config names them."""
 
 
 @cache

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .cli.lint import lint_to
-from .cli.options import LintOptions
+from .cli.lint.run import lint_to
+from .cli.lint.session import LintOptions
 from .engine.discovery.discover import packages_in, repositories_in
 from .engine.run.session import Results, Scope, Session
 from .engine.selection import EVERYTHING

@@ -1,4 +1,4 @@
-"""The command line. Each verb is a file with one public function; `app` alone knows typer."""
+"""The command line. Each verb is a folder: `options` is what typer sees, `run` is what it does."""
 
 
 class UsageError(Exception):

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..engine.fixing.write import WriteError, write_text
-from ..ros.index import BrokenIndexError, Index, check, dump, parse
+from ..ros.name_index import BrokenIndexError, Index, check, dump, parse
 from ..ros.names import BUILT_IN, FetchedNames, Names
 from . import NamesError
 

@@ -10,7 +10,7 @@ from urllib.request import Request, urlopen
 
 from .. import __version__
 from . import NamesError
-from .place import Place, path_of
+from .file_url import Place, path_of
 
 TIMEOUT = 20.0
 """Seconds in which nothing comes."""

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timezone
 
 from ..ros.distros import DISTROS
-from ..ros.index import Index, Named
+from ..ros.name_index import Index, Named
 from ..ros.rosdep import CODENAMES, apt_name, installer, merged, pip_names
 from . import NamesError
 from .fetch import NotThereError
-from .lists import KeyList, key_lists
-from .place import Place, shortened
-from .read import Entries, distribution_files, document, is_name, released
+from .file_url import Place, shortened
+from .rosdep_lists import KeyList, key_lists
+from .rosdistro_files import Entries, distribution_files, document, is_name, released
 
 Progress = Callable[[str, int, int], None]
 """Is told what is read next, how many files were read, and how many there are."""

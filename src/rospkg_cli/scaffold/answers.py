@@ -8,11 +8,11 @@ from typing import Any
 
 from ..ros.distros import Distro
 from ..ros.licenses import License
+from .bringup import Started
 from .interface import Interface
-from .kinds import Parameter
 from .node import Node
-from .start import Started
-from .told import Told
+from .node_kinds import Parameter
+from .user_text import Told
 
 EVERY_NODE = "/**"
 """The key of parameters for every node in every namespace."""

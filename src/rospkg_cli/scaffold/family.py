@@ -11,13 +11,13 @@ from ..engine.fixing.signals import stopped_by_signals, undisturbed
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request
-from .around import around
-from .identity import who
+from .maintainer import who
 from .names import LONGEST, check_package_name
 from .node import default_nodes
-from .place import check_place
 from .plan import Plan, make_plan, template_of
+from .target_folder import check_place
 from .template import Template
+from .workspace import around
 from .write import missing_parents, write_folder
 
 OTHERS = ("interfaces", "description", "bringup")

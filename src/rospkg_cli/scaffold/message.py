@@ -7,13 +7,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..package.interfaces.declared import Interface, Member
+from ..package.interfaces.interface_file import Interface, Member
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .around import Around, Neighbour
+from .workspace import Around, Neighbour
 
 LONGEST = 70
 """Names of package and message together: longer ones don't fit the line that names both."""

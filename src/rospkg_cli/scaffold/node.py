@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .around import Around
-from .kinds import LANGUAGES, Kind, about, all_kinds, kind_of_message
 from .message import Message, is_message, message_of
 from .names import LONGEST, check_node_name
+from .node_kinds import LANGUAGES, Kind, about, all_kinds, kind_of_message
 from .template import Template
+from .workspace import Around
 
 
 @dataclass(frozen=True)

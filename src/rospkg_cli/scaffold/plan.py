@@ -12,20 +12,20 @@ from ..ros.interfaces import SEPARATORS
 from ..suggest import did_you_mean
 from . import OwnFaultError, ScaffoldError
 from .answers import Answers, Request
-from .around import Around, around
-from .ask import asked_interfaces, depends_of, distro_of, license_of, version_of
+from .bringup import Started, started_by
+from .custom_template import own_template
 from .extras import notes_on_extras, with_extras
-from .identity import Who, check_for_cmake, who
-from .launching import check_typed, launch_of, notes_on_launch
+from .launch_format import check_typed, launch_of, notes_on_launch
+from .maintainer import Who, check_for_cmake, who
 from .names import check_package_name
 from .node import nodes_of
-from .own import own_template
-from .proof import lint_written
 from .render import Written, render, render_line
-from .start import Started, started_by
+from .resolve_request import asked_interfaces, depends_of, distro_of, license_of, version_of
+from .self_lint import lint_written
 from .template import Template, load_template, template_names
-from .testing import tests_of
-from .told import Told, told
+from .test_level import tests_of
+from .user_text import Told, told
+from .workspace import Around, around
 
 LAUNCH = "py"
 LICENSE = "Apache-2.0"

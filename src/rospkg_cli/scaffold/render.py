@@ -13,11 +13,11 @@ from ..tree import Entry
 from . import ScaffoldError
 from .answers import Answers
 from .bounds import MAX_FILES, BoundedEnvironment, text_of
-from .faults import in_value
-from .known import known_values
-from .sources import SourceLoader
 from .template import Template, TemplateFile
-from .told import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
+from .template_context import known_values
+from .template_errors import in_value
+from .template_loader import SourceLoader
+from .user_text import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
 
 LONGEST_NAME = 200
 """Bytes of a file's name; most disks take 255, and a temporary name is longer."""

@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
+from ..engine.fixing.remove_leftovers import is_over
 from ..engine.fixing.signals import stopped_by_signals, undisturbed
-from ..engine.fixing.strays import is_over
 from ..leftovers import STRAY
 from . import ScaffoldError
 from .render import Written

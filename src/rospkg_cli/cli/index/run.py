@@ -13,7 +13,7 @@ from ...index.cache import cache_file, keep, kept
 from ...index.file_url import place_of
 from ...index.update import make_index
 from ...ros.distros import DISTROS, distro, fault_of_name
-from ...ros.index import Index
+from ...ros.name_index import Index
 from ...ros.names import BUILT_IN
 from ...ros.rosdep import CODENAMES, NOT_THERE
 from .. import UsageError

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, insort
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
@@ -19,6 +20,8 @@ class Round:
 
     _chosen: set[Operation] = field(default_factory=set)
     edits: dict[str, list[Edit]] = field(default_factory=dict)
+    _spans: dict[str, list[Span]] = field(default_factory=dict)
+    """Of the edits of each file, sorted."""
     whole: dict[str, Operation] = field(default_factory=dict)
     """Files that an operation other than an edit claims."""
 
@@ -31,6 +34,7 @@ class Round:
             self._chosen.add(operation)
             if isinstance(operation, Edit):
                 self.edits.setdefault(operation.path, []).append(operation)
+                insort(self._spans.setdefault(operation.path, []), operation.span)
             else:
                 self.whole |= dict.fromkeys(paths_of(operation), operation)
         return True
@@ -39,7 +43,9 @@ class Round:
         if any(path in self.whole for path in paths_of(operation)):
             return True
         if isinstance(operation, Edit):
-            return any(touch(operation.span, other.span) for other in self.edits.get(operation.path, ()))
+            spans = self._spans.get(operation.path, [])
+            at = bisect_left(spans, operation.span)  # none of them touch each other: the neighbours are enough
+            return any(touch(operation.span, span) for span in spans[max(at - 1, 0) : at + 1])
         return any(path in self.edits for path in paths_of(operation))
 
 

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from ...finding import Finding, Safety
-from ...package.happenings import RuleCrash
+from ...package.run_events import RuleCrash
 from ..run.session import Results, Session
 from .apply import Changes
+from .oscillation import MAX_ROUNDS, restless
 from .overlay import Overlay
 from .round import one_round
-from .settle import MAX_ROUNDS, restless
 
 MAX_STARTS = 5
 """How often fixing begins anew without the fixes that did not come to rest, before nothing is fixed at all."""

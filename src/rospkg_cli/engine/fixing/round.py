@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...files import PackageFiles
-from ...finding import Finding, Fix
-from ...package.happenings import RuleCrash
+from ...finding import Finding
 from ...package.package import Package
+from ...package.run_events import RuleCrash
 from ...tree import Tree
 from .apply import Changes, apply_fixes
 from .overlay import Overlay
+
+MAX_TRIED = 50
+"""Of more fixes that touch a broken file, none is tried alone: each time a package is read."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +38,13 @@ def one_round(
         changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])
         broken = newly_broken(tree, changes, folders)
         if not broken:
-            return changes, [each for each in left if is_taken(each.fix, taken)], refused
+            done = {fix.operations for fix in taken}
+            return changes, [each for each in left if each.fix and each.fix.operations in done], refused
         guilty = breakers(tree, folders, left, broken)
         path, why = next(iter(broken.items()))
         refused += [Refusal(each, f"it would break `{path}`: {why}") for each in guilty]
-        left = [each for each in left if each not in guilty]
+        gone = set(map(id, guilty))
+        left = [each for each in left if id(each) not in gone]
     return {}, [], refused
 
 
@@ -66,12 +71,10 @@ def cannot_apply(tree: Overlay, finding: Finding) -> Refusal | None:
 def breakers(tree: Overlay, folders: Sequence[str], left: Sequence[Finding], broken: dict[str, str]) -> list[Finding]:
     """Return the findings whose fix breaks a file by itself; all that touch one where only several together do."""
     touching = [each for each in left if each.fix and any(o.path in broken for o in each.fix.operations)] or list(left)
+    if len(touching) > MAX_TRIED:
+        return touching
     guilty = [each for each in touching if each.fix and newly_broken(tree, apply_fixes(tree, [each.fix])[0], folders)]
     return guilty or touching
-
-
-def is_taken(fix: Fix | None, taken: Sequence[Fix]) -> bool:
-    return any(fix is each or (fix is not None and fix.operations == each.operations) for each in taken)
 
 
 def newly_broken(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
@@ -81,8 +84,9 @@ def newly_broken(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dic
     """
     after = Overlay(tree.base, {**tree.changes, **changes})
     touched = {folder for path in changes for folder in folders if not folder or path.startswith(folder + "/")}
-    before_broken = unreadable(tree, touched)
-    return {p: why for p, why in unreadable(after, touched).items() if p in changes and p not in before_broken}
+    broken = {path: why for path, why in unreadable(after, touched).items() if path in changes}
+    before = unreadable(tree, touched) if broken else {}
+    return {path: why for path, why in broken.items() if path not in before}
 
 
 def unreadable(tree: Tree, folders: set[str]) -> dict[str, str]:

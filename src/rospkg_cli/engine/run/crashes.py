@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from ...package.happenings import RuleCrash
 from ...package.package import Package
+from ...package.run_events import RuleCrash
 
 
 def reader_crashes(package: Package, name: str, path: str) -> Iterator[RuleCrash]:

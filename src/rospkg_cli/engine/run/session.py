@@ -8,20 +8,20 @@ from typing import Any
 
 from ...files import PackageFiles
 from ...finding import Finding
-from ...package.facts import PackageFacts
-from ...package.happenings import HAPPENINGS, NothingChecked, RuleCrash
-from ...package.settings import Settings
+from ...package.package_facts import PackageFacts
+from ...package.rule_settings import Settings
+from ...package.run_events import HAPPENINGS, NothingChecked, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.names import BUILT_IN, Names
 from ...rule import Rule
 from ...tree import Tree
-from ..suppression.suppress import Silence
-from .check import check
+from ..suppression.suppression_index import Silence
 from .crashes import one_each
-from .shard import Checked, Shard
-from .slices import Slices
-from .stamp import Stamper, rule_by_code
+from .finding_builder import Stamper, rule_by_code
+from .rule_inputs import Slices
+from .run_rules import check
+from .worker import Checked, Shard
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from pathlib import PurePosixPath
 from ...files import PackageFiles
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from .head import Head
+from .file_head import Head
 
 COMMENT = re.compile(
     r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]{0,1000})\](?P<reason>[^\n]*)"

@@ -1,0 +1,1 @@
+"""`rospkg format`: its options, and what it does."""

@@ -1,0 +1,1 @@
+"""`rospkg index`: its options, the index of package names and its age."""

@@ -1,0 +1,1 @@
+"""`rospkg inspect`: its options, and what it does."""

@@ -1,0 +1,42 @@
+"""`rospkg lint --add-ignores REASON`: write the comments, and say what no comment can silence."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...engine.fixing.apply import Changes, apply_fixes
+from ...engine.fixing.overlay import Overlay
+from ...engine.fixing.round import newly_broken
+from ...engine.fixing.write import write_changes
+from ...engine.run.session import Session
+from ...engine.suppression.insert_ignores import ignores
+from ...finding import Finding
+from ...report import Report
+from .. import UsageError
+from ..streams import say
+
+
+def add_ignores(reason: str, session: Session, report: Report) -> int:
+    """Silence every finding that is left, with a reason; return 0, or 1 where some could not be silenced."""
+    if not reason.strip():
+        raise UsageError('--add-ignores wants a reason: --add-ignores "vendored, will be replaced"')
+    changes, left = silenced(session, report.results.findings, reason)
+    written = write_changes(report.root, session.tree, changes)
+    count = len(report.results.findings) - len(left)
+    say(f"findings that are ignored now: {count}, in files: {len(written)}")
+    for finding in left:
+        say(f"{report.where(finding)}: {finding.code} takes no comment; ignore it in rospkg.toml")
+    return 1 if left else 0
+
+
+def silenced(session: Session, findings: tuple[Finding, ...], reason: str) -> tuple[Changes, list[Finding]]:
+    """Return the changes that silence findings, and the findings that remain; files that would break are left out."""
+    base = Overlay(session.tree)
+    fixes = list(ignores(session.tree, findings, reason))
+    changes, _ = apply_fixes(base, fixes)
+    for path in newly_broken(base, changes, session.scope.folders):
+        changes.pop(path, None)
+    after = replace(session, tree=Overlay(session.tree, changes)).run()
+    remaining = {(f.code, f.place.path, f.message) for f in after.findings}
+    left = [f for f in findings if (f.code, f.place.path, f.message) in remaining]
+    return changes, left

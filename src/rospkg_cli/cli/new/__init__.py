@@ -1,0 +1,1 @@
+"""`rospkg new`: its options, questions, families of packages, and what is printed."""

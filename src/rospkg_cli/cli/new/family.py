@@ -1,0 +1,40 @@
+"""`rospkg new --family`: the packages of a robot in one go."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from ...report.color import wants_color
+from ...scaffold import ScaffoldError
+from ...scaffold.answers import Request
+from ...scaffold.family import plan_family, write_family
+from ...scaffold.target_folder import hidden_by
+from .. import UsageError
+from ..streams import afterwards, say
+from .run import NOTHING, defaults, said, shown_commands, shown_files, shown_tree
+
+
+def new_family(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
+    """Write all packages into a folder, or show every file; return the exit status.
+
+    Raises UsageError and ConfigError for what can't be done as asked.
+    """
+    try:
+        plans = plan_family(request, into, defaults(into))
+        if not dry_run:
+            write_family(plans, into)
+    except ScaffoldError as error:
+        raise UsageError(str(error)) from error
+    notes = [note for plan in plans for note in (*plan.notes, *(said(finding) for finding in plan.findings))]
+    for line in dict.fromkeys((*notes, *hidden_by(into))):
+        say(line)
+    painted = wants_color(color, sys.stdout)
+    trees = [line for plan in plans for line in shown_tree(plan, painted)]
+    if dry_run:
+        files = [line for plan in plans for line in shown_files(plan, painted)]
+        print("\n".join((*trees, *files, NOTHING)))
+    else:
+        lines = (*trees, *shown_commands(plans[-1], into, painted))
+        afterwards(lambda: print("\n".join(lines)), "the packages are written")
+    return 0

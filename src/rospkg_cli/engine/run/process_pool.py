@@ -1,0 +1,91 @@
+"""Spread the packages over processes: each reads its own, and checks what it has read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from typing import TypeVar
+
+from ...package.collect_facts import unknown_facts
+from ...package.package_facts import PackageFacts
+from ...package.rule_settings import Settings
+from ...package.run_events import RuleCrash
+from ...package.workspace import Workspace
+from ...ros.distros import Targets
+from ...tree import Tree
+from .rule_plugins import plug_in
+from .session import Pool, Scope
+from .worker import Checked, Shard
+
+T = TypeVar("T")
+
+SERIAL_BELOW = 40
+"""With fewer packages starting processes costs more than it saves."""
+
+_shard: Shard | None = None
+
+
+class ProcessPool(Pool):
+    """One process a shard, so that the models a process has read are there when it checks."""
+
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings, jobs: int) -> None:
+        self.name = scope.name
+        self.parts = parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
+        self.workers = [
+            ProcessPoolExecutor(1, initializer=start_shard, initargs=(tree, part, targets, settings, scope.name))
+            for part in parts
+        ]
+
+    def everywhere(self, call: Callable[..., list[T]], lost: Callable[[str], T], *arguments: object) -> list[T]:
+        """Call a function in every process; what it would have said of a package is made up where a process died."""
+        futures: list[Future[list[T]]] = []
+        for worker in self.workers:
+            try:
+                futures.append(worker.submit(call, *arguments))
+            except BrokenProcessPool as error:
+                futures.append(Future())
+                futures[-1].set_exception(error)
+        found: list[T] = []
+        for future, part in zip(futures, self.parts, strict=True):
+            try:
+                found += future.result()
+            except BrokenProcessPool:
+                found += map(lost, part)
+        return found
+
+    def gather(self) -> list[PackageFacts]:
+        return self.everywhere(gather_shard, lambda folder: unknown_facts(folder, self.name))
+
+    def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
+        found = self.everywhere(check_shard, lambda folder: lost_package(folder, workspace), workspace, codes)
+        return [each for each in found if each.folder in workspace.given]
+
+    def close(self) -> None:
+        for worker in self.workers:
+            worker.shutdown()
+
+
+def lost_package(folder: str, workspace: Workspace) -> Checked:
+    """Return what is left of a package whose process died: a crash to tell."""
+    path = f"{folder}/package.xml" if folder else "package.xml"
+    error = "its process was ended by the system; try --jobs 1"
+    return Checked(
+        folder, crashes=(RuleCrash("the whole package", workspace.at(folder).name, path, error, "check of"),)
+    )
+
+
+def start_shard(tree: Tree, folders: Sequence[str], targets: Targets, settings: Settings, name: str) -> None:
+    global _shard
+    plug_in(settings.plugins)
+    _shard = Shard(tree, folders, targets, settings, name)
+
+
+def gather_shard() -> list[PackageFacts]:
+    assert _shard is not None
+    return _shard.gather()
+
+
+def check_shard(workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
+    assert _shard is not None
+    return _shard.check(workspace, codes)

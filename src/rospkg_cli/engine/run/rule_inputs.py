@@ -1,0 +1,81 @@
+"""Build the slices that rules ask for by type: one file's model, or a frozen dataclass of slices."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import types
+import typing
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+from ...files import PackageFiles
+from ...package.package import Package
+from ...package.package_facts import PackageFacts
+from ...package.readers import READERS
+from ...package.rule_settings import Settings
+from ...package.workspace import Workspace
+from ...ros.distros import Targets
+from ...unreadable import Unreadable
+
+Field = tuple[type, bool, bool]
+"""The type of a part; whether it may be absent; whether all of them are wanted as a tuple."""
+
+
+class Slices:
+    """All slices of one package, each kind built once."""
+
+    def __init__(self, package: Package, workspace: Workspace, targets: Targets, settings: Settings) -> None:
+        self.package = package
+        self.provided: dict[type, Any] = {
+            PackageFiles: package.files,
+            Workspace: workspace,
+            Targets: targets,
+            Settings: settings,
+            PackageFacts: workspace.at(package.folder),
+        }
+        self.built: dict[type, list[Any]] = {Unreadable: []}
+
+    def of(self, kind: type) -> list[Any]:
+        """Return the slices of a kind; none where a part of it is absent or broken."""
+        if kind in self.provided:
+            return [self.provided[kind]]
+        if kind is Unreadable:
+            return self.package.unreadable()
+        if kind in READERS:
+            return list(self.package.parts(kind).good)
+        if kind not in self.built:
+            self.built[kind] = list(self.join(kind))
+        return self.built[kind]
+
+    def join(self, kind: type) -> Iterator[Any]:
+        options = [self.options(*part) for part in fields_of(kind)]
+        return (kind(*chosen) for chosen in itertools.product(*options))
+
+    def options(self, kind: type, optional: bool, every: bool) -> list[Any]:
+        broken = kind in READERS and bool(self.package.parts(kind).broken)
+        if broken and (optional or every):
+            return []
+        found = self.of(kind)
+        if every:
+            return [tuple(found)]
+        return found or ([None] if optional else [])
+
+
+@cache
+def fields_of(kind: type) -> tuple[Field, ...]:
+    """Return the parts of a joined slice, as its annotations name them; raises TypeError for what is none."""
+    if not dataclasses.is_dataclass(kind):
+        raise TypeError(f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models")
+    hints = typing.get_type_hints(kind)
+    return tuple(part(hints[field.name]) for field in dataclasses.fields(kind) if field.init)
+
+
+def part(hint: Any) -> Field:
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin in (typing.Union, types.UnionType):
+        return next(a for a in arguments if a is not type(None)), True, False
+    if origin is tuple:
+        return arguments[0], False, True
+    return hint, False, False

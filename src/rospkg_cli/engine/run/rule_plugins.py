@@ -1,0 +1,81 @@
+"""Rules of other installed packages, where the user's config names them.
+
+A package offers a module of rules under a name, as an entry point of the group `rospkg_cli.rules`. A config can only
+name what is installed, never a path: the config of a repository that is linted loads no code of that repository. What
+PYTHONPATH makes of a repository's own folders is not installed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+from typing import Any
+
+from ...rule import PLUGGED_IN, Rule, all_rules, rules_in
+from ...search_path import installed_folders
+from ...suggest import did_you_mean
+from ..selection import codes_named
+from .finding_builder import rule_by_code
+
+GROUP = "rospkg_cli.rules"
+CODE = re.compile(r"[A-Z]{3}[0-9]{3}")
+
+LOADED: set[str] = set()
+"""The names of the plug-ins whose rules are known."""
+
+
+class PluginError(Exception):
+    """A plug-in that can't be used; the message says which and what to do."""
+
+
+def plug_in(names: Iterable[str], *linted: Path) -> None:
+    """Make the rules of the named plug-ins known, once; raises PluginError, for one in a linted folder too."""
+    for name in names:
+        load(name, (Path.cwd(), *linted))
+
+
+def load(name: str, linted: tuple[Path, ...]) -> None:
+    if name in LOADED:
+        return
+    there = {point.name: point for point in entry_points(group=GROUP)}
+    if name not in there:
+        known = f"; installed are {', '.join(sorted(there))}" if there else "; no plug-in is installed"
+        hint = did_you_mean(name, there)
+        raise PluginError(f"plugins: there is no plug-in `{name}`{hint}{known}: install it beside rospkg, or remove it")
+    refuse_linted(there[name], linted)
+    found = rules_of(there[name])
+    own = {rule.code: rule.name for rule in all_rules()}
+    for code in found:
+        if code in own or not CODE.fullmatch(code):
+            why = f"is that of our `{own[code]}`" if code in own else "is not three capitals and three digits"
+            raise PluginError(f"plugins: `{name}` has a rule `{code}`, and that code {why}")
+    LOADED.add(name)
+    PLUGGED_IN.update(found)
+    all_rules.cache_clear()
+    codes_named.cache_clear()
+    rule_by_code.cache_clear()
+
+
+def refuse_linted(point: EntryPoint, linted: Iterable[Path]) -> None:
+    """Raise PluginError for a plug-in that stands in a linted folder and was not installed there by the user."""
+    if point.dist is None:
+        return
+    place = Path(str(point.dist.locate_file(""))).resolve()
+    if place in {Path(folder).resolve() for folder in installed_folders()}:
+        return
+    for folder in linted:
+        if place.is_relative_to(folder.resolve()):
+            why = f"lies in `{place}`, below `{folder}`, and nothing of what is linted is run"
+            raise PluginError(f"plugins: `{point.name}` {why}: install it beside rospkg, or take it out of PYTHONPATH")
+
+
+def rules_of(point: EntryPoint) -> dict[str, Rule[Any]]:
+    try:
+        found = rules_in(point.load())
+    except Exception as error:
+        raise PluginError(f"plugins: `{point.name}` can't be loaded: {type(error).__name__}: {error}") from error
+    if not found:
+        raise PluginError(f"plugins: `{point.name}` offers no rules: its entry point must name a module that has some")
+    return found

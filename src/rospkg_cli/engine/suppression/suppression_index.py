@@ -1,0 +1,94 @@
+"""Set findings aside that a comment or the config silences, and say which silences were needless."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import islice
+
+from ...finding import Finding
+from ...package.run_events import UnknownRuleName, UnusedSuppression
+from ...source import Span
+from ...suggest import nearest
+from ..selection import codes_named, rule_names
+from .comments import Suppression
+
+MAX_GUESSES = 100
+"""For so many names that name no rule the near one is sought: that takes its time."""
+
+
+@dataclass
+class Silence:
+    """All ignore comments of a run; `ran` are the codes of the rules that ran."""
+
+    comments: Sequence[Suppression]
+    ran: frozenset[str]
+    used: set[tuple[int, int]] = field(default_factory=set)
+    """Which code of which comment silenced something."""
+
+    def __post_init__(self) -> None:
+        self.by_place: dict[tuple[str, int], list[int]] = defaultdict(list)
+        """Path and line (0 for the whole file) → the comments there."""
+        self.by_code: dict[tuple[str, int], dict[str, tuple[int, int]]] = {}
+        for index, comment in enumerate(self.comments):
+            for line in comment.lines or (0,):
+                self.by_place[comment.path, line].append(index)
+
+    def apply(self, findings: Iterable[Finding]) -> list[Finding]:
+        """Return the findings, those that are silenced with the reason."""
+        return [self.judge(finding) for finding in findings]
+
+    def judge(self, finding: Finding) -> Finding:
+        places = ((finding.place.path, 0), (finding.place.path, finding.place.line))
+        found = [found for place in places if (found := self.codes_at(place).get(finding.code)) is not None]
+        if not found:
+            return finding
+        self.used.add(first := min(found))
+        return replace(finding, suppressed=self.comments[first[0]].reason or "no reason given")
+
+    def codes_at(self, place: tuple[str, int]) -> dict[str, tuple[int, int]]:
+        """Return, for each code that is silenced at a place, the first comment that does so, and its name there."""
+        if place not in self.by_code:
+            found = self.by_code[place] = {}
+            for index in self.by_place.get(place, ()):
+                for at, name in enumerate(self.comments[index].codes):
+                    for code in codes_named(name):
+                        found.setdefault(code, (index, at))
+        return self.by_code[place]
+
+    def unknown(self) -> list[UnknownRuleName]:
+        """Return the names in comments that name no rule."""
+        names = rule_names()
+        found = [
+            (comment.path, span, name)
+            for comment in self.comments
+            for name, span in zip(comment.codes, comment.code_spans, strict=True)
+            if not codes_named(name)
+        ]
+        different = dict.fromkeys(name for _, _, name in found)
+        meant = {name: nearest(name, names) for name in islice(different, MAX_GUESSES)}
+        return [UnknownRuleName(path, span, name, meant.get(name)) for path, span, name in found]
+
+    def unused(self) -> list[UnusedSuppression]:
+        """Return the codes in comments that silenced nothing although all of their rules ran."""
+        found = []
+        for index, comment in enumerate(self.comments):
+            idle = [at for at, name in enumerate(comment.codes) if self.is_idle(index, at, name)]
+            everything = len(idle) == len(comment.codes)
+            for at in idle:
+                delete = comment.line_span if everything else code_removal(comment, at)
+                found.append(UnusedSuppression(comment.path, comment.code_spans[at], comment.codes[at], delete))
+        return found
+
+    def is_idle(self, index: int, at: int, name: str) -> bool:
+        codes = codes_named(name)
+        return (index, at) not in self.used and bool(codes) and codes <= self.ran
+
+
+def code_removal(comment: Suppression, at: int) -> Span:
+    """Return what to delete so that one of several codes is gone, with the comma beside it."""
+    spans = comment.code_spans
+    if at:
+        return Span(spans[at - 1].end, spans[at].end)
+    return Span(spans[0].start, spans[1].start)

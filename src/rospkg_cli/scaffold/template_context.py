@@ -1,0 +1,72 @@
+"""What every file of a template knows: the answers, and what follows from them."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from .answers import Answers
+from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
+from .launch_format import autostarted, launch_packages, unconfigured
+from .test_level import first_words, launch_test_packages, launch_tested, linted, logics_tested
+
+
+def known_values(answers: Answers) -> dict[str, Any]:
+    """Return the values that a template may name."""
+    computed = ("copyright", "interface_packages", "sections", "section_of", "robot")
+    return {
+        **vars(answers),
+        **{name: getattr(answers, name) for name in computed},
+        **in_cpp(answers),
+        **in_python(answers),
+        "linted": linted(answers),
+        "launch_tested": launch_tested(answers),
+        "first_words": partial(first_words, answers),
+        "launch_test_packages": launch_test_packages(answers),
+        "launch_packages": list(launch_packages(answers)),
+        "autostarted": autostarted(answers),
+        "unconfigured": unconfigured(answers),
+        **in_others(answers),
+    }
+
+
+def in_cpp(answers: Answers) -> dict[str, Any]:
+    """Return what the C++ part of a package knows."""
+    return {
+        "cpp_nodes": answers.nodes_in("cpp"),
+        "cpp_logics": answers.logics_in("cpp"),
+        "cpp_tests": logics_tested(answers, "cpp"),
+        "cpp_messages": list(answers.messages_in("cpp")),
+        "client_libraries": list(packages_of(answers.nodes_in("cpp"))),
+        "build_depends": [key for key in answers.depends if is_library(key)],
+        "run_depends": [key for key in answers.depends if not is_library(key)],
+        "cmake_depends": cmake_names(answers.depends),
+        "cpp_standard": cpp_standard(answers.distro),
+        "targets_of": targets_of,
+    }
+
+
+def in_python(answers: Answers) -> dict[str, Any]:
+    """Return what the Python part of a package knows."""
+    nodes = answers.nodes_in("python")
+    declaring = any(node.kind.parameters for node in nodes)
+    tested = bool(answers.sections) and answers.tests != "none"
+    needs = ["rclpy", *answers.messages_in("python"), *(["rcl_interfaces"] if declaring else [])]
+    return {
+        "python_nodes": nodes,
+        "python_logics": answers.logics_in("python"),
+        "python_needs": needs if nodes else [],
+        "python_tests": [*logics_tested(answers, "python"), *(["params"] if declaring and tested else [])],
+    }
+
+
+def in_others(answers: Answers) -> dict[str, Any]:
+    """Return what a package knows that starts others."""
+    started = answers.started
+    return {
+        "starts": started.starts,
+        "includes": started.includes,
+        "started_packages": started.packages,
+        "launch_arguments": started.arguments,
+        "has_config": bool(started.starts and started.params) or any(include.params for include in started.includes),
+    }
