@@ -8,8 +8,8 @@ from enum import Enum
 
 from .distros import DISTROS, Distro, Targets
 from .name_index import Index, parse
-from .rosdep import CODENAMES, NOT_THERE
 from .read_table import marked, rows
+from .rosdep import CODENAMES, NOT_THERE
 
 
 class Known(Enum):

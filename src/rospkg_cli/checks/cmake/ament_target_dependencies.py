@@ -99,7 +99,7 @@ class LinkedPackages:
                 keyword = argument.text if argument.text in KEYWORDS else keyword
                 parts.append(Part(argument))
                 continue
-            found = [(name, self.linking(name)) for name in names if name != "SYSTEM"]
+            found = [(name, self.link_targets(name)) for name in names if name != "SYSTEM"]
             texts: list[str] = []
             for name, link in found:
                 texts += [target for target in link.targets if target not in done]
