@@ -35,7 +35,7 @@ class DeclaredDependencies:
     workspace: Workspace
 
     @property
-    def judged(self) -> bool:
+    def is_checked(self) -> bool:
         """Whether this is a package of ROS 2 in a language that we can follow."""
         return self.facts.build_type in BUILD_TYPES and self.facts.build_type != "catkin"
 
@@ -61,10 +61,11 @@ class DeclaredDependencies:
     def has(self, names: Iterable[str]) -> bool:
         """Return whether one of some names is declared, or is the package itself, or can't be declared."""
         return any(
-            name in self.names or name == self.facts.name or self.needs_us(name) or self.means(name) for name in names
+            name in self.names or name == self.facts.name or self.is_needed_by(name) or self.is_reported_elsewhere(name)
+            for name in names
         )
 
-    def means(self, name: str) -> bool:
+    def is_reported_elsewhere(self, name: str) -> bool:
         """Return whether package.xml names it in a way that is a fault of its own, of which another rule speaks.
 
         The package itself in other letters, a dependency in a tag that there isn't, or one whose name nobody knows and
@@ -72,7 +73,7 @@ class DeclaredDependencies:
         """
         if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
             return True
-        return name in self.meant or bool(self.unknown and near(name, self.unknown))
+        return name in self.keys_of_pip_names or bool(self.unknown_names and near(name, self.unknown_names))
 
     @cached_property
     def in_unknown_tags(self) -> frozenset[str]:
@@ -80,31 +81,31 @@ class DeclaredDependencies:
         return frozenset(e.text for e in children if "depend" in e.tag.lower() and e.tag not in DEPENDENCY_TAGS)
 
     @cached_property
-    def unknown(self) -> frozenset[str]:
+    def unknown_names(self) -> frozenset[str]:
         """The declared names that are no package and no key."""
         known = (Known.PACKAGE, Known.KEY)
         return frozenset(d.name for d in self.manifest.dependencies if self.workspace.what(d.name) not in known)
 
     @cached_property
-    def meant(self) -> frozenset[str]:
+    def keys_of_pip_names(self) -> frozenset[str]:
         """The keys for which the declared names stand elsewhere."""
-        return frozenset(key for name in self.unknown if (key := key_for_pip(name)) is not None)
+        return frozenset(key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
 
     @property
-    def brought(self) -> frozenset[str]:
+    def transitive_names(self) -> frozenset[str]:
         """What the declared packages bring with them at build time, as far as that is known."""
-        return self._closure[0]
+        return self._transitive[0]
 
     @property
-    def brings_all_known(self) -> bool:
+    def are_transitive_names_known(self) -> bool:
         """Whether it can be told of all declared packages what they bring."""
-        return self._closure[1]
+        return self._transitive[1]
 
     @cached_property
-    def _closure(self) -> tuple[frozenset[str], bool]:
-        return self.brought_with(self.names)
+    def _transitive(self) -> tuple[frozenset[str], bool]:
+        return self.transitive_names_of(self.names)
 
-    def brought_with(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
+    def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
         """Return what some packages bring for whoever builds with them, and whether that is known of all of them."""
         found: set[str] = set()
         known, table = True, rows("brings.txt")
@@ -122,12 +123,12 @@ class DeclaredDependencies:
         return frozenset(found), known
 
     @cached_property
-    def put_aside(self) -> frozenset[str]:
+    def commented_out(self) -> frozenset[str]:
         """The dependencies that stand in comments: somebody thought about them."""
         comments = "\n".join(comment.text for comment in self.manifest.document.comments)
         return frozenset(COMMENTED_DEPENDENCY.findall(comments))
 
-    def needs_us(self, name: str) -> bool:
+    def is_needed_by(self, name: str) -> bool:
         """Return whether a package of the workspace needs this one: to depend on it would close a circle."""
         seen: set[str] = set()
         waiting = [name]

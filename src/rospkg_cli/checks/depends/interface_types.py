@@ -33,4 +33,4 @@ class InterfaceTypeDependencies:
 
     @property
     def is_generated(self) -> bool:
-        return self.declared.judged and self.declared.facts.build_type != "ament_python"
+        return self.declared.is_checked and self.declared.facts.build_type != "ament_python"

@@ -11,7 +11,9 @@ from functools import cached_property
 from ...package.package_facts import PackageFacts
 from .declared_dependencies import DeclaredDependencies
 
-LEFT_OUT_ON_PURPOSE = re.compile(r"(?:^|.*_)(?:tests?|testing|examples?|demos?|tutorials?|benchmark\w*|performance|rqt)(?:_.*|$)")
+LEFT_OUT_ON_PURPOSE = re.compile(
+    r"(?:^|.*_)(?:tests?|testing|examples?|demos?|tutorials?|benchmark\w*|performance|rqt)(?:_.*|$)"
+)
 """Packages that a metapackage leaves out on purpose."""
 
 MIN_NAMED = 4
@@ -25,14 +27,14 @@ class MetapackageMembers:
 
     def missing(self) -> list[PackageFacts]:
         """Return the few packages that neither it nor what it names needs, where it names nearly all of the others."""
-        named = [facts for facts in self.around if facts.name in self.names]
-        if not self.is_hollow(self.declared.facts) or len(named) < MIN_NAMED:
+        named = [facts for facts in self.neighbours if facts.name in self.names]
+        if not self.has_no_content(self.declared.facts) or len(named) < MIN_NAMED:
             return []
-        there = self.reached(self.names)
-        found = [facts for facts in self.around if facts.name not in there and not self.is_apart(facts)]
+        there = self.needed_by(self.names)
+        found = [facts for facts in self.neighbours if facts.name not in there and not self.is_left_out(facts)]
         return found if len(found) * PARTS <= len(named) else []
 
-    def is_hollow(self, facts: PackageFacts) -> bool:
+    def has_no_content(self, facts: PackageFacts) -> bool:
         """Return whether a package is a metapackage, or installs nothing of its own."""
         own = facts.executables or facts.modules or facts.headers or facts.cmake_targets or facts.components
         share = facts.share_files - {"package.xml"} if facts.knows("share_files") else True
@@ -48,17 +50,21 @@ class MetapackageMembers:
         return Counter(each.tag for each in self.declared.manifest.dependencies).most_common(1)[0][0]
 
     @cached_property
-    def around(self) -> tuple[PackageFacts, ...]:
+    def neighbours(self) -> tuple[PackageFacts, ...]:
         """The other packages of its repository."""
         own, workspace = self.declared.facts.folder, self.declared.workspace
         folders = next((each for each in workspace.repositories if own in each), frozenset())
         return tuple(workspace.at(folder) for folder in sorted(folders - {own}))
 
-    def is_apart(self, facts: PackageFacts) -> bool:
+    def is_left_out(self, facts: PackageFacts) -> bool:
         """Return whether a package is not one to be named: a test, a metapackage, or one that needs this one."""
-        return facts.metapackage or LEFT_OUT_ON_PURPOSE.fullmatch(facts.name) is not None or self.declared.needs_us(facts.name)
+        return (
+            facts.metapackage
+            or LEFT_OUT_ON_PURPOSE.fullmatch(facts.name) is not None
+            or self.declared.is_needed_by(facts.name)
+        )
 
-    def reached(self, names: Iterable[str]) -> set[str]:
+    def needed_by(self, names: Iterable[str]) -> set[str]:
         """Return some names, and all that they need but for tests."""
         found: set[str] = set()
         waiting = list(names)

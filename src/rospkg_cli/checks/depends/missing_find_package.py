@@ -27,23 +27,23 @@ class MissingFindPackage:
     path: str
     span: Span
     testing: bool
-    does: str
+    usage: str
     """What is done with the package there, as a sentence goes on."""
-    brought: bool
+    may_be_transitive: bool
     """Whether another package that is found may bring it."""
 
 
 @dataclass(frozen=True)
 class MissingFindPackages:
-    included: IncludeDependencies
+    includes: IncludeDependencies
 
-    def all(self) -> Iterator[MissingFindPackage]:
+    def packages(self) -> Iterator[MissingFindPackage]:
         """Yield each package once: where a target is linked with it, else where its headers are included.
 
         What comes for certain with a package that is found is left out.
         """
-        if self.declared.judged and self.is_told:
-            there, known = self.declared.brought_with(self.found)
+        if self.declared.is_checked and self.is_complete:
+            there, known = self.declared.transitive_names_of(self.found)
             seen = set(self.found | there)
             for each in (*self.linked(not known), *self.headers(not known)):
                 if each.name not in seen and self.is_declared(each) and not self.has_another_name(each.name):
@@ -52,20 +52,20 @@ class MissingFindPackages:
 
     @property
     def declared(self) -> DeclaredDependencies:
-        return self.included.declared
+        return self.includes.declared
 
     @cached_property
     def found(self) -> frozenset[str]:
-        return frozenset(each.name for each in self.included.cmake.packages)
+        return frozenset(each.name for each in self.includes.cmake.packages)
 
     def has_another_name(self, name: str) -> bool:
         """Return whether something is found that may be the same by CMake's name: `realsense2` for `librealsense2`."""
         return any(each.lower() in name for each in self.found if len(each) >= MIN_LETTERS)
 
     @property
-    def is_told(self) -> bool:
+    def is_complete(self) -> bool:
         """Whether all that is looked for is known."""
-        cmake = self.included.cmake
+        cmake = self.includes.cmake
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
         return cmake.complete and not cmake.clouded and not automatic and not any(HOLE in name for name in self.found)
 
@@ -75,17 +75,17 @@ class MissingFindPackages:
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
 
     def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:
-        own = {target.name for target in self.included.cmake.targets}
-        for link in Links(self.included.cmake).all:
+        own = {target.name for target in self.includes.cmake.targets}
+        for link in Links(self.includes.cmake).all:
             name, colons, _ = link.word.text.partition("::")
             certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
             if certain and (colons or link.package):
-                does = f"`{link.target}` is linked with it"
-                yield MissingFindPackage(name, link.word.path, link.word.span, link.call.testing, does, maybe)
+                usage = f"`{link.target}` is linked with it"
+                yield MissingFindPackage(name, link.word.path, link.word.span, link.call.testing, usage, maybe)
 
     def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
-        for each in self.included.from_elsewhere():
+        for each in self.includes.packages():
             if each.cmake == each.names[0]:
                 first = each.uses[0]
-                does = f"`{first.header}` is included here"
-                yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", does, maybe)
+                usage = f"`{first.header}` is included here"
+                yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", usage, maybe)

@@ -1,4 +1,4 @@
-"""Robots, layouts and parameters against declarations: the packages whose files and plug-ins they name."""
+"""Robots, layouts and parameters against declarations: the packages whose files and plugins they name."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from ...package.file_role import LAUNCH
 from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import Reference, RobotFile
+from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...ros.names import Known
 from ...ros.plugins import PLUGIN_HOMES, TOOLS
-from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...source import Span
 from ..launch.uses import every_use
 from .declared_dependencies import DeclaredDependencies
@@ -30,28 +30,28 @@ class RobotUse:
 
     path: str
     span: Span
-    does: str
+    usage: str
     """What is done with the package there, as a sentence goes on."""
-    ends: str
+    consequence: str
     """What happens where the package is not there."""
-    mild: bool = False
+    is_optional: bool = False
     """Whether somebody else may well choose whether it is needed at all."""
 
 
 @dataclass(frozen=True)
 class RobotUses:
     declared: DeclaredDependencies
-    launched: LaunchDependencies
+    launch: LaunchDependencies
     robots: tuple[RobotFile, ...]
     table: InstallTable | None
 
     def missing(self) -> dict[str, list[RobotUse]]:
         """Return each package that is named and not declared, but for those that launch files ask for as well."""
         found: dict[str, list[RobotUse]] = {}
-        if self.declared.judged:
-            said = self.launched.missing(tests=False)
+        if self.declared.is_checked:
+            reported = self.launch.missing(tests=False)
             for name, use in (*self.references(), *self.plugins()):
-                if name not in said and not self.declared.has([name]):
+                if name not in reported and not self.declared.has([name]):
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
 
@@ -62,20 +62,20 @@ class RobotUses:
                 yield each.package, reference_use(robot.path, each)
 
     def plugins(self) -> Iterator[tuple[str, RobotUse]]:
-        """Yield the packages of plug-ins that are named, but for what others bring for that.
+        """Yield the packages of plugins that are named, but for what others bring for that.
 
         A layout is shown and a robot is driven by whatever is there, and parameters in a package that starts nothing
         are there for nodes that somebody else starts.
         """
         for use in self.declared.facts.plugin_uses:
-            name = self.home(use) if self.is_used(use.path) else None
-            if name is not None and name not in self.there and name not in TOOLS:
-                mild = not use.path.endswith((".yaml", ".yml")) or not self.launched.launch_files
-                does, ends = f"whose plug-in `{use.name}` is named here", "there it can't be loaded"
-                yield name, RobotUse(use.path, use.span, does, ends, mild)
+            name = self.package_of(use) if self.is_used(use.path) else None
+            if name is not None and name not in self.available and name not in TOOLS:
+                is_optional = not use.path.endswith((".yaml", ".yml")) or not self.launch.launch_files
+                usage, consequence = f"whose plugin `{use.name}` is named here", "there it can't be loaded"
+                yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
-    def home(self, use: PluginUse) -> str | None:
-        """Return the package of a plug-in; None for what may be the name of something else."""
+    def package_of(self, use: PluginUse) -> str | None:
+        """Return the package of a plugin; None for what may be the name of something else."""
         first, second, *_ = re.split(r"/|::", use.name)
         if first in PLUGIN_HOMES:
             return PLUGIN_HOMES[first]
@@ -84,17 +84,17 @@ class RobotUses:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first
         if owner is not None and any(plugin.name == use.name for plugin in owner.plugins):
             return first
-        return self.around.get(use.name)
+        return self.plugin_packages.get(use.name)
 
     @cached_property
-    def around(self) -> dict[str, str]:
-        """The plug-ins that packages of the workspace describe, each with its package."""
+    def plugin_packages(self) -> dict[str, str]:
+        """The plugins that packages of the workspace describe, each with its package."""
         return {plugin.name: facts.name for facts in self.declared.workspace.packages for plugin in facts.plugins}
 
     @cached_property
-    def there(self) -> frozenset[str]:
+    def available(self) -> frozenset[str]:
         """What comes where the package runs, with what is declared or what its launch files name, as far as known."""
-        started = {use.name for file in self.launched.launch_files for use in every_use(file)}
+        started = {use.name for file in self.launch.launch_files for use in every_use(file)}
         waiting = list(self.declared.names | started)
         found = set(implied_by(waiting, IN_PARAMETERS))
         while waiting:
@@ -116,8 +116,8 @@ class RobotUses:
 
 
 def reference_use(path: str, reference: Reference) -> RobotUse:
-    ends = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
-    return RobotUse(path, reference.span, "whose files are used here", ends)
+    consequence = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
+    return RobotUse(path, reference.span, "whose files are used here", consequence)
 
 
 def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:

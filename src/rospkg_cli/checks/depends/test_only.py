@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.manifest import Dependency
-from ...ros.imports import may_serve
 from ...ros.implied_dependencies import LAUNCH
+from ...ros.imports import may_serve
 from .unused_dependencies import BUILT_IN, TOOLS, UnusedDependencies
 
 TEST_TOOLS = TOOLS | {"python3-pytest", "ament_cmake_gtest", "ament_cmake_gmock", "ament_cmake_pytest"}
@@ -18,7 +18,7 @@ TEST_TOOLS = TOOLS | {"python3-pytest", "ament_cmake_gtest", "ament_cmake_gmock"
 class TestOnlyDependencies:
     unused: UnusedDependencies
 
-    def alone(self) -> Iterator[Dependency]:
+    def dependencies(self) -> Iterator[Dependency]:
         """Yield the dependencies that tests alone import, include or look for.
 
         An exec_depend counts only where nothing but tests can use it: another may be a node that is started by name.
@@ -26,8 +26,8 @@ class TestOnlyDependencies:
         declared = self.unused.declared
         python = declared.facts.build_type == "ament_python"
         cmake = self.unused.cmake
-        told = self.unused.python.complete if python else cmake is not None and self.unused.is_told(cmake)
-        for each in declared.manifest.dependencies if declared.judged and told else ():
+        told = self.unused.python.complete if python else cmake is not None and self.unused.is_complete(cmake)
+        for each in declared.manifest.dependencies if declared.is_checked and told else ():
             tagged = each.tag in BUILT_IN or (each.tag == "exec_depend" and (python or each.name in TEST_TOOLS))
             if tagged and self.is_tested_with(each.name) and not self.is_used(each.name):
                 yield each
@@ -35,7 +35,7 @@ class TestOnlyDependencies:
     def is_tested_with(self, name: str) -> bool:
         cmake = self.unused.cmake
         found = any(each.name == name and each.call.testing for each in cmake.packages) if cmake else False
-        return found or name in self.imported[True]
+        return found or name in self.import_providers[True]
 
     def is_used(self, name: str) -> bool:
         """Return whether anything else may use it; launch files in XML and YAML name nothing that reads them."""
@@ -44,11 +44,11 @@ class TestOnlyDependencies:
         files = [file for file in self.unused.python.files if file.role != "test"]
         modules = {each.module for file in files for each in file.imports}
         alike = name.removesuffix("_py") in {module.partition(".")[0] for module in modules}
-        served = name in self.imported[False] or alike or any(may_serve(name, module) for module in modules)
-        return served or self.unused.traces.are_in(name, "run", "docs") or self.unused.is_built_with(name)
+        served = name in self.import_providers[False] or alike or any(may_serve(name, module) for module in modules)
+        return served or self.unused.words.has(name, "run", "docs") or self.unused.is_built_with(name)
 
     @cached_property
-    def imported(self) -> dict[bool, frozenset[str]]:
+    def import_providers(self) -> dict[bool, frozenset[str]]:
         """What serves the imports of tests, and those of everything else."""
         found: dict[bool, set[str]] = {True: set(), False: set()}
         for file in self.unused.python.files:

@@ -12,8 +12,8 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
 from ...package.interfaces.interface_file import Interface
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
-from ...ros.names import Known
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
+from ...ros.names import Known
 from .declared_dependencies import DeclaredDependencies
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
@@ -26,7 +26,7 @@ class UndeclaredFindPackage:
 
     found: FoundPackage
     names: tuple[str, ...]
-    implied_by: Literal["surely", "maybe", "no"]
+    transitive: Literal["certain", "possible", "no"]
     """Whether something that is declared brings it for whoever builds with it."""
 
 
@@ -40,7 +40,7 @@ class FindPackageDependencies:
 
     def missing(self) -> Iterator[UndeclaredFindPackage]:
         """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
-        if not self.declared.judged:
+        if not self.declared.is_checked:
             return
         there = implied_by(self.declared.names, IN_CMAKE)
         seen: set[str] = set()
@@ -48,24 +48,24 @@ class FindPackageDependencies:
             if found.name in seen or not self.is_needed(found):
                 continue
             seen.add(found.name)
-            names = self.serving(found.name)
+            names = self.providers(found.name)
             if names and not self.declared.has(names) and not there.intersection(names):
-                yield UndeclaredFindPackage(found, names, self.is_brought(found, names))
+                yield UndeclaredFindPackage(found, names, self.transitivity(found, names))
 
-    def is_brought(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["surely", "maybe", "no"]:
-        brings = self.declared.brought
-        if brings.intersection(names) or self.fitting(found.name, brings):
-            return "surely"
-        return "no" if self.declared.brings_all_known else "maybe"
+    def transitivity(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["certain", "possible", "no"]:
+        brings = self.declared.transitive_names
+        if brings.intersection(names) or self.matching_names(found.name, brings):
+            return "certain"
+        return "no" if self.declared.are_transitive_names_known else "possible"
 
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration fails for certain where this is not there."""
         certain = found.word.known and not found.word.maybe and not found.call.maybe
-        needed = found.required or found.name in self.used
-        return certain and needed and not found.quiet and not self.is_said_elsewhere(found.name)
+        needed = found.required or found.name in self.needed_names
+        return certain and needed and not found.quiet and not self.is_reported_elsewhere(found.name)
 
     @cached_property
-    def used(self) -> frozenset[str]:
+    def needed_names(self) -> frozenset[str]:
         """What a target or an export can't do without, whether find_package says REQUIRED or not."""
         found: set[str] = set()
         for call in self.cmake.named("ament_target_dependencies", "ament_export_dependencies"):
@@ -75,13 +75,13 @@ class FindPackageDependencies:
             found |= {package for package, colons, _ in linked if colons}
         return frozenset(found)
 
-    def is_said_elsewhere(self, name: str) -> bool:
+    def is_reported_elsewhere(self, name: str) -> bool:
         """Return whether another rule asks for it: that for build tools, or those for interfaces."""
         generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
         typed = any(each.package == name for interface in self.interfaces for each in interface.types)
         return name in REPORTED_ELSEWHERE or generates or typed
 
-    def serving(self, name: str) -> tuple[str, ...]:
+    def providers(self, name: str) -> tuple[str, ...]:
         """Return what serves find_package(name) besides the package itself.
 
         Nothing where nobody can tell or nothing has to be declared.
@@ -92,9 +92,9 @@ class FindPackageDependencies:
         own = (name,) if self.declared.workspace.what(name) in (Known.PACKAGE, Known.KEY) else ()
         itself = self.declared.facts.name
         known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
-        return (*known, *self.fitting(name, self.declared.names)) if known else ()
+        return (*known, *self.matching_names(name, self.declared.names)) if known else ()
 
-    def fitting(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
+    def matching_names(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
         """Return the names that fit a pattern of the table, or are called like a package of a vendor or Debian.
 
         A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.

@@ -32,9 +32,9 @@ class UndeclaredImport:
 
     name: str
     places: tuple[ImportUse, ...]
-    brings: tuple[str, ...] = ()
+    also_provides: tuple[str, ...] = ()
     """What is missing as well, and is there with this one."""
-    brought_by: str = ""
+    provided_by: str = ""
     """What is declared and brings it."""
 
 
@@ -69,7 +69,9 @@ class ImportDependencies:
         python = self.declared.facts.build_type == "ament_python"
         for file in self.python.files if python else ():
             for each in file.imports if file.path == "setup.py" else ():
-                name = undeclared_provider(self.declared, each) if each.module.partition(".")[0] not in BUILDERS else None
+                name = (
+                    undeclared_provider(self.declared, each) if each.module.partition(".")[0] not in BUILDERS else None
+                )
                 if name:
                     found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
         return [UndeclaredImport(name, tuple(places)) for name, places in found.items()]
@@ -84,7 +86,7 @@ class ImportDependencies:
 
     def undeclared(self, role: Role) -> dict[str, list[ImportUse]]:
         found: dict[str, list[ImportUse]] = {}
-        for file in self.python.files if self.declared.judged else ():
+        for file in self.python.files if self.declared.is_checked else ():
             for each in file.imports if file.role == role else ():
                 name = undeclared_provider(self.declared, each)
                 if name:

@@ -11,8 +11,8 @@ from ...languages.cpp.file import CppFile
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
-from ...ros.names import Known
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
+from ...ros.names import Known
 from ...source import Span
 from .compiled_sources import compiled_sources
 from .declared_dependencies import DeclaredDependencies
@@ -47,18 +47,18 @@ class IncludeDependencies:
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def sought(self) -> FindPackageDependencies:
+    def find_packages(self) -> FindPackageDependencies:
         return FindPackageDependencies(self.declared, self.cmake)
 
-    def from_elsewhere(self) -> Iterator[IncludedPackage]:
+    def packages(self) -> Iterator[IncludedPackage]:
         """Yield the packages and libraries whose headers are included, those of tests after those of what is built."""
-        if not self.declared.judged:
+        if not self.declared.is_checked:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
         for source, role in compiled_sources(self.cmake, self.sources):
             for each in source.includes if role != "aside" else ():
                 if "/" in each.path and not each.conditional and not self.is_own(each.path):
-                    names, cmake = self.serving(each.path)
+                    names, cmake = self.providers(each.path)
                     if names:
                         use = IncludeUse(source.path, each.span, each.path)
                         found.setdefault((role, names, cmake), []).append(use)
@@ -66,11 +66,11 @@ class IncludeDependencies:
             if role != "test" or ("run", names, cmake) not in found:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
 
-    def serving(self, header: str) -> tuple[tuple[str, ...], str]:
+    def providers(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return what serves a header, and its name in CMake; nothing where nobody can tell."""
         folder = header.partition("/")[0]
         if folder in LIBRARIES:
-            return self.sought.serving(LIBRARIES[folder]), LIBRARIES[folder]
+            return self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
         around = sorted(self.declared.workspace.with_header(header))
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
@@ -83,10 +83,14 @@ class IncludeDependencies:
     def is_own(self, header: str) -> bool:
         """Return whether a header is the package's own: it is there, or may be made beside those that are."""
         folder = header.rpartition("/")[0]
-        return header.partition("/")[0] == self.declared.facts.name or folder in self.tails or header in self.tails
+        return (
+            header.partition("/")[0] == self.declared.facts.name
+            or folder in self.path_endings
+            or header in self.path_endings
+        )
 
     @cached_property
-    def tails(self) -> frozenset[str]:
+    def path_endings(self) -> frozenset[str]:
         """The last parts of every path and folder: headers are found from wherever CMake looks."""
         paths = [path.split("/") for path in (*self.files.paths, *self.files.folders)]
         return frozenset("/".join(parts[-n:]) for parts in paths for n in (1, 2, 3, 4))
@@ -94,14 +98,14 @@ class IncludeDependencies:
     def undeclared(self) -> Iterator[IncludedPackage]:
         """Yield what is included and not declared, but for what find_package names as well."""
         there = implied_by(self.declared.names, IN_SOURCES)
-        said = {missing.found.name for missing in self.sought.missing()}
-        for each in self.from_elsewhere():
-            if not self.is_declared(each) and each.cmake not in said and not there.intersection(each.names):
+        reported = {missing.found.name for missing in self.find_packages.missing()}
+        for each in self.packages():
+            if not self.is_declared(each) and each.cmake not in reported and not there.intersection(each.names):
                 yield each
 
     def is_declared(self, each: IncludedPackage) -> bool:
-        return self.declared.has(each.names) or bool(self.sought.fitting(each.cmake, self.declared.names))
+        return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
 
-    def is_brought(self, each: IncludedPackage) -> bool:
+    def is_transitive(self, each: IncludedPackage) -> bool:
         """Return whether something that is declared brings these headers for certain."""
-        return bool(self.declared.brought.intersection(each.names))
+        return bool(self.declared.transitive_names.intersection(each.names))

@@ -13,9 +13,9 @@ from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchFile
 from ...package.python.python_imports import OwnModules, PythonUse
+from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import Known
-from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ..launch.uses import NAME, PackageUse, package_uses
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
@@ -39,7 +39,7 @@ class LaunchDependencies:
     def role(self, path: str) -> Role:
         """Return what a launch file is there for; one that lies about and is not installed is for nobody."""
         role = role_of(path)
-        if path in self.of_tests or role == "test":
+        if path in self.test_files or role == "test":
             return "test"
         if "launch" in path.split("/")[:-1] or self.table is None or not self.table.knows("share"):
             return "launch"
@@ -54,7 +54,7 @@ class LaunchDependencies:
         return name != "demo" and EXAMPLE.search(name) is not None
 
     @cached_property
-    def of_tests(self) -> frozenset[str]:
+    def test_files(self) -> frozenset[str]:
         """The launch files that CMake names for tests and for nothing else."""
         if self.cmake is None:
             return frozenset()
@@ -63,18 +63,18 @@ class LaunchDependencies:
         return frozenset(named[True] - named[False])
 
     @property
-    def names_around(self) -> frozenset[str]:
+    def known_names(self) -> frozenset[str]:
         """The packages of the workspace and those that are declared."""
         return self.declared.workspace.names | self.declared.names
 
-    def is_strange(self, name: str) -> bool:
+    def is_unknown_package(self, name: str) -> bool:
         """Return whether nobody knows a package of that name."""
         workspace = self.declared.workspace
         return not workspace.is_here(name) and workspace.what(name) is not Known.PACKAGE
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
         """Return each package that is needed and not declared, with the places that need it."""
-        if not self.declared.judged:
+        if not self.declared.is_checked:
             return {}
         there = implied_by(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
         found: dict[str, list[PackageUse]] = {}
@@ -83,13 +83,13 @@ class LaunchDependencies:
                 found.setdefault(use.name, []).append(use)
         return found
 
-    def described(self) -> dict[str, list[PackageUse]]:
+    def nodes_in_code(self) -> dict[str, list[PackageUse]]:
         """Return each package that installed code describes nodes of, and that is not declared and not missing anyway.
 
         Such code writes or makes launches for others, who may declare what they start.
         """
         found: dict[str, list[PackageUse]] = {}
-        if self.declared.judged:
+        if self.declared.is_checked:
             there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
             launches = {file.path for file in self.launch_files if file.nodes}
             for file in self.python.files:
@@ -105,9 +105,9 @@ class LaunchDependencies:
         for file in self.launch_files:
             if self.role(file.path) == ("test" if tests else "launch"):
                 yield from package_uses(file)
-                yield from () if tests else self.imported(file)
+                yield from () if tests else self.import_uses(file)
 
-    def imported(self, file: LaunchFile) -> Iterator[PackageUse]:
+    def import_uses(self, file: LaunchFile) -> Iterator[PackageUse]:
         """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare.
 
         One that stands among the modules is held against the manifest as these are.

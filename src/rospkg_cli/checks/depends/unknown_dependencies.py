@@ -53,7 +53,7 @@ class DependencyNames:
     def active(self) -> Iterator[Dependency]:
         """Yield the dependencies that hold for a target, of a package of ROS 2; a name only where it comes first."""
         seen: set[str] = set()
-        for each in self.declared.manifest.dependencies if self.declared.judged else ():
+        for each in self.declared.manifest.dependencies if self.declared.is_checked else ():
             if (
                 each.name
                 and each.tag not in NO_NEEDS

@@ -36,7 +36,7 @@ TOOLS = frozenset({"launch", "launch_ros", "launch_testing", "launch_testing_ame
 @dataclass(frozen=True, slots=True)
 class UnusedDependency:
     dependency: Dependency
-    runs: bool = False
+    is_run_only: bool = False
     """Whether something names it that is not built: then exec_depend is enough."""
 
 
@@ -51,17 +51,17 @@ class UnusedDependencies:
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def traces(self) -> WordIndex:
+    def words(self) -> WordIndex:
         return WordIndex(self.files, self.declared.manifest, self.cmake)
 
     def dependencies(self) -> Iterator[UnusedDependency]:
         """Yield the dependencies that nothing uses, or nothing that is built."""
         if self.declared.facts.build_type == "ament_python":
-            yield from self.of_python()
-        elif self.cmake is not None and self.declared.judged and self.is_told(self.cmake):
-            yield from self.of_cmake()
+            yield from self.in_python_package()
+        elif self.cmake is not None and self.declared.is_checked and self.is_complete(self.cmake):
+            yield from self.in_cmake_package()
 
-    def of_python(self) -> Iterator[UnusedDependency]:
+    def in_python_package(self) -> Iterator[UnusedDependency]:
         """Yield the dependencies that are there for an import and that nothing imports or names.
 
         Only where all of the Python could be read, and only where there is some: a package without code gathers
@@ -72,7 +72,7 @@ class UnusedDependencies:
             return
         for dependency in self.declared.manifest.dependencies:
             for_import = dependency.tag == "exec_depend" and self.is_for_import(dependency.name)
-            used = self.is_imported(dependency.name) or self.traces.are_in(dependency.name)
+            used = self.is_imported(dependency.name) or self.words.has(dependency.name)
             if (dependency.tag in BUILT_IN or for_import) and not used:
                 yield UnusedDependency(dependency)
 
@@ -80,17 +80,17 @@ class UnusedDependencies:
         """Return whether nothing but an import can use a package: interfaces, or a Python library of Debian's."""
         return IMPORTED_ONLY.fullmatch(name) is not None or (name.startswith("python") and "-" in name)
 
-    def of_cmake(self) -> Iterator[UnusedDependency]:
+    def in_cmake_package(self) -> Iterator[UnusedDependency]:
         """Yield the ROS packages that are declared for the build, or as tools for tests, and that leave no trace."""
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag
             package = self.declared.workspace.what(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
-            if not package or self.traces.are_in(name, "test", "docs"):
+            if not package or self.words.has(name, "test", "docs"):
                 continue
-            if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.traces.are_in(name):
+            if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.words.has(name):
                 yield UnusedDependency(dependency)
             elif tag in BUILT_IN and not self.is_built_with(name):
-                runs = self.is_imported(name) or self.traces.are_in(name, "run")
+                runs = self.is_imported(name) or self.words.has(name, "run")
                 if (runs or self.has_code) and not (runs and self.runs_already(name)):
                     yield UnusedDependency(dependency, runs)
 
@@ -107,7 +107,7 @@ class UnusedDependencies:
         """Return whether a package is declared for running under a tag of its own: it is needed for both."""
         return any(each.name == name and each.tag == "exec_depend" for each in self.declared.manifest.dependencies)
 
-    def is_told(self, cmake: CMake) -> bool:
+    def is_complete(self, cmake: CMake) -> bool:
         """Return whether all that CMake does is known."""
         return cmake.complete and not cmake.clouded
 
@@ -116,7 +116,7 @@ class UnusedDependencies:
 
         Where its headers stand is known of packages around; those of others stand in folders of their names.
         """
-        if self.traces.are_in(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
+        if self.words.has(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
             return True
         folders = {each.path.partition("/")[0] for source in self.sources for each in source.includes}
         shared = any(name.startswith(folder) for folder in folders & SHARED)
@@ -131,14 +131,14 @@ class UnusedDependencies:
         """Return whether an import may use it; `tf2_ros_py` holds the module `tf2_ros`, so its `_py` doesn't count."""
         if name.removesuffix("_py") in {module.partition(".")[0] for module in self.modules}:
             return True
-        return name in self.served or any(may_serve(name, module) for module in self.modules)
+        return name in self.import_names or any(may_serve(name, module) for module in self.modules)
 
     @cached_property
     def modules(self) -> frozenset[str]:
         return frozenset(each.module for file in self.python.files for each in file.imports)
 
     @cached_property
-    def served(self) -> frozenset[str]:
+    def import_names(self) -> frozenset[str]:
         """Every name that may stand behind an import."""
         imports = (each for file in self.python.files for each in file.imports)
         return frozenset(name for each in imports for name in self.serving(each))

@@ -32,7 +32,7 @@ class WordIndex:
     cmake: CMake | None
 
     @cached_property
-    def words(self) -> dict[Purpose, frozenset[str]]:
+    def by_purpose(self) -> dict[Purpose, frozenset[str]]:
         """The words of what is compiled, of tests, of README and its like, and of the rest; not of package.xml."""
         found: dict[Purpose, set[str]] = {"build": set(), "run": set(), "test": set(), "docs": set()}
         for path in self.files.paths:
@@ -63,6 +63,6 @@ class WordIndex:
             return "test" if role_of(path) == "test" else "run"
         return None
 
-    def are_in(self, name: str, *purposes: Purpose) -> bool:
+    def has(self, name: str, *purposes: Purpose) -> bool:
         """Return whether texts of one of some purposes have a name; of any where none is given."""
-        return any(name in self.words[purpose] for purpose in purposes or self.words)
+        return any(name in self.by_purpose[purpose] for purpose in purposes or self.by_purpose)

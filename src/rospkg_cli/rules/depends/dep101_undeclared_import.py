@@ -39,7 +39,7 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
         ),
     ),
 )
-def undeclared_import(imported: ImportDependencies) -> Iterator[Hit]:
+def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare;
@@ -54,21 +54,21 @@ def undeclared_import(imported: ImportDependencies) -> Iterator[Hit]:
     ## References
     - REP-149, exec_depend
     """
-    for missing in imported.missing():
+    for missing in imports.missing():
         ends = "on a clean machine rosdep does not install it and the import raises ModuleNotFoundError"
-        yield undeclared(imported, missing, "exec_depend", ends)
-    for missing in imported.missing_in_setup():
+        yield undeclared(imports, missing, "exec_depend", ends)
+    for missing in imports.missing_in_setup():
         ends = "on a clean machine rosdep does not install it and `colcon build` stops with ModuleNotFoundError"
-        yield undeclared(imported, missing, "build_depend", ends)
+        yield undeclared(imports, missing, "build_depend", ends)
 
 
-def undeclared(imported: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
+def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
     first, *others = missing.places
     tag = f"<{kind}>{missing.name}</{kind}>"
     message = (
         f"package.xml does not declare `{missing.name}`, which is imported here as `{first.module}`: {ends}; add {tag}"
     )
-    fix = Fix(f"add {tag}", (add_dependency(imported.declared.manifest, kind, missing.name),))
+    fix = Fix(f"add {tag}", (add_dependency(imports.declared.manifest, kind, missing.name),))
     related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-    level = Severity.INFO if missing.name in imported.declared.put_aside else None
+    level = Severity.INFO if missing.name in imports.declared.commented_out else None
     return Hit(first.path, first.span, message, level, related, fix)

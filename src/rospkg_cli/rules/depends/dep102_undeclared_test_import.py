@@ -25,7 +25,7 @@ from ...rule import rule
         ),
     ),
 )
-def undeclared_test_import(imported: ImportDependencies) -> Iterator[Hit]:
+def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports in the files of `test/` and `tests/` that package.xml does not declare: ROS packages, and Python
@@ -38,22 +38,22 @@ def undeclared_test_import(imported: ImportDependencies) -> Iterator[Hit]:
     ## References
     - REP-149, test_depend
     """
-    for missing in imported.missing_in_tests():
+    for missing in imports.missing_in_tests():
         first, *others = missing.places
         tag = f"<test_depend>{missing.name}</test_depend>"
         message = (
             f"package.xml does not declare `{missing.name}`, which this test imports as `{first.module}`: "
             f"{consequence(missing)}; add {tag}"
         )
-        brings = ", ".join(f"`{name}`" for name in missing.brings)
+        brings = ", ".join(f"`{name}`" for name in missing.also_provides)
         message += f", which brings {brings} as well" if brings else ""
-        fix = Fix(f"add {tag}", (add_dependency(imported.declared.manifest, "test_depend", missing.name),))
+        fix = Fix(f"add {tag}", (add_dependency(imports.declared.manifest, "test_depend", missing.name),))
         related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-        mild = missing.brought_by or missing.name in imported.declared.put_aside
+        mild = missing.provided_by or missing.name in imports.declared.commented_out
         yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
 
 
 def consequence(missing: UndeclaredImport) -> str:
-    if missing.brought_by:
+    if missing.provided_by:
         return "it is there only as long as another dependency brings it"
     return "on a clean machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError"

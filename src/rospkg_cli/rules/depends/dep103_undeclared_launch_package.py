@@ -54,7 +54,7 @@ BAD_XML = """\
         ),
     ),
 )
-def undeclared_launch_package(launched: LaunchDependencies) -> Iterator[Hit]:
+def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that launch files need and package.xml does not declare: those whose nodes and components they
@@ -71,17 +71,17 @@ def undeclared_launch_package(launched: LaunchDependencies) -> Iterator[Hit]:
     - REP-149, exec_depend
     """
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
-        missing = launched.missing(tests=tests)
+        missing = launch.missing(tests=tests)
         if not tests and missing.keys() & LAUNCH:
-            yield no_launch(launched, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
+            yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
         for name, uses in missing.items():
-            yield undeclared(launched, tag, name, uses)
-    for name, uses in launched.described().items():
-        yield undeclared(launched, "exec_depend", name, uses, "this code", mild=True)
+            yield undeclared(launch, tag, name, uses)
+    for name, uses in launch.nodes_in_code().items():
+        yield undeclared(launch, "exec_depend", name, uses, "this code", mild=True)
 
 
 def undeclared(
-    launched: LaunchDependencies,
+    launch: LaunchDependencies,
     tag: str,
     name: str,
     uses: list[PackageUse],
@@ -90,20 +90,20 @@ def undeclared(
     mild: bool = False,
 ) -> Hit:
     first, *others = uses
-    hint = did_you_mean(name, launched.names_around) if launched.is_strange(name) else ""
+    hint = did_you_mean(name, launch.known_names) if launch.is_unknown_package(name) else ""
     line = f"<{tag}>{name}</{tag}>"
     message = (
         f"package.xml does not declare `{name}`, but {who} {first.does} it{hint}: on a clean machine rosdep "
         f"does not install it and the launch fails with \"package '{name}' not found\"; add {line}"
     )
-    fix = None if hint else Fix(f"add {line}", (add_dependency(launched.declared.manifest, tag, name),))
+    fix = None if hint else Fix(f"add {line}", (add_dependency(launch.declared.manifest, tag, name),))
     related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-    mild = mild or all(launched.is_example(use.path) for use in uses)
-    level = Severity.INFO if mild or name in launched.declared.put_aside else None
+    mild = mild or all(launch.is_example(use.path) for use in uses)
+    level = Severity.INFO if mild or name in launch.declared.commented_out else None
     return Hit(first.path, first.span, message, level, related, fix)
 
 
-def no_launch(launched: LaunchDependencies, missing: dict[str, list[PackageUse]]) -> Hit:
+def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageUse]]) -> Hit:
     """Ask for ros2launch once, whatever of launch itself is missing."""
     first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
     line = "<exec_depend>ros2launch</exec_depend>"
@@ -112,5 +112,5 @@ def no_launch(launched: LaunchDependencies, missing: dict[str, list[PackageUse]]
         f"package.xml does not declare {names}, of which this launch file is made: where nothing else brings them, "
         f"`ros2 launch` is not there to start it; add {line}, which stands for all of them"
     )
-    fix = Fix(f"add {line}", (add_dependency(launched.declared.manifest, "exec_depend", "ros2launch"),))
+    fix = Fix(f"add {line}", (add_dependency(launch.declared.manifest, "exec_depend", "ros2launch"),))
     return Hit(first.path, first.span, message, Severity.INFO, fix=fix)

@@ -48,7 +48,7 @@ FOUND_IN_TESTS = CMAKE.replace(
         ),
     ),
 )
-def undeclared_find_package(sought: FindPackageDependencies) -> Iterator[Hit]:
+def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds `find_package(… REQUIRED)` for ROS packages, and for libraries that have a rosdep key (`Eigen3` is `eigen`),
@@ -63,7 +63,7 @@ def undeclared_find_package(sought: FindPackageDependencies) -> Iterator[Hit]:
     ## References
     - REP-149, depend and buildtool_depend
     """
-    for missing in sought.missing():
+    for missing in dependencies.missing():
         found, name = missing.found, missing.names[0]
         tests = found.call.testing
         kind = "test_depend" if tests else "buildtool_depend" if is_buildtool(name) else "depend"
@@ -73,14 +73,16 @@ def undeclared_find_package(sought: FindPackageDependencies) -> Iterator[Hit]:
             f"package.xml does not declare `{found.name}`{known}, which CMake can't do without: "
             f"{consequence(missing)}; add {tag}"
         )
-        level = Severity.WARNING if tests or missing.brought == "maybe" else None
-        level = Severity.INFO if missing.brought == "surely" or name in sought.declared.put_aside else level
-        fix = Fix(f"add {tag}", (add_dependency(sought.declared.manifest, kind, name),))
+        level = Severity.WARNING if tests or missing.transitive == "possible" else None
+        level = (
+            Severity.INFO if missing.transitive == "certain" or name in dependencies.declared.commented_out else level
+        )
+        fix = Fix(f"add {tag}", (add_dependency(dependencies.declared.manifest, kind, name),))
         yield Hit(found.word.path, found.word.span, message, level, fix=fix)
 
 
 def consequence(missing: UndeclaredFindPackage) -> str:
-    if missing.brought != "no":
+    if missing.transitive != "no":
         return "it is there only as long as another dependency brings it"
     stops = f'stops with "Could not find a package configuration file provided by {missing.found.name}"'
     return f"on a clean machine the build {'of the tests ' if missing.found.call.testing else ''}{stops}"

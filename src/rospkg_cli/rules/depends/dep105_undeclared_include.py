@@ -31,7 +31,7 @@ NODE = CMAKE.replace(
         ),
     ),
 )
-def undeclared_include(included: IncludeDependencies) -> Iterator[Hit]:
+def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ includes of headers of another ROS package, or of a library that has a rosdep key, which package.xml does
@@ -44,19 +44,19 @@ def undeclared_include(included: IncludeDependencies) -> Iterator[Hit]:
     ## References
     - REP-149, depend
     """
-    for each in included.undeclared():
+    for each in includes.undeclared():
         first, *others = each.uses
         name = each.names[0]
         kind = "test_depend" if each.role == "test" else "depend"
         tag = f"<{kind}>{name}</{kind}>"
-        brought = included.is_brought(each)
+        transitive = includes.is_transitive(each)
         ends = "it is there only as long as another dependency brings it"
-        if not brought:
+        if not transitive:
             ends = 'the build ends with "No such file or directory" where nothing else brings it'
         message = (
             f"package.xml does not declare `{name}`, of which `{first.header}` is included here: {ends}; add {tag}"
         )
-        fix = Fix(f"add {tag}", (add_dependency(included.declared.manifest, kind, name),))
+        fix = Fix(f"add {tag}", (add_dependency(includes.declared.manifest, kind, name),))
         related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        mild = brought or name in included.declared.put_aside
+        mild = transitive or name in includes.declared.commented_out
         yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)

@@ -48,7 +48,7 @@ Visualization Manager:
         ),
     ),
 )
-def undeclared_urdf_package(described: RobotUses) -> Iterator[Hit]:
+def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that installed robots, worlds, layouts of RViz and parameter files need and package.xml does not
@@ -63,16 +63,16 @@ def undeclared_urdf_package(described: RobotUses) -> Iterator[Hit]:
     ## References
     - REP-149, exec_depend
     """
-    around, aside = described.launched.names_around, described.declared.put_aside
-    for name, uses in described.missing().items():
+    around, aside = robots.launch.known_names, robots.declared.commented_out
+    for name, uses in robots.missing().items():
         first, *others = uses
-        hint = did_you_mean(name, around) if described.launched.is_strange(name) else ""
+        hint = did_you_mean(name, around) if robots.launch.is_unknown_package(name) else ""
         line = f"<exec_depend>{name}</exec_depend>"
         message = (
-            f"package.xml does not declare `{name}`, {first.does}{hint}: on a clean machine rosdep does not install "
-            f"it, and {first.ends}; add {line}"
+            f"package.xml does not declare `{name}`, {first.usage}{hint}: on a clean machine rosdep does not install "
+            f"it, and {first.consequence}; add {line}"
         )
-        fix = None if hint else Fix(f"add {line}", (add_dependency(described.declared.manifest, "exec_depend", name),))
+        fix = None if hint else Fix(f"add {line}", (add_dependency(robots.declared.manifest, "exec_depend", name),))
         related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        mild = name in aside or all(use.mild for use in uses)
+        mild = name in aside or all(use.is_optional for use in uses)
         yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)

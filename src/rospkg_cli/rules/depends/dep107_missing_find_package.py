@@ -36,7 +36,7 @@ GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_pac
         ),
     ),
 )
-def missing_find_package(unfound: MissingFindPackages) -> Iterator[Hit]:
+def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds ROS packages that package.xml declares for the build, that targets are linked with or whose headers are
@@ -50,13 +50,15 @@ def missing_find_package(unfound: MissingFindPackages) -> Iterator[Hit]:
     ## Fix safety
     The call is put behind the others of its kind. A target may have to be linked with the package as well.
     """
-    cmake = unfound.included.cmake
-    for each in unfound.all():
+    cmake = missing.includes.cmake
+    for each in missing.packages():
         line = f"find_package({each.name} REQUIRED)"
         ends = (
-            "it builds only as long as another package that is found brings it" if each.brought else "the build stops"
+            "it builds only as long as another package that is found brings it"
+            if each.may_be_transitive
+            else "the build stops"
         )
-        message = f"CMake never looks for `{each.name}`, but {each.does}: {ends}; add `{line}`"
+        message = f"CMake never looks for `{each.name}`, but {each.usage}: {ends}; add `{line}`"
         edits = find_among(cmake, each.name, testing=each.testing)
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
-        yield Hit(each.path, each.span, message, Severity.INFO if each.brought else None, fix=fix)
+        yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)

@@ -49,7 +49,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
         ),
     ),
 )
-def undeclared_interface_package(typed: InterfaceTypeDependencies) -> Iterator[Hit]:
+def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds messages, services and actions that use a type of another package (`geometry_msgs/Pose2D`) which package.xml
@@ -62,16 +62,16 @@ def undeclared_interface_package(typed: InterfaceTypeDependencies) -> Iterator[H
     ## References
     - REP-149, depend
     """
-    for name, uses in typed.undeclared().items():
+    for name, uses in interfaces.undeclared().items():
         first, *others = uses
         tag = f"<depend>{name}</depend>"
-        brought = name in typed.declared.brought or name in ALWAYS_THERE
+        transitive = name in interfaces.declared.transitive_names or name in ALWAYS_THERE
         ends = "on a clean machine the generated code does not build"
-        if brought:
+        if transitive:
             ends = "it is there only as long as another dependency brings it"
         message = f"package.xml does not declare `{name}`, whose `{first.type}` is used here: {ends}; add {tag}"
-        fix = Fix(f"add {tag}", (add_dependency(typed.declared.manifest, "depend", name),))
+        fix = Fix(f"add {tag}", (add_dependency(interfaces.declared.manifest, "depend", name),))
         related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        level = Severity.WARNING if brought else None
-        level = Severity.INFO if name in typed.declared.put_aside else level
+        level = Severity.WARNING if transitive else None
+        level = Severity.INFO if name in interfaces.declared.commented_out else level
         yield Hit(first.path, first.span, message, level, related, fix)

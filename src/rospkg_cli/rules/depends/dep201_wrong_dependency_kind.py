@@ -43,11 +43,11 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     ## References
     - REP-149, Dependencies
     """
-    for each in kinds.wrong():
+    for each in kinds.wrong_kinds():
         name, tag = each.dependency.name, each.dependency.tag
         when = "runs" if each.wanted == "exec_depend" else "is built"
         message = (
-            f"`{name}` {each.does}, and package.xml has it as <{tag}> alone: it may not be there when the package "
+            f"`{name}` {each.usage}, and package.xml has it as <{tag}> alone: it may not be there when the package "
             f"{when}; declare it as <{each.wanted}>"
         )
         related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)

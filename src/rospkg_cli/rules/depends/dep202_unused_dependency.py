@@ -63,7 +63,7 @@ def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
     manifest = unused.declared.manifest
     for each in unused.dependencies():
         name, tag = each.dependency.name, each.dependency.tag
-        if each.runs:
+        if each.is_run_only:
             message = (
                 f"`{name}` is declared as <{tag}>, and nothing that is built uses it, only what runs: whoever builds "
                 f"the package waits for it all the same; write <exec_depend>{name}</exec_depend>"

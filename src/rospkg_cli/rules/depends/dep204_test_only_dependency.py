@@ -53,7 +53,7 @@ def test_only_dependency(used: TestOnlyDependencies) -> Iterator[Hit]:
     Something outside of the package may rely on its being installed along.
     """
     manifest = used.unused.declared.manifest
-    for each in used.alone():
+    for each in used.dependencies():
         line = f"<test_depend>{each.name}</test_depend>"
         message = (
             f"`{each.name}` is declared as <{each.tag}>, and only tests use it: everybody installs it all the same; "

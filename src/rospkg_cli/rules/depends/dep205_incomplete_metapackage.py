@@ -43,7 +43,7 @@ def metapackage(*parts: str) -> str:
         ),
     ),
 )
-def incomplete_metapackage(gathered: MetapackageMembers) -> Iterator[Hit]:
+def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     """
     ## What it does
     Finds metapackages that name nearly all packages of their repository and leave one out that none of the others
@@ -55,12 +55,12 @@ def incomplete_metapackage(gathered: MetapackageMembers) -> Iterator[Hit]:
     ## Fix safety
     The package may be left out on purpose.
     """
-    manifest, facts = gathered.declared.manifest, gathered.declared.facts
-    for each in gathered.missing():
-        line = f"<{gathered.tag}>{each.name}</{gathered.tag}>"
+    manifest, facts = metapackage.declared.manifest, metapackage.declared.facts
+    for each in metapackage.missing():
+        line = f"<{metapackage.tag}>{each.name}</{metapackage.tag}>"
         message = (
             f"`{each.name}` is not among what the metapackage `{facts.name}` names, and nearly all other packages of "
             f"the repository are: who installs `{facts.name}` does not get it; add {line}"
         )
-        fix = Fix(f"add {line}", (add_dependency(manifest, gathered.tag, each.name),), Safety.UNSAFE)
+        fix = Fix(f"add {line}", (add_dependency(manifest, metapackage.tag, each.name),), Safety.UNSAFE)
         yield Hit(manifest.path, facts.name_span, message, fix=fix)
