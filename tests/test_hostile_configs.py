@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from rospkg_cli.config.file.file import MAX_TEXT, ConfigError, find_config
+from test_lint_command import rospkg
 
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
 from rospkg_cli.engine.discovery.incomplete_workspace import lists_some
@@ -84,3 +85,12 @@ def test_a_hostile_baseline_is_one_sentence(tmp_path: Path, text: str) -> None:
 def test_lists_of_submodules_are_read_in_steps_that_grow_with_them(tmp_path: Path, text: str) -> None:
     (tmp_path / ".gitmodules").write_text(text)
     assert lists_some(tmp_path) == ("\0" in text)
+
+
+def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> None:
+    """Python reads it as a line end, TOML does not: the config is read, and its keys can't be placed."""
+    package = write(tmp_path / "my_pkg", clean)
+    (package / "rospkg.toml").write_bytes(b'ignore = { XML301 = "we know" }\rpedantic = true\r')
+    done = rospkg("lint", cwd=package)
+    assert done.returncode in (0, 1, 2), done.stderr
+    assert "RPK005" not in done.stdout
