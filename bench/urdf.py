@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from rospkg_cli.checks.urdf.validation import robot_faults
 from rospkg_cli.package.urdf.reader import robot_file
 from rospkg_cli.package.urdf.robot_file import RobotFile
 from rospkg_cli.source import Source
@@ -94,9 +95,9 @@ def read(text: str) -> RobotFile | None:
 def ours(text: str) -> list[str] | None:
     """Return what urdfdom refuses, as we see it; None where the XML is broken."""
     found = read(text)
-    if found and not found.links and not found.joints and not found.faults:
+    if found and not found.links and not found.joints and not robot_faults(found):
         return [PIECE]
-    return None if found is None else [fault.message for fault in found.faults if not fault.mild]
+    return None if found is None else [fault.message for fault in robot_faults(found) if fault.level is None]
 
 
 def taken(text: str, program: str) -> bool:

@@ -6,6 +6,7 @@ import pytest
 from urdf_texts import JOINT, PAIR, REFUSED, TAKEN
 
 from rospkg_cli.checks.urdf.substitutions import substitution_fault
+from rospkg_cli.checks.urdf.validation import robot_faults
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.package.urdf.reader import robot_file
 from rospkg_cli.package.urdf.robot_file import RobotFile
@@ -20,12 +21,12 @@ def read(body: str, path: str = "urdf/robot.urdf", head: str = '<robot name="r">
 
 @pytest.mark.parametrize("body", TAKEN)
 def test_what_urdfdom_takes(body: str) -> None:
-    assert read(body).faults == ()
+    assert robot_faults(read(body)) == []
 
 
 @pytest.mark.parametrize("body", REFUSED)
 def test_what_urdfdom_refuses(body: str) -> None:
-    assert [fault for fault in read(body).faults if not fault.mild]
+    assert [fault for fault in robot_faults(read(body)) if fault.level is None]
 
 
 @pytest.mark.parametrize(
@@ -41,23 +42,23 @@ def test_what_urdfdom_refuses(body: str) -> None:
         '<visual><geometry><sphere radius="nan"/></geometry></visual>',
     ],
 )
-def test_what_costs_a_link_its_shapes_is_mild(inside: str) -> None:
-    faults = read(f'<link name="a">{inside}</link>').faults
+def test_what_costs_a_link_its_shapes_is_a_warning(inside: str) -> None:
+    faults = robot_faults(read(f'<link name="a">{inside}</link>'))
     assert faults
-    assert all(fault.mild for fault in faults)
+    assert all(fault.level == "warning" for fault in faults)
 
 
-def test_a_circle_beside_the_root_is_told() -> None:
+def test_a_circle_beside_the_root_is_reported() -> None:
     """check_urdf takes it; nobody can move such a robot."""
     ring = '<link name="c"/><link name="d"/>'
     for parent, child in ("cd", "dc"):
         ring += f'<joint name="{child}" type="fixed"><parent link="{parent}"/><child link="{child}"/></joint>'
-    (fault,) = read(PAIR + JOINT.format("") + ring).faults
+    (fault,) = robot_faults(read(PAIR + JOINT.format("") + ring))
     assert "circle" in fault.message
 
 
 def test_names_are_suggested() -> None:
-    (fault,) = read(PAIR.replace('"b"', '"wheel"') + JOINT.format("").replace('"b"', '"whele"')).faults
+    (fault,) = robot_faults(read(PAIR.replace('"b"', '"wheel"') + JOINT.format("").replace('"b"', '"whele"')))
     assert "did you mean `wheel`" in fault.message
 
 
@@ -76,7 +77,7 @@ XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'
     ],
 )
 def test_pieces_of_xacro_are_believed(body: str) -> None:
-    assert read(body, "urdf/piece.xacro", XACRO).faults == ()
+    assert robot_faults(read(body, "urdf/piece.xacro", XACRO)) == []
 
 
 @pytest.mark.parametrize(
@@ -97,7 +98,7 @@ def test_substitutions_that_xacro_refuses(text: str) -> None:
 
 
 def test_a_line_end_in_an_attribute_is_a_blank() -> None:
-    assert read('<link name="${a or\n b}"/>', "urdf/a.xacro", XACRO).faults == ()
+    assert robot_faults(read('<link name="${a or\n b}"/>', "urdf/a.xacro", XACRO)) == []
 
 
 def test_tinyxml_minds_less() -> None:

@@ -7,9 +7,9 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...package.cmake.cmake_project import CMake
-from ...package.package_facts import PackageFacts
 from ...package.install_table import InstallTable
 from ...package.manifest import Manifest
+from ...package.package_facts import PackageFacts
 from ...package.rule_settings import Settings
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS

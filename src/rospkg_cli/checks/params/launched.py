@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...package.package_facts import PackageFacts
 from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
+from ...package.package_facts import PackageFacts
 from ...package.params.declared import DeclaredParameter
 from ...package.params.file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace

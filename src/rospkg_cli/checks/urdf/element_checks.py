@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.xml.parser import Attribute, Element
-from ...package.urdf.robot_file import Fault
 from ...source import Source, Span
+from ..fault import Fault
 from .numbers import is_number, vector_fault
 
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
@@ -28,8 +28,8 @@ JOINT_NUMBERS = {
 VECTORS = {"xyz": 3, "rpy": 3, "size": 3, "scale": 3}
 
 
-class Shape:
-    """Judges single elements; what xacro fills in is believed."""
+class ElementCheck:
+    """Checks single elements; what xacro fills in is taken to be right."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -38,7 +38,7 @@ class Shape:
         """Yield faults at which urdfdom stops reading the link, but not the robot."""
         for fault in self.inside(link):
             message = f"{fault.message}: urdfdom prints an error and leaves out the rest of the link"
-            yield Fault(fault.span, message, mild=True)
+            yield Fault(fault.span, message, level="warning")
 
     def joint(self, joint: Element) -> Iterator[Fault]:
         for fault in self.motion(joint):

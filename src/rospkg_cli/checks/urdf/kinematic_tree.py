@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...languages.xml.parser import Element
-from ...package.urdf.robot_file import Fault
 from ...source import Span
 from ...suggest import did_you_mean
+from ..fault import Fault
 from .element_checks import first, name_span
 
 
-class Tree:
+class KinematicTree:
     """The links and joints of one robot, all of them, with literal names."""
 
     def __init__(self, robot: Element, links: Sequence[Element], joints: Sequence[Element]) -> None:
@@ -21,7 +21,7 @@ class Tree:
         self.broken = False
 
     def faults(self, *, piece: bool) -> Iterator[Fault]:
-        """Yield what is wrong; of what may be a piece of a robot, only what no other piece can mend."""
+        """Yield what is wrong; of a file that may be part of a robot, only what no other file can repair."""
         for joint in self.joints:
             for fault in self.ends(joint, piece):
                 self.broken = True
@@ -59,7 +59,7 @@ class Tree:
         for root in sorted(roots, key=lambda root: self.span(root)):
             if root != main:
                 message = f"no joint joins `{root}` to `{main}`: a robot has one root, and urdfdom refuses two"
-                yield Fault(self.span(root), message, (self.span(main), "the root of most of the links"))
+                yield Fault(self.span(root), message, related=((self.span(main), "the root of most of the links"),))
         inside = {name for root in roots for name in self.reached(root)}
         circle = [name for name in self.names if name not in inside]
         if circle:

@@ -6,12 +6,14 @@ import re
 from collections.abc import Iterator, Sequence
 
 from ...languages.xml.parser import Document, Element
+from ...package.urdf.reader import ROBOTS
 from ...package.urdf.references import text_spans
-from ...package.urdf.robot_file import Fault
+from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...suggest import did_you_mean
-from .element_checks import Shape, first, name_span
-from .kinematic_tree import Tree
+from ..fault import Fault
+from .element_checks import ElementCheck, first, name_span
+from .kinematic_tree import KinematicTree
 from .substitutions import substitution_fault
 
 HARMLESS = frozenset({"xacro:property", "xacro:arg"})
@@ -19,33 +21,39 @@ HARMLESS = frozenset({"xacro:property", "xacro:arg"})
 VERSIONS = ("1.0", "1.1", "1.2")
 
 
-def robot_faults(
-    document: Document, links: Sequence[Element], joints: Sequence[Element], xacro: bool
-) -> Iterator[Fault]:
+def robot_faults(robot: RobotFile) -> list[Fault]:
+    """Return what is wrong with a robot in URDF or xacro, by position; worlds (.sdf, .world) are not judged."""
+    if not robot.path.endswith(ROBOTS):
+        return []
+    return sorted(unsorted_faults(robot), key=lambda fault: fault.span)
+
+
+def unsorted_faults(robot: RobotFile) -> Iterator[Fault]:
+    document, links, joints = robot.document, robot.links, robot.joints
     root = document.root
-    if xacro:
-        yield from substitutions(document)
+    if robot.is_xacro:
+        yield from substitution_faults(document)
     if root.tag != "robot":
-        if not xacro:
+        if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
         return
     if not links and not joints:
-        return  # a piece of a robot
-    shape = Shape(document.source)
+        return  # part of a robot, for other files to include
+    check = ElementCheck(document.source)
     for link in links:
-        yield from shape.link(link)
+        yield from check.link(link)
     for joint in joints:
-        yield from shape.joint(joint)
+        yield from check.joint(joint)
     yield from repeated(root, "link")
     yield from repeated(root, "joint")
-    if whole(root, (*links, *joints)):
-        if not xacro:
-            yield from robot(root)
-        yield from Tree(root, links, joints).faults(piece=document.source.path.endswith(".xacro"))
+    if is_whole(root, (*links, *joints)):
+        if not robot.is_xacro:
+            yield from robot_element(root)
+        yield from KinematicTree(root, links, joints).faults(piece=document.source.path.endswith(".xacro"))
         yield from named_joints(root, joints)
 
 
-def robot(root: Element) -> Iterator[Fault]:
+def robot_element(root: Element) -> Iterator[Fault]:
     if root.get("name") is None:
         yield Fault(root.open, "`<robot>` has no `name`: urdfdom refuses it")
     version = root.attributes.get("version")
@@ -54,7 +62,7 @@ def robot(root: Element) -> Iterator[Fault]:
     yield from repeated(root, "material")
 
 
-def whole(root: Element, parts: Sequence[Element]) -> bool:
+def is_whole(root: Element, parts: Sequence[Element]) -> bool:
     """Return whether all links and joints of a robot stand in the file, with literal names."""
     if any(element.tag.startswith("xacro:") and element.tag not in HARMLESS for element in root.walk()):
         return False
@@ -77,7 +85,7 @@ def repeated(root: Element, tag: str) -> Iterator[Fault]:
             span = seen.setdefault(name, name_span(element))
             if span != name_span(element):
                 message = f"two {tag}s are called `{name}`: urdfdom refuses the robot"
-                yield Fault(name_span(element), message, (span, "the first one"))
+                yield Fault(name_span(element), message, related=((span, "the first one"),))
 
 
 def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
@@ -92,7 +100,7 @@ def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
             yield Fault(attribute.value_span, f"no joint of the robot is called `{attribute.value}`{hint}")
 
 
-def substitutions(document: Document) -> Iterator[Fault]:
+def substitution_faults(document: Document) -> Iterator[Fault]:
     source = document.source
     for element in document.root.walk():
         found = [(attribute.value_span, True) for attribute in element.attributes.values()]

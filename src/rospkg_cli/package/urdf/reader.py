@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.urdf.validation import robot_faults
 from ...files import Reading
 from ...languages.xml.parser import Document, Element, read_xml
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from .references import local_includes, references
-from .robot_file import Fault, RobotFile
+from .robot_file import RobotFile
 
 ROBOTS = (".urdf", ".xacro")
 WORLDS = (".sdf", ".world")
@@ -38,13 +37,9 @@ def robot_file(source: Source) -> RobotFile:
     plain = not source.path.endswith(".xacro")
     document = read_xml(without_declaration(source) if plain else source, prefixes="<xacro:" in source.text)
     document = Document(source, document.root, document.instructions, document.comments)
-    xacro = is_xacro(document)
     links, joints = parts_of(document.root, "link"), parts_of(document.root, "joint")
-    faults: tuple[Fault, ...] = ()
-    if source.path.endswith(ROBOTS):
-        faults = tuple(sorted(robot_faults(document, links, joints, xacro), key=lambda fault: fault.span))
     found = tuple(references(document))
-    return RobotFile(document, xacro, links, joints, faults, found, tuple(local_includes(document)))
+    return RobotFile(document, is_xacro(document), links, joints, found, tuple(local_includes(document)))
 
 
 def without_declaration(source: Source) -> Source:

@@ -1,4 +1,4 @@
-"""A robot description as rules see it: links, joints, what it refers to, and what its readers refuse."""
+"""A robot description as rules see it: links, joints, and the files that it refers to."""
 
 from __future__ import annotations
 
@@ -9,17 +9,6 @@ from ...languages.xml.parser import Document, Element
 from ...source import Source, Span
 
 Use = Literal["include", "resource"]
-
-
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """Something that urdfdom or xacro refuses."""
-
-    span: Span
-    message: str
-    related: tuple[Span, str] | None = None
-    mild: bool = False
-    """The robot is read all the same, with something missing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +35,10 @@ class LocalInclude:
 @dataclass(frozen=True)
 class RobotFile:
     document: Document
-    xacro: bool
+    is_xacro: bool
     """Whether xacro makes something else of it first."""
     links: tuple[Element, ...] = ()
     joints: tuple[Element, ...] = ()
-    faults: tuple[Fault, ...] = ()
     references: tuple[Reference, ...] = ()
     includes: tuple[LocalInclude, ...] = ()
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.urdf.validation import robot_faults
+from ...edits.fault_hits import hits
 from ...example import Example
-from ...finding import Hit, Related, Severity
+from ...finding import Hit, Severity
 from ...package.urdf.robot_file import RobotFile
 from ...rule import rule
 
@@ -67,6 +69,4 @@ def invalid_urdf(robot: RobotFile) -> Iterator[Hit]:
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
     """
-    for fault in robot.faults:
-        related = (Related(robot.path, *fault.related),) if fault.related else ()
-        yield Hit(robot.path, fault.span, fault.message, Severity.WARNING if fault.mild else None, related=related)
+    yield from hits(robot.path, robot_faults(robot))
