@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rospkg_cli.config.file.file import find_config
 from test_lint_command import rospkg
 
+from rospkg_cli.config.file import find_config
 from rospkg_cli.config.schema import ConfigError
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rospkg_cli.config.file.file import MAX_TEXT, ConfigError, find_config
 from test_lint_command import rospkg
 
+from rospkg_cli.config.file import MAX_TEXT, ConfigError, find_config
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
 from rospkg_cli.engine.discovery.incomplete_workspace import lists_some
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rospkg_cli.config.file.file import find_config
 
+from rospkg_cli.config.file import find_config
 from rospkg_cli.engine.config_filter import Judge
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.engine.suppression.config_rule_names import complaints
