@@ -70,3 +70,13 @@ def test_what_a_template_needs_may_be_asked_for_too(template: str) -> None:
     for key in sorted(set(re.findall(r"depend>([\w-]+)</", manifest)) - {"ament_python"}):
         planned = plan(template=template, depends=(key,))
         assert [(each.code, each.message) for each in planned.findings] == []
+
+
+def test_no_component_is_called_like_the_library_of_its_package() -> None:
+    with pytest.raises(ScaffoldError, match="the library of `os` would have the name of its package"):
+        plan("os_component", template="ament_cmake", nodes=("os:component",))
+
+
+def test_a_bringup_starts_no_executable_of_its_own() -> None:
+    with pytest.raises(ScaffoldError, match="`data` has no executables: it starts those of others"):
+        plan("data", template="bringup", nodes=("data/component",))

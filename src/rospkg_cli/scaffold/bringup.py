@@ -79,6 +79,8 @@ def started_by(
     if not asked and not depends:
         depends = tuple(each for each in (robot, f"{robot}_description") if each != name and there.named(each))
     named = [start_of(text, there) for text in asked]
+    if any(start.package == name for start in named):
+        raise ScaffoldError(f"`{name}` has no executables: it starts those of others; give --node PACKAGE/EXECUTABLE")
     offered = [offer(package, there) for package in depends if package not in {start.package for start in named}]
     starts = [*named, *(start for each in offered for start in each.starts)]
     names = [start.name for start in starts]

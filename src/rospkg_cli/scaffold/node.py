@@ -64,6 +64,8 @@ def node_of(text: str, package: str, template: Template, there: Around) -> Node:
     if len(languages) > 1 or len(kinds) > 1 or len(messages) > 1:
         raise ScaffoldError(f"`{text}` says too much: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
     kind = all_kinds()[known_kind(kinds[0], template)] if kinds else all_kinds()[template.kinds[0]]
+    if kind.name == "component" and f"{name}_component" == package:
+        raise ScaffoldError(f"the library of `{name}` would have the name of its package; give the node another name")
     fitting = [each for each in template.languages if each in kind.languages]
     language = languages[0] if languages else fitting[0]
     if language not in template.languages:
