@@ -42,5 +42,5 @@ if __name__ == "__main__":
     found = [each for folder in sys.argv[1:] for each in packages(Path(folder))]
     brings = sorted({" ".join([name, *sorted(needs)]) for name, needs, _ in found})
     finds = sorted({" ".join([name, *sorted(more - needs)]) for name, needs, more in found if more - needs})
-    (TABLES / "brings.txt").write_text("\n".join([BRINGS, *brings]) + "\n", encoding="utf-8")
-    (TABLES / "exports.txt").write_text("\n".join([FINDS, *finds]) + "\n", encoding="utf-8")
+    (TABLES / "exported_dependencies.txt").write_text("\n".join([BRINGS, *brings]) + "\n", encoding="utf-8")
+    (TABLES / "cmake_exports.txt").write_text("\n".join([FINDS, *finds]) + "\n", encoding="utf-8")

@@ -29,8 +29,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.languages.cmake.evaluated_command import Call
-from rospkg_cli.languages.cmake.values import BINARY, HOLE, PREFIX, SOURCE, Word, split
+from rospkg_cli.languages.cmake.evaluated_command import EvaluatedCommand
+from rospkg_cli.languages.cmake.values import BINARY, PREFIX, SOURCE, UNKNOWN, Word, split
 from rospkg_cli.package.cmake.cmake_project import CMake
 
 from .cmake_world import World, make_world, name_of, open_package
@@ -42,7 +42,7 @@ FACTS = re.compile(
     r"set_target_properties|ament_\w+|rclcpp_\w+|pluginlib_\w+|rosidl_\w+|generate_parameter_\w+|pybind11_\w+"
 )
 PYTHON = re.compile(r"(?:local/)?lib/python3(?:\.\d+)?/(?:site|dist)-packages")
-ANYTHING = re.compile(f";?(?:{re.escape(HOLE)})+;?")
+ANYTHING = re.compile(f";?(?:{re.escape(UNKNOWN)})+;?")
 """A hole in a text: it may stand for no element of a list."""
 Place = tuple[str, int, str]
 """File, line and name of a command."""
@@ -77,7 +77,7 @@ def traced(trace: Path, source: Path, build: Path, prefix: Path) -> Iterator[tup
             yield (path, entry["line"], entry["cmd"].lower()), tuple(a.replace(str(prefix), PREFIX) for a in replaced)
 
 
-def fits(call: Call, args: Sequence[str]) -> bool:
+def fits(call: EvaluatedCommand, args: Sequence[str]) -> bool:
     """Return whether arguments, as many as are written, are such as our words leave open."""
     pairs = list(call.by_argument())
     return len(pairs) == len(args) and all(
@@ -91,9 +91,9 @@ def argument_fits(words: Sequence[Word], args: Sequence[str]) -> bool:
     """How many elements may be used up before the next word."""
     for word in words:
         pattern = re.compile(ANYTHING.sub(".*", re.escape(word.text)), re.DOTALL)
-        after = set(reached) if word.maybe or (not word.text.strip(HOLE) and not word.quoted) else set()
+        after = set(reached) if word.maybe or (not word.text.strip(UNKNOWN) and not word.quoted) else set()
         for at in reached:
-            more = len(args) - at if HOLE in word.text and not word.quoted else 1
+            more = len(args) - at if UNKNOWN in word.text and not word.quoted else 1
             for end in range(at + 1, min(len(args), at + more) + 1):
                 if pattern.fullmatch(";".join(args[at:end])):
                     after.add(end)
@@ -101,8 +101,8 @@ def argument_fits(words: Sequence[Word], args: Sequence[str]) -> bool:
     return len(args) in reached
 
 
-def is_sure(call: Call) -> bool:
-    return not call.maybe and not any(word.maybe or HOLE in word.text for word in call.words)
+def is_sure(call: EvaluatedCommand) -> bool:
+    return not call.maybe and not any(word.maybe or UNKNOWN in word.text for word in call.words)
 
 
 def compare(cmake: CMake, real: Sequence[tuple[Place, tuple[str, ...]]], verdict: Verdict) -> None:
@@ -134,10 +134,10 @@ def compare(cmake: CMake, real: Sequence[tuple[Place, tuple[str, ...]]], verdict
                 verdict.note("invented", place[2], f"{place[0]}:{place[1]} {place[2]}{shown(cmake.calls[index])}")
 
 
-def shown(call: Call) -> str:
+def shown(call: EvaluatedCommand) -> str:
     words = (word.text + ("?" if word.maybe else "") for word in call.words)
     text = "(" + " ".join(words) + ")" + (" maybe" if call.maybe else "")
-    return text.replace(HOLE, "∅").replace("\1", "~")
+    return text.replace(UNKNOWN, "∅").replace("\1", "~")
 
 
 def judge(world: World, package: Path, testing: bool) -> Verdict | None:

@@ -77,7 +77,7 @@ def configure(package: Path, scratch: Path) -> tuple[str, set[tuple[str, ...]]]:
 def brought(package: Path) -> set[str]:
     """Return the packages that a CMakeLists.txt speaks of: some are found by others that are only stubs here."""
     words = set(re.findall(r"\w+", (package / "CMakeLists.txt").read_text(errors="replace")))
-    known = {each for name, needs in rows("brings.txt").items() for each in (name, *needs)}
+    known = {each for name, needs in rows("exported_dependencies.txt").items() for each in (name, *needs)}
     return {name for name in known if name in words and not name.startswith("ament_")}
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import located
-from ...languages.cmake.values import BINARY, HOLE
-from ...languages.cpp.call import Argument
+from ...languages.cmake.values import BINARY, UNKNOWN
+from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import Component
@@ -37,7 +37,7 @@ class Components:
     def in_sources(self) -> tuple[Source, ...]:
         found = []
         for file in self.sources:
-            for call in file.called(MACRO):
+            for call in file.calls_to(MACRO):
                 for argument in (call.arguments or ())[:1]:
                     found.append(Source(name_of(argument), file.path, argument.span))
         return tuple(found)
@@ -47,7 +47,7 @@ class Components:
         """Whether a macro of the package's own registers classes: then nobody knows which."""
         bodies = [define.body for file in self.sources for define in file.defines]
         hidden = any(MACRO in body or "CLASS_LOADER_REGISTER" in body for body in bodies)
-        return hidden or any(True for file in self.sources for _ in file.called("CLASS_LOADER_REGISTER_CLASS"))
+        return hidden or any(True for file in self.sources for _ in file.calls_to("CLASS_LOADER_REGISTER_CLASS"))
 
     @property
     def generated(self) -> bool:
@@ -69,7 +69,7 @@ class Components:
         if not cmake.complete or cmake.clouded:
             return
         for component in self.sure():
-            if component.target.text not in references.names and HOLE not in references.names:
+            if component.target.text not in references.names and UNKNOWN not in references.names:
                 yield component
 
     def without_source(self) -> Iterator[Component]:
@@ -104,5 +104,5 @@ class Components:
         return frozenset(p for t in targets for w in t.sources if (p := located(w.text, t.call.folder)))
 
 
-def name_of(argument: Argument) -> str:
+def name_of(argument: CppArgument) -> str:
     return "".join(argument.text.split())

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call
-from ...languages.cmake.values import HOLE, Word
-from ...package.cmake.installed_headers import INCLUDES, PLUGINS, Headers
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import UNKNOWN, Word
+from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import Link, Links
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -39,7 +39,7 @@ class Unexported:
 
 @dataclass(frozen=True)
 class ExportedDependencies:
-    headers: Headers
+    headers: PublicHeaders
     workspace: Workspace
 
     def missing(self) -> Iterator[Unexported]:
@@ -47,7 +47,7 @@ class ExportedDependencies:
         don't find, neither by name nor with another one."""
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
-        unclear = not cmake.complete or cmake.clouded or automatic or HOLE in self.exported
+        unclear = not cmake.complete or cmake.clouded or automatic or UNKNOWN in self.exported
         plugins = bool(cmake.named(PLUGINS))
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
         if unclear or not self.headers.installed or unused:
@@ -95,16 +95,16 @@ class ExportedDependencies:
         return frozenset(each.name for each in targets if each is not None and each.library and not each.call.testing)
 
     @cached_property
-    def calls(self) -> tuple[Call, ...]:
+    def calls(self) -> tuple[EvaluatedCommand, ...]:
         return tuple(c for c in self.headers.package.cmake.named("ament_export_dependencies") if not c.folder)
 
     @cached_property
     def exported(self) -> frozenset[str]:
         """The names that are exported; a hole among them where one can't be evaluated."""
         cmake = self.headers.package.cmake
-        names = {HOLE if HOLE in text else text for call in self.calls for text in call.texts}
+        names = {UNKNOWN if UNKNOWN in text else text for call in self.calls for text in call.texts}
         for each in cmake.interface_targets:
-            names |= {HOLE if HOLE in word.text else word.text for word in each.dependencies}
+            names |= {UNKNOWN if UNKNOWN in word.text else word.text for word in each.dependencies}
         for name, brought in BY_MACRO.items():
             names |= brought if cmake.named(name) else frozenset()
         return frozenset(names)
@@ -119,8 +119,8 @@ class ExportedDependencies:
             if name not in found:
                 found.add(name)
                 facts = self.workspace.named(name)
-                waiting += rows("exports.txt").get(name, ())
-                waiting += rows("brings.txt").get(name, ()) if facts is None else built_against(facts)
+                waiting += rows("cmake_exports.txt").get(name, ())
+                waiting += rows("exported_dependencies.txt").get(name, ()) if facts is None else built_against(facts)
         return frozenset(found)
 
     @cached_property

@@ -108,7 +108,7 @@ class DeclaredDependencies:
     def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
         """Return what some packages bring for whoever builds with them, and whether that is known of all of them."""
         found: set[str] = set()
-        known, table = True, rows("brings.txt")
+        known, table = True, rows("exported_dependencies.txt")
         waiting = list(names)
         while waiting:
             name = waiting.pop()

@@ -10,10 +10,10 @@ from functools import cached_property
 from ...package.file_role import LAUNCH
 from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse
-from ...package.urdf.robot_file import Reference, RobotFile
+from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...ros.names import Known
-from ...ros.plugins import PLUGIN_HOMES, TOOLS
+from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
 from ..launch.uses import every_use
 from .declared_dependencies import DeclaredDependencies
@@ -77,8 +77,8 @@ class RobotUses:
     def package_of(self, use: PluginUse) -> str | None:
         """Return the package of a plugin; None for what may be the name of something else."""
         first, second, *_ = re.split(r"/|::", use.name)
-        if first in PLUGIN_HOMES:
-            return PLUGIN_HOMES[first]
+        if first in PLUGIN_PACKAGES:
+            return PLUGIN_PACKAGES[first]
         owner = self.declared.workspace.named(first)
         if owner is None and self.declared.workspace.what(first) is Known.PACKAGE:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first
@@ -115,7 +115,7 @@ class RobotUses:
         return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
 
 
-def reference_use(path: str, reference: Reference) -> RobotUse:
+def reference_use(path: str, reference: ResourceReference) -> RobotUse:
     consequence = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
     return RobotUse(path, reference.span, "whose files are used here", consequence)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...languages.python.file import PythonFile
-from ...ros.launch_exports import EXPORTS, home_of
+from ...ros.launch_exports import EXPORTS, exporting_module
 from ...source import Span
 from ...suggest import nearest
 
@@ -40,7 +40,7 @@ def misimports(file: PythonFile) -> Iterator[Misimport]:
                 continue
             start = file.span(alias).start
             span = Span(start, start + len(alias.name))
-            home = home_of(alias.name)
+            home = exporting_module(alias.name)
             near = "" if home or alias.name.islower() else nearest(alias.name, EXPORTS[module], 1) or ""
             if home or near:
                 yield Misimport(alias.name, module, span, home, near)

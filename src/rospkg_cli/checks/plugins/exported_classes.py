@@ -34,7 +34,7 @@ class ExportedClass:
 
 def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
     for file in files:
-        for call in file.called(*MACROS):
+        for call in file.calls_to(*MACROS):
             if call.arguments and len(call.arguments) > 1:
                 kind, base = call.arguments[:2]
                 yield ExportedClass(kind.text, base.text, file.path, kind.span, call.conditional)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...source import Source, Span
-from .call import MAX_LENGTH, Argument, Call, arguments, template
-from .lexer import Token, tokens
+from .call import MAX_LENGTH, CppArgument, CppCall, arguments, template
+from .lexer import CppToken, tokens
 
 INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
 DEFINED = re.compile(r"\w+")
@@ -24,7 +24,7 @@ BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,
 
 
 @dataclass(frozen=True, slots=True)
-class Include:
+class IncludeDirective:
     path: str
     span: Span
     """Of the path, between its brackets or quotes."""
@@ -34,7 +34,7 @@ class Include:
 
 
 @dataclass(frozen=True, slots=True)
-class Define:
+class MacroDefinition:
     """A macro that the file defines."""
 
     name: str
@@ -45,9 +45,9 @@ class Define:
 @dataclass(frozen=True)
 class CppFile:
     source: Source
-    includes: tuple[Include, ...]
-    defines: tuple[Define, ...]
-    calls: tuple[Call, ...]
+    includes: tuple[IncludeDirective, ...]
+    defines: tuple[MacroDefinition, ...]
+    calls: tuple[CppCall, ...]
     """Macros whose name says that they register or export something, `ClassLoader<…>`, functions that declare or get
     parameters, and what is given a string and the name of a class as two literals: `loader_("package", "ns::Base")`.
     In order."""
@@ -56,51 +56,51 @@ class CppFile:
     def path(self) -> str:
         return self.source.path
 
-    def called(self, *names: str) -> Iterator[Call]:
+    def calls_to(self, *names: str) -> Iterator[CppCall]:
         return (call for call in self.calls if call.name in names)
 
     @cached_property
-    def defined(self) -> frozenset[str]:
+    def macro_names(self) -> frozenset[str]:
         return frozenset(each.name for each in self.defines)
 
 
 def read_cpp(source: Source) -> CppFile:
     """Read one file; what it holds that is no C++ is passed over."""
-    includes: list[Include] = []
-    defines: list[Define] = []
-    calls: list[Call] = []
+    includes: list[IncludeDirective] = []
+    defines: list[MacroDefinition] = []
+    calls: list[CppCall] = []
     room = MAX_FOLLOWED + FOLLOWED_AGAIN * len(source.text)
     for token in tokens(source.text):
         if token.kind == "directive":
             if token.word == "include":
-                includes += included(source.text, token)
+                includes += include_directive(source.text, token)
             else:
-                defines += defined(source.text, token)
+                defines += macro_definition(source.text, token)
         elif token.kind == "name":
             if room > 0 and WANTED.fullmatch(source.text, token.start, token.end):
-                found = list(called(source, token))
+                found = list(call_at(source, token))
                 closed = bool(found) and all(call.arguments is not None for call in found)
                 room -= sum(call.span.end - call.span.start for call in found) if closed else MAX_LENGTH
                 calls += found
         elif "::" in source.text[token.start : token.end]:
-            calls += initialised(source, token)
+            calls += initializer_call(source, token)
     return CppFile(source, tuple(includes), tuple(defines), tuple(calls))
 
 
-def included(text: str, token: Token) -> Iterator[Include]:
+def include_directive(text: str, token: CppToken) -> Iterator[IncludeDirective]:
     found = INCLUDED.match(text, token.at, token.end)
     if found is not None:
         group = 1 if found.group(1) is not None else 2
-        yield Include(found.group(group).strip(), Span(*found.span(group)), group == 1, token.conditional)
+        yield IncludeDirective(found.group(group).strip(), Span(*found.span(group)), group == 1, token.conditional)
 
 
-def defined(text: str, token: Token) -> Iterator[Define]:
+def macro_definition(text: str, token: CppToken) -> Iterator[MacroDefinition]:
     found = DEFINED.match(text, token.at, token.end)
     if found is not None:
-        yield Define(found.group(), Span(*found.span()), text[found.end() : token.end])
+        yield MacroDefinition(found.group(), Span(*found.span()), text[found.end() : token.end])
 
 
-def called(source: Source, token: Token) -> Iterator[Call]:
+def call_at(source: Source, token: CppToken) -> Iterator[CppCall]:
     """Yield the call at a name; nothing where it is only named."""
     text, at, kind = source.text, token.at, ""
     if text[at] == "<":
@@ -113,12 +113,12 @@ def called(source: Source, token: Token) -> Iterator[Call]:
     at = behind.end() if behind else at
     name = text[token.start : token.end]
     if text[at : at + 1] in ("(", "{") and (found := arguments(source, at)) is not None:
-        yield Call(name, kind, found[0], variable, Span(token.start, found[1]), token.conditional)
+        yield CppCall(name, kind, found[0], variable, Span(token.start, found[1]), token.conditional)
     elif kind:
-        yield Call(name, kind, None, variable, Span(token.start, at), token.conditional)
+        yield CppCall(name, kind, None, variable, Span(token.start, at), token.conditional)
 
 
-def initialised(source: Source, token: Token) -> Iterator[Call]:
+def initializer_call(source: Source, token: CppToken) -> Iterator[CppCall]:
     """Yield `name("text", "ns::Class")` at its second literal, where these are all arguments."""
     before = source.text[max(0, token.start - 200) : token.start]
     found = BEFORE.search(before)
@@ -126,7 +126,7 @@ def initialised(source: Source, token: Token) -> Iterator[Call]:
     if found is None or behind[:1] not in (")", "}"):
         return
     base = token.start - len(before)
-    first = Argument(found.group(2), Span(base + found.start(2), base + found.end(2)))
-    second = Argument(source.text[token.start : token.end], Span(token.start, token.end))
+    first = CppArgument(found.group(2), Span(base + found.start(2), base + found.end(2)))
+    second = CppArgument(source.text[token.start : token.end], Span(token.start, token.end))
     end = source.text.index(behind[0], token.end) + 1
-    yield Call(found.group(1), "", (first, second), "", Span(base + found.start(1), end), token.conditional)
+    yield CppCall(found.group(1), "", (first, second), "", Span(base + found.start(1), end), token.conditional)

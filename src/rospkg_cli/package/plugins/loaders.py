@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...files import PackageFiles, Reading
-from ...languages.cpp.call import Argument, Call
+from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile, read_cpp
 from ...languages.cpp.read import SUFFIXES
 from ...unreadable import UnreadableError
@@ -18,8 +18,8 @@ LOADER = "ClassLoader"
 @dataclass(frozen=True)
 class PluginLoader:
     path: str
-    package: Argument
-    base: Argument
+    package: CppArgument
+    base: CppArgument
 
     @property
     def names(self) -> tuple[str, str]:
@@ -39,14 +39,14 @@ def read_plugin_loaders(reading: Reading) -> Iterator[PluginLoaders]:
     """Read those sources that have to do with loaders; the others are not looked into."""
     texts = dict(sources(reading.files))
     declaring = [read_cpp(reading.files.source(path)) for path, text in texts.items() if LOADER + "<" in text]
-    members = {call.variable for file in declaring for call in file.called(LOADER) if call.arguments is None}
+    members = {call.variable for file in declaring for call in file.calls_to(LOADER) if call.arguments is None}
     others = [
         read_cpp(reading.files.source(path))
         for path, text in texts.items()
         if LOADER + "<" not in text and any(f"{name}(" in text or f"{name}{{" in text for name in members if name)
     ]
     found = [loader for file in (*declaring, *others) for loader in loaders_in(file, members)]
-    direct = [call for file in declaring for call in file.called(LOADER) if call.arguments]
+    direct = [call for file in declaring for call in file.calls_to(LOADER) if call.arguments]
     literal = all(loader_of("", call) is not None for call in direct)
     yield PluginLoaders(tuple(found), literal and (bool(found) or not members))
 
@@ -68,7 +68,7 @@ def loaders_in(file: CppFile, members: set[str]) -> Iterator[PluginLoader]:
                 yield loader
 
 
-def loader_of(path: str, call: Call) -> PluginLoader | None:
+def loader_of(path: str, call: CppCall) -> PluginLoader | None:
     """Return the loader that a call makes; None where its first two arguments are no literals."""
     if call.arguments is None or len(call.arguments) < 2:
         return None

@@ -9,7 +9,7 @@ from ...checks.launch.names import Unbound, undefined_names
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.launch.file import LaunchFile
-from ...ros.launch_exports import home_of
+from ...ros.launch_exports import exporting_module
 from ...rule import rule
 from ...suggest import nearest
 
@@ -81,7 +81,7 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
 
 
 def hint(unbound: Unbound) -> str:
-    home = home_of(unbound.name)
+    home = exporting_module(unbound.name)
     if home:
         return f"; add `from {home} import {unbound.name}`"
     near = nearest(unbound.name, unbound.known)

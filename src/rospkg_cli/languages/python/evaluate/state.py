@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 
 from ....source import Span
-from ..syntax import Node, Syntax
+from ..syntax import PositionedNode, PythonSyntax
 from .limits import MAX_ITEMS, STEP, LimitError, Meter, spend
-from .sandbox_filesystem import ROOT, Folder
+from .sandbox_filesystem import ROOT, SandboxFilesystem
 from .values import Call, Function, Globbed, Sequence, Unknown, Value
 from .values import Mapping as MappingValue
 
-Intrinsic = Callable[["Machine", Call], "Value | None"]
+Intrinsic = Callable[["EvaluationState", Call], "Value | None"]
 """A function that the evaluator knows; it returns None to leave the call alone."""
 
 
@@ -21,8 +21,8 @@ MAX_SHOWN = 1_000
 """Characters of the file that are looked at to show the first 60 of them."""
 
 
-class Machine(ABC):
-    def __init__(self, file: Syntax, folder: Folder, library: Mapping[str, Intrinsic]) -> None:
+class EvaluationState(ABC):
+    def __init__(self, file: PythonSyntax, folder: SandboxFilesystem, library: Mapping[str, Intrinsic]) -> None:
         self.file = file
         self.folder = folder
         self.library = library
@@ -47,7 +47,7 @@ class Machine(ABC):
         """How many steps were taken, or what was built instead of them."""
         return self.meter.cost // STEP
 
-    def span(self, node: Node) -> Span:
+    def span(self, node: PositionedNode) -> Span:
         return self.fixed or self.file.span(node)
 
     @property
