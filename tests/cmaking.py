@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.cmake.evaluated_command import Call
+from rospkg_cli.languages.cmake.evaluated_command import EvaluatedCommand
 from rospkg_cli.package.cmake.cmake_install_table import cmake_table
 from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.package import Package
@@ -23,7 +23,7 @@ def read_files(files: dict[str, str]) -> CMake:
     return found
 
 
-def shown(calls: list[Call]) -> list[str]:
+def shown(calls: list[EvaluatedCommand]) -> list[str]:
     """Return the arguments of calls; `?` marks what is there only perhaps, `T` what is there only for tests."""
     return [
         " ".join(

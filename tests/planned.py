@@ -7,19 +7,19 @@ from typing import Any
 
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.plan import Plan, make_plan
-from rospkg_cli.scaffold.workspace import Around
+from rospkg_cli.scaffold.workspace import WorkspacePackages
 from rospkg_cli.tree import MemoryTree
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}
 
 
-def plan(name: str = "my_robot_nav", there: Around | None = None, **asked: Any) -> Plan:
-    return make_plan(Request(name, **{**ADA, **asked}), Path(), {}, there or Around())
+def plan(name: str = "my_robot_nav", there: WorkspacePackages | None = None, **asked: Any) -> Plan:
+    return make_plan(Request(name, **{**ADA, **asked}), Path(), {}, there or WorkspacePackages())
 
 
-def around(*plans: Plan) -> Around:
+def around(*plans: Plan) -> WorkspacePackages:
     """Return the packages of plans as those around another."""
-    return Around({each.answers.name: MemoryTree({f.path: f.entry for f in each.files}) for each in plans})
+    return WorkspacePackages({each.answers.name: MemoryTree({f.path: f.entry for f in each.files}) for each in plans})
 
 
 def texts(planned: Plan) -> dict[str, str]:

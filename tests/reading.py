@@ -7,16 +7,16 @@ from typing import TypeVar
 
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.package import Package
-from rospkg_cli.tree import Entry, MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 T = TypeVar("T")
 
 
-def package(files: Mapping[str, str | bytes | Entry]) -> Package:
+def package(files: Mapping[str, str | bytes | TreeEntry]) -> Package:
     return Package(PackageFiles(MemoryTree.of(files)))
 
 
-def one(files: Mapping[str, str | bytes | Entry], kind: type[T]) -> T:
+def one(files: Mapping[str, str | bytes | TreeEntry], kind: type[T]) -> T:
     """Return the one model of a kind; fails where it is absent or can't be read."""
     parts = package(files).parts(kind)
     assert not parts.broken, parts.broken

@@ -13,12 +13,12 @@ from rospkg_cli.edits.reorder import arrange, canonical_order, items_of, schema_
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source
-from rospkg_cli.tree import Entry
+from rospkg_cli.tree import TreeEntry
 
 
 def arranged(text: str, order: Callable[[Manifest], Callable]) -> str:
     manifest = manifest_of(Source("package.xml", text))
-    return edited(Entry("file", text.encode()), arrange(manifest, order(manifest))).text.text
+    return edited(TreeEntry("file", text.encode()), arrange(manifest, order(manifest))).text.text
 
 
 def package(*lines: str) -> str:

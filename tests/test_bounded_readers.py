@@ -11,7 +11,7 @@ from cmaking import read
 from rospkg_cli.engine.suppression.comments import in_source
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cmake.call_stack import MAX_COST
-from rospkg_cli.languages.cmake.values import HOLE
+from rospkg_cli.languages.cmake.values import UNKNOWN
 from rospkg_cli.ros.license_text import is_prose, licenses_in
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
@@ -57,7 +57,7 @@ def test_the_sum_of_what_cmake_builds_is_bounded(lines: str) -> None:
 def test_a_list_or_text_that_is_too_long_is_unknown_not_cut_off(command: str) -> None:
     found = read(f"{HEAD}set(x abcd)\n" + f"{command}\n" * 16 + "message(${x})\n")
     assert not found.stopped
-    assert HOLE in found.calls[-1].texts[0]
+    assert UNKNOWN in found.calls[-1].texts[0]
 
 
 def test_blocks_may_be_nested_deeper_than_python_recurses() -> None:

@@ -7,18 +7,18 @@ from pathlib import Path
 
 import pytest
 import yaml
-from planned import around, plan, texts
+from planned import workspace_packages, plan, texts
 
 from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.plan import Plan
-from rospkg_cli.scaffold.workspace import Around
-from rospkg_cli.scaffold.workspace import around as around_on_disk
+from rospkg_cli.scaffold.workspace import WorkspacePackages
+from rospkg_cli.scaffold.workspace import workspace_packages as around_on_disk
 from rospkg_cli.scaffold.write import write_folder
 
-ROBOT = around(
+ROBOT = workspace_packages(
     plan("my_robot", nodes=("talker", "counter:timer")),
     plan("my_robot_description", template="description"),
     plan("my_drivers", template="ament_cmake", nodes=("adder:service",)),
@@ -26,7 +26,7 @@ ROBOT = around(
 )
 
 
-def bringup(there: Around = ROBOT, **asked: object) -> Plan:
+def bringup(there: WorkspacePackages = ROBOT, **asked: object) -> Plan:
     return plan("my_robot_bringup", there, template="bringup", **asked)
 
 
@@ -69,7 +69,7 @@ def test_every_form_starts_the_same(asked: str) -> None:
 
 
 def launch_file(planned: Plan) -> LaunchFile:
-    package = around(planned).package("my_robot_bringup")
+    package = workspace_packages(planned).package("my_robot_bringup")
     [file] = package.parts(LaunchFile).good
     return file
 
@@ -92,7 +92,7 @@ def faultless_text(files: dict[str, str]) -> None:
 
 @pytest.mark.parametrize("license", [each.spdx for each in LICENSES])
 def test_with_nothing_to_start_it_says_so(license: str) -> None:
-    planned = bringup(Around(), license=license)
+    planned = bringup(WorkspacePackages(), license=license)
     assert planned.findings == ()
     assert "LogInfo(msg='Nothing is started yet" in launch(planned)
     assert "launch_ros" not in texts(planned)["package.xml"]
@@ -168,6 +168,6 @@ def test_what_cannot_be_started_is_refused(nodes: tuple[str, ...]) -> None:
 
 
 def test_a_package_of_the_workspace_is_no_unknown_dependency() -> None:
-    there = around(plan("std_msg", template="interfaces"))
+    there = workspace_packages(plan("std_msg", template="interfaces"))
     assert plan("my_user", there, depends=("std_msg",)).findings == ()
     assert [f.code for f in plan("my_user", depends=("std_msg",)).findings] == ["DEP001"]

@@ -10,7 +10,7 @@ from cmaking import read_files, table, unknown
 from rospkg_cli.example import BACKDROPS, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.cmake.cmake_install_table import cmake_table
-from rospkg_cli.package.collect_facts import gather
+from rospkg_cli.package.collect_facts import collect_facts
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.package_facts import PackageFacts
@@ -124,7 +124,7 @@ def test_entry_points_of_a_python_package_that_cmake_installs(arguments: str, ex
 
 
 def facts(files: dict[str, str]) -> PackageFacts:
-    return gather(Package(PackageFiles(MemoryTree.of(files))), Targets(), "", "my_pkg")
+    return collect_facts(Package(PackageFiles(MemoryTree.of(files))), Targets(), "", "my_pkg")
 
 
 def test_what_other_packages_know() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.engine.discovery.discover import packages_in
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Safety, Severity
@@ -163,7 +163,7 @@ def repaired(files: dict[str, str], code: str) -> str:
     tree = MemoryTree.of(files)
     folders = tuple(packages_in(tree))
     session = Session(tree, Scope(folders, frozenset(folders), "my_pkg"), frozenset({code}), Targets())
-    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     changed = outcome.changes["CMakeLists.txt"].text
     return changed.text if changed else ""
 

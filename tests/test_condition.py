@@ -9,7 +9,7 @@ from catkin_pkg.condition import evaluate_condition
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.rep149_condition import ConditionError, parse_condition, possible, together
+from rospkg_cli.languages.rep149_condition import ConditionError, can_hold_together, may_hold, parse_condition
 from rospkg_cli.ros.distros import Targets
 
 ROS = Targets(("humble", "jazzy")).environments()
@@ -83,16 +83,16 @@ def test_an_unknown_variable_makes_a_condition_unknown() -> None:
 
 
 def test_a_condition_is_possible_where_it_holds_for_one_target_or_cannot_be_told() -> None:
-    assert possible(None, ROS)
-    assert possible("$ROS_DISTRO == humble", ROS)
-    assert possible("$MY_ROBOT == 1", ROS)
-    assert possible("$ROS_VERSION = 2", ROS)
-    assert not possible("$ROS_DISTRO == foxy", ROS)
+    assert may_hold(None, ROS)
+    assert may_hold("$ROS_DISTRO == humble", ROS)
+    assert may_hold("$MY_ROBOT == 1", ROS)
+    assert may_hold("$ROS_VERSION = 2", ROS)
+    assert not may_hold("$ROS_DISTRO == foxy", ROS)
 
 
 def test_two_conditions_hold_together() -> None:
-    assert together(None, "$ROS_VERSION == 2", ROS)
-    assert together("$MY_ROBOT == 1", "$MY_ROBOT == 1", ROS)
-    assert not together("$ROS_DISTRO == humble", "$ROS_DISTRO == jazzy", ROS)
-    assert not together(None, "$MY_ROBOT == 1", ROS)
-    assert not together("$ROS_VERSION == 1", "$ROS_VERSION == 1", ROS)
+    assert can_hold_together(None, "$ROS_VERSION == 2", ROS)
+    assert can_hold_together("$MY_ROBOT == 1", "$MY_ROBOT == 1", ROS)
+    assert not can_hold_together("$ROS_DISTRO == humble", "$ROS_DISTRO == jazzy", ROS)
+    assert not can_hold_together(None, "$MY_ROBOT == 1", ROS)
+    assert not can_hold_together("$ROS_VERSION == 1", "$ROS_VERSION == 1", ROS)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.conversion import NotPlainError, plain, unknowns
 from rospkg_cli.languages.python.evaluate.evaluator import Evaluator
-from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.evaluate.values import Call, Joined, Sequence, Text, Unknown, Value
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source
@@ -32,7 +32,7 @@ FILES = {
 
 
 def evaluate(text: str, **files: str) -> Evaluator:
-    folder = Folder(PackageFiles(MemoryTree.of({**FILES, **files})))
+    folder = SandboxFilesystem(PackageFiles(MemoryTree.of({**FILES, **files})))
     found = Evaluator(parse_python(Source("setup.py", text)), folder)
     found.run_file()
     return found

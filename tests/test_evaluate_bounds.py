@@ -8,7 +8,7 @@ from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.conversion import unknowns
 from rospkg_cli.languages.python.evaluate.evaluator import Evaluator
 from rospkg_cli.languages.python.evaluate.limits import MAX_STEPS
-from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.evaluate.values import Text, Unknown
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source
@@ -84,7 +84,7 @@ ONE_TOO_MANY = [
 
 def evaluated(text: str) -> Evaluator:
     tree = MemoryTree.of({"README.md": "abc\n" * 50_000, **{f"d{i}/e/{i}.txt": "" for i in range(50)}})
-    found = Evaluator(parse_python(Source("setup.py", text)), Folder(PackageFiles(tree)))
+    found = Evaluator(parse_python(Source("setup.py", text)), SandboxFilesystem(PackageFiles(tree)))
     found.run_file()
     return found
 

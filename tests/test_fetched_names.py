@@ -10,11 +10,11 @@ from small_rosdistro import DISTROS
 from test_lint_command import rospkg
 
 from rospkg_cli.cli.new.run import new
-from rospkg_cli.engine.discovery.incomplete_workspace import lists_others
+from rospkg_cli.engine.discovery.incomplete_workspace import lists_more_packages
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.finding import Finding, Severity
-from rospkg_cli.index.cache import keep
+from rospkg_cli.index.cache import cache_index
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.ros.name_index import Index, dump, parse
 from rospkg_cli.ros.names import FetchedNames
@@ -132,20 +132,20 @@ def test_keys_from_pypi_are_those_of_the_index() -> None:
 )
 def test_what_says_that_packages_lie_elsewhere(tmp_path: Path, write, files: dict[str, str], incomplete: bool) -> None:
     write(tmp_path, {"a/b/pkg/package.xml": "", **files})
-    assert lists_others(tmp_path, [tmp_path / "a/b/pkg"]) is incomplete
+    assert lists_more_packages(tmp_path, [tmp_path / "a/b/pkg"]) is incomplete
 
 
 def test_without_a_workspace_the_folder_of_the_packages_is_asked(tmp_path: Path, write) -> None:
     write(tmp_path, {"pkg/package.xml": "", "ours.repos": ""})
-    assert lists_others(None, [tmp_path / "pkg"])
-    assert not lists_others(None, [])
+    assert lists_more_packages(None, [tmp_path / "pkg"])
+    assert not lists_more_packages(None, [])
     write(tmp_path / "deep", {"a/one/package.xml": "", "b/two/package.xml": "", "ours.repos": ""})
-    assert lists_others(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
+    assert lists_more_packages(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
 
 
 def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean) -> None:
     surroundings = {"XDG_CACHE_HOME": str(tmp_path / "cache")}
-    keep(INDEX, surroundings)
+    cache_index(INDEX, surroundings)
     files = {**clean, "package.xml": manifest(need("wheel_odometri"))}
     for name in ("one", "two"):
         named = {path: text.replace("my_pkg", name) for path, text in files.items()}
@@ -159,7 +159,7 @@ def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean
 @pytest.mark.parametrize("name, says", [("my_companys_driver", True), ("gripper-lib", False)])
 def test_an_old_index_is_said_where_it_told_a_name(tmp_path: Path, write, clean, name: str, says: bool) -> None:
     surroundings = {"XDG_CACHE_HOME": str(tmp_path / "cache")}
-    keep(replace(INDEX, fetched="2020-01-01T00:00:00Z"), surroundings)
+    cache_index(replace(INDEX, fetched="2020-01-01T00:00:00Z"), surroundings)
     write(tmp_path / "my_pkg", {**clean, "package.xml": manifest(need(name))})
     done = rospkg("lint", "--select", "DEP001", "my_pkg", cwd=tmp_path, **surroundings)
     assert ("days old; `rospkg index update` fetches it anew" in done.stderr) is says
@@ -177,7 +177,7 @@ def test_the_index_is_read_when_a_name_is_asked_for(tmp_path: Path) -> None:
 @pytest.fixture
 def fetched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    keep(INDEX, {"XDG_CACHE_HOME": str(tmp_path / "cache")})
+    cache_index(INDEX, {"XDG_CACHE_HOME": str(tmp_path / "cache")})
     monkeypatch.chdir(tmp_path)
 
 

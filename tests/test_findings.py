@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from cases import CASES
 
-from rospkg_cli.finding import Finding, Place
+from rospkg_cli.finding import Finding, Location
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.testing import lint_files
 
@@ -44,7 +44,7 @@ def described(finding: Finding) -> Iterator[str]:
         yield f"  {finding.fix.safety.value} fix: {one_line(finding.fix.title)}"
 
 
-def where(place: Place) -> str:
+def where(place: Location) -> str:
     """Return `path:line:column-column`, or with the line of the end where that is another one."""
     end = f"{place.end_line}:" if place.end_line != place.line else ""
     return f"{place.path}:{place.line}:{place.column}-{end}{place.end_column}"

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from rospkg_cli.engine.fixing.apply import Changes, Round, apply_fixes, touch
 from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move
 from rospkg_cli.source import Span
-from rospkg_cli.tree import Entry, MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 
 def texts(changes: Changes) -> dict[str, str | None]:
@@ -56,7 +56,7 @@ def test_operations_on_whole_files() -> None:
     fix = Fix("all", (Create("new", "text\n"), Delete("gone"), Move("old", "moved"), Chmod("script", True)))
     changes, _ = apply_fixes(tree, [fix])
     assert texts(changes) == {"new": "text\n", "gone": None, "old": None, "moved": "x", "script": "z"}
-    assert changes["script"] == Entry("file", b"z", 0o755)
+    assert changes["script"] == TreeEntry("file", b"z", 0o755)
 
 
 @pytest.mark.parametrize(
@@ -77,9 +77,9 @@ def test_encoding_mark_and_line_ends_stay(before: bytes, after: bytes | None) ->
 
 
 def test_the_mode_stays() -> None:
-    tree = MemoryTree.of({"a.txt": Entry("file", b"one\n", 0o775)})
+    tree = MemoryTree.of({"a.txt": TreeEntry("file", b"one\n", 0o775)})
     changes, _ = apply_fixes(tree, [Fix("x", (edit(0, 3, "1"),))])
-    assert changes["a.txt"] == Entry("file", b"1\n", 0o775)
+    assert changes["a.txt"] == TreeEntry("file", b"1\n", 0o775)
 
 
 @given(st.lists(st.tuples(st.integers(0, 30), st.integers(0, 4), st.sampled_from(["", "x"])), max_size=12))

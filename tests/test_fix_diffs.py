@@ -12,7 +12,7 @@ from cases import CASES
 
 from rospkg_cli.cli.diff import unified
 from rospkg_cli.engine.discovery.discover import packages_in, repositories_in
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
@@ -44,7 +44,7 @@ def repaired(rule: Rule, example: Example) -> str:
     codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
     scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
     session = Session(tree, scope, frozenset(codes), Targets(example.targets))
-    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     assert not outcome.refused
     titles = sorted({finding.fix.title for finding in outcome.applied if finding.fix})
     return f"{'; '.join(titles)}\n{''.join(unified(tree, outcome.changes))}"

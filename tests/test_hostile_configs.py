@@ -9,7 +9,7 @@ from test_lint_command import rospkg
 
 from rospkg_cli.config.file import MAX_TEXT, ConfigError, find_config
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
-from rospkg_cli.engine.discovery.incomplete_workspace import lists_some
+from rospkg_cli.engine.discovery.incomplete_workspace import lists_packages
 
 CONFIGS = {
     "lists": ("x = " + "[" * 100_000, "nested too deeply"),
@@ -84,7 +84,7 @@ def test_a_hostile_baseline_is_one_sentence(tmp_path: Path, text: str) -> None:
 @pytest.mark.parametrize("text", ["\n" * 300_000, "path" + " " * 300_000, " " * 300_000, "path = x\0y\n" * 9])
 def test_lists_of_submodules_are_read_in_steps_that_grow_with_them(tmp_path: Path, text: str) -> None:
     (tmp_path / ".gitmodules").write_text(text)
-    assert lists_some(tmp_path) == ("\0" in text)
+    assert lists_packages(tmp_path) == ("\0" in text)
 
 
 def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from rospkg_cli.checks.launch.scope import LaunchScope
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.python.evaluate.sandbox_filesystem import Folder
+from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.xml.parser import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
 from rospkg_cli.package.launch.around import LaunchFiles
@@ -34,8 +34,8 @@ CLASSES = "class A0:\n    def f(self): pass\n" + "".join(
 END = "def generate_launch_description():\n    return LaunchDescription([g])\n"
 
 
-def folder() -> Folder:
-    return Folder(PackageFiles(MemoryTree.of({})))
+def folder() -> SandboxFilesystem:
+    return SandboxFilesystem(PackageFiles(MemoryTree.of({})))
 
 
 @pytest.mark.parametrize("text", [OPAQUE, GROUPS + END, CLASSES])

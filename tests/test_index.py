@@ -18,7 +18,7 @@ from test_lint_command import rospkg
 from rospkg_cli.cli import app
 from rospkg_cli.index import NamesError
 from rospkg_cli.index.fetch import fetch
-from rospkg_cli.index.file_url import Place
+from rospkg_cli.index.file_url import FileUrl
 from rospkg_cli.ros.name_index import parse
 
 Run = Callable[..., SimpleNamespace]
@@ -234,7 +234,7 @@ def test_a_server_that_says_nothing_is_not_waited_for() -> None:
     with serve() as mirror:
         mirror.broken["index-v4.yaml"] = "stall"
         with pytest.raises(NamesError, match="nothing comes from there"):
-            fetch(Place(f"{mirror.url}/index-v4.yaml"), timeout=0.2)
+            fetch(FileUrl(f"{mirror.url}/index-v4.yaml"), timeout=0.2)
 
 
 @pytest.mark.parametrize("sent, status", [(signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)])

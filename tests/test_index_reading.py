@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from small_rosdistro import FILES
 
 from rospkg_cli.index import NamesError
-from rospkg_cli.index.file_url import Place, place_of
-from rospkg_cli.index.rosdep_lists import KeyList, key_lists
+from rospkg_cli.index.file_url import FileUrl, index_url
+from rospkg_cli.index.rosdep_lists import RosdepList, rosdep_lists
 from rospkg_cli.index.rosdistro_files import distribution_files, released
 from rospkg_cli.index.update import make_index, tables
 from rospkg_cli.ros.name_index import BrokenIndexError, Index, check, dump, parse
@@ -34,7 +34,7 @@ ODD = st.recursive(
     ),
     max_leaves=12,
 )
-HERE = Place("file:///a/index-v4.yaml")
+HERE = FileUrl("file:///a/index-v4.yaml")
 
 
 @given(NAMED, NAMED, NAMED, NAMED, st.text())
@@ -73,10 +73,10 @@ def test_what_is_no_index_is_refused(text: str) -> None:
 )
 def test_what_an_index_names_lies_beside_it_or_elsewhere(index: str, named: str, place: str | None) -> None:
     if place:
-        assert Place(index).beside(named) == Place(place)
+        assert FileUrl(index).beside(named) == FileUrl(place)
     else:
         with pytest.raises(NamesError):
-            Place(index).beside(named)
+            FileUrl(index).beside(named)
 
 
 @given(ODD)
@@ -97,10 +97,10 @@ def test_odd_entries_of_a_list_are_served_or_not(entry) -> None:
         tables([(frozenset(CODENAMES.values()), entry)])
 
 
-def lists(tmp_path: Path, write, text: str) -> list[KeyList]:
+def lists(tmp_path: Path, write, text: str) -> list[RosdepList]:
     folder = write(tmp_path / "rosdistro", FILES)
     write(tmp_path / "lists", {"10-ours.list": text, "notes.txt": "no list"})
-    return key_lists(place_of(str(folder), {}, ""), {"ROSDEP_SOURCE_PATH": str(tmp_path / "lists")})
+    return rosdep_lists(index_url(str(folder), {}, ""), {"ROSDEP_SOURCE_PATH": str(tmp_path / "lists")})
 
 
 def test_the_lists_of_the_machine_come_first_and_those_of_rosdistro_from_the_source(tmp_path: Path, write) -> None:
@@ -113,7 +113,7 @@ def test_the_lists_of_the_machine_come_first_and_those_of_rosdistro_from_the_sou
     names = [each.place.url.rpartition("/")[2] for each in found]
     assert names == ["ours.yaml", "base.yaml", "osx-homebrew.yaml", "python.yaml"]
     assert found[1].place.url == (tmp_path / "rosdistro/rosdep/base.yaml").as_uri()
-    assert found[1].elsewhere == Place("https://mirror.example.org/raw/ros/rosdistro/master/rosdep/base.yaml")
+    assert found[1].elsewhere == FileUrl("https://mirror.example.org/raw/ros/rosdistro/master/rosdep/base.yaml")
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def test_the_lists_of_the_machine_come_first_and_those_of_rosdistro_from_the_sou
     ],
 )
 def test_tags_limit_a_list(tags: str, releases: set[str]) -> None:
-    assert KeyList(HERE, frozenset(tags.split())).codenames == releases
+    assert RosdepList(HERE, frozenset(tags.split())).codenames == releases
 
 
 @pytest.mark.parametrize("line", ["yaml", "yaml ours.yaml", "deb http://x y", "yml file:///x.yaml"])
@@ -143,10 +143,10 @@ def test_keys_of_the_machines_own_lists_are_known(tmp_path: Path, write) -> None
     own = "our-lib:\n  ubuntu: [libour]\ngripper-lib:\n  ubuntu: {noble: {pip: {packages: [gripper]}}}\n"
     write(tmp_path, {"ours.yaml": own, "lists/10-ours.list": f"yaml {(tmp_path / 'ours.yaml').as_uri()}\n"})
     surroundings = {"ROSDEP_SOURCE_PATH": str(tmp_path / "lists")}
-    index = make_index(place_of(str(folder), {}, ""), ["jazzy"], surroundings)
+    index = make_index(index_url(str(folder), {}, ""), ["jazzy"], surroundings)
     assert index.keys["our-lib"] == ("apt", "apt", "apt")
     assert index.keys["gripper-lib"] == ("-", "pip", "-"), "the first list holds"
     assert index.lists == (str(tmp_path / "ours.yaml"),)
     write(tmp_path, {"lists/20.list": "yaml file:///gone.yaml\n"})
     with pytest.raises(NamesError, match=r"gone\.yaml can't be read"):
-        make_index(place_of(str(folder), {}, ""), ["jazzy"], surroundings)
+        make_index(index_url(str(folder), {}, ""), ["jazzy"], surroundings)

@@ -8,7 +8,7 @@ from interface_texts import REFUSED, TAKEN
 from rospkg_cli.checks.interfaces.member_names import is_accepted
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.example import BACKDROPS, INTERFACES_BODY, manifest
-from rospkg_cli.package.interfaces.interface_file import Interface
+from rospkg_cli.package.interfaces.interface_file import InterfaceFile
 from rospkg_cli.package.interfaces.text import parse_interface
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
@@ -17,7 +17,7 @@ from rospkg_cli.tree import MemoryTree
 IDL = ["IDL001", "IDL002", "IDL003", "IDL004"]
 
 
-def read(kind: str, text: str) -> Interface:
+def read(kind: str, text: str) -> InterfaceFile:
     return parse_interface(Source(f"{kind}/Foo.{kind}", text), kind)
 
 

@@ -14,7 +14,7 @@ import pytest
 from rospkg_cli.cli.inspect.run import inspect
 from rospkg_cli.cli.inspect.run import run as inspecting
 from rospkg_cli.disk import MAX_BYTES, DiskTree
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker as shard
 from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.process_pool import ProcessPool
@@ -26,7 +26,7 @@ from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.source import Span
 from rospkg_cli.testing import lint_files
-from rospkg_cli.tree import Entry, LeadsOutError, MemoryTree
+from rospkg_cli.tree import LeadsOutError, MemoryTree, TreeEntry
 
 CODES = frozenset({"RPK001", "RPK005", "XML104", "SET101", "DEP103"})
 
@@ -96,7 +96,7 @@ def test_a_fix_that_fails(clean, monkeypatch: pytest.MonkeyPatch) -> None:
 
     put_rules(monkeypatch, XML104=check)
     monkeypatch.setattr("rospkg_cli.engine.fixing.apply.outcome", lambda tree, operation: 1 / 0)
-    outcome = repair(session(clean), (Safety.SAFE,))
+    outcome = fix_all(session(clean), (Safety.SAFE,))
     assert [(f.code, f.package) for f in outcome.applied] == [("XML104", "good")]
     assert [(f.package, why) for f, why in outcome.refused] == [("bad", "ZeroDivisionError: division by zero")]
     assert ("RPK005", "bad", "fix of XML104 failed on `bad`") in told(outcome.results)
@@ -156,11 +156,11 @@ def test_a_link_that_leads_out_is_told_mildly() -> None:
     why = "`setup.py` is a link to `/etc/passwd`, out of the package and its repository: it is not read"
 
     class Outside(MemoryTree):
-        def entry(self, path: str) -> Entry:
+        def entry(self, path: str) -> TreeEntry:
             if path.endswith("setup.py"):
                 raise LeadsOutError(why)
             return super().entry(path)
 
-    tree = Outside.of({"package.xml": "<package/>", "setup.py": Entry("outside", b"")})
+    tree = Outside.of({"package.xml": "<package/>", "setup.py": TreeEntry("outside", b"")})
     found = Session(tree, Scope(("",), frozenset({""})), frozenset({"RPK001", "RPK007"})).run().findings
     assert [(f.code, f.severity.value, f.message) for f in found] == [("RPK007", "info", why)]

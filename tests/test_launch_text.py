@@ -6,14 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.located_text import Written
+from rospkg_cli.languages.located_text import LocatedText
 from rospkg_cli.package.launch.substitution import MAX_DEPTH, SubstitutionError, parse_text
 from rospkg_cli.package.launch.text import LaunchText, Literal
 from rospkg_cli.source import Span
 
 
 def parse(text: str) -> LaunchText:
-    return parse_text(Written(text, Span(0, len(text))))
+    return parse_text(LocatedText(text, Span(0, len(text))))
 
 
 def plain(text: LaunchText) -> list:
@@ -70,7 +70,7 @@ def test_each_part_knows_its_place() -> None:
 
 
 def test_a_value_with_references_has_its_own_place_only() -> None:
-    found = parse_text(Written("a&$(var x)", Span(10, 30), exact=False))
+    found = parse_text(LocatedText("a&$(var x)", Span(10, 30), exact=False))
     assert {part.span for part in found.parts} == {Span(10, 30)}
 
 

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from test_lint_command import rospkg
+from in_process import run_here as rospkg
 
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.locate import locate

@@ -10,14 +10,14 @@ from rospkg_cli.edits.manifest import add_dependency, add_element, add_export, r
 from rospkg_cli.edits.manifest_format import to_format_3
 from rospkg_cli.edits.manifest_tags import remove_attribute, rename_tag, set_attribute, set_text
 from rospkg_cli.engine.fixing.apply import edited
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import manifest
 from rospkg_cli.finding import Edit, Safety
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.rule import all_rules
 from rospkg_cli.source import Source
-from rospkg_cli.tree import Entry, MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 XML = frozenset(rule.code for rule in all_rules() if rule.family == "XML")
 LINES = """
@@ -87,7 +87,7 @@ def test_repair_keeps_a_manifest_readable_and_comes_to_an_end(
     text = head + ("\n" if head else "") + package + "".join(between + line for line in lines) + "\n</package>\n"
     tree = MemoryTree.of({"package.xml": text, **files})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), XML)
-    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     assert outcome.refused == []
     entry = outcome.changes.get("package.xml")
     after = entry.text.text if entry else text
@@ -103,7 +103,7 @@ def read(text: str) -> Manifest:
 
 
 def apply(text: str, *edits: Edit) -> str:
-    return edited(Entry("file", text.encode()), edits).text.text
+    return edited(TreeEntry("file", text.encode()), edits).text.text
 
 
 @pytest.mark.parametrize(
@@ -195,7 +195,7 @@ def test_a_fix_keeps_encoding_and_line_ends() -> None:
     session = Session(
         MemoryTree.of({"package.xml": data}), Scope(("",), frozenset({""}), "my_pkg"), frozenset({"XML210"})
     )
-    outcome = repair(session, (Safety.SAFE,))
+    outcome = fix_all(session, (Safety.SAFE,))
     after = outcome.changes["package.xml"]
     assert after is not None
     assert after.data == data.replace(b"  <depend/>\r\n", b"")

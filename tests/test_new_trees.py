@@ -13,7 +13,7 @@ from planned import plan, texts
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.test_level import TESTS
+from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 TREES = Path(__file__).parent / "trees"
 SHOWN = ("package.xml", "setup.py", "CMakeLists.txt")
@@ -26,7 +26,7 @@ def shown(planned: Plan) -> str:
     return "\n".join([*files, ""]) + "".join(f"\n── {path}\n{files[path]}" for path in SHOWN if path in files)
 
 
-@pytest.mark.parametrize("tests", TESTS)
+@pytest.mark.parametrize("tests", TEST_LEVELS)
 @pytest.mark.parametrize("template", template_names())
 def test_the_tree_is_the_one_that_was_looked_at(template: str, tests: str, pytestconfig: pytest.Config) -> None:
     launches = load_template(template).launches
@@ -41,5 +41,5 @@ def test_the_tree_is_the_one_that_was_looked_at(template: str, tests: str, pytes
 
 def test_no_tree_is_left_over() -> None:
     assert {path.stem for path in TREES.iterdir()} == {
-        f"{name}-{tests}" for name in template_names() for tests in TESTS
+        f"{name}-{tests}" for name in template_names() for tests in TEST_LEVELS
     }

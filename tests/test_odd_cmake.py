@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.engine.discovery.discover import packages_in
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Safety
@@ -42,7 +42,7 @@ def repaired(files: dict[str, str], *codes: str) -> dict[str, str]:
     tree = MemoryTree.of(files)
     folders = packages_in(tree)
     session = Session(tree, Scope(tuple(folders), frozenset(folders), "my_pkg"), frozenset(codes))
-    changes = repair(session, tuple(Safety)).changes
+    changes = fix_all(session, tuple(Safety)).changes
     return {path: entry.text.text for path, entry in changes.items() if entry}
 
 

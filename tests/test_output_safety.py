@@ -16,10 +16,10 @@ from markdown_it import MarkdownIt
 from rospkg_cli.cli.diff import diff
 from rospkg_cli.control_characters import in_json, no_command, visible, visible_lines
 from rospkg_cli.engine.run.session import Results
-from rospkg_cli.finding import Edit, Finding, Fix, Place, Severity
+from rospkg_cli.finding import Edit, Finding, Fix, Location, Severity
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.source import Source, Span
-from rospkg_cli.tree import Entry
+from rospkg_cli.tree import TreeEntry
 
 C0 = "".join(map(chr, range(0x20)))
 C1 = "".join(map(chr, range(0x7F, 0xA0)))
@@ -35,7 +35,7 @@ def hostile(text: str) -> Finding:
     line = f"before {text} here after".replace("\n", "")
     source = Source("a", line)
     start = line.index("here")
-    place = Place(f"src/{text}.py", Span(start, start + 4), *source.position(start), *source.position(start + 4))
+    place = Location(f"src/{text}.py", Span(start, start + 4), *source.position(start), *source.position(start + 4))
     fix = Fix(f"Put {text} in", (Edit(place.path, place.span, text),))
     return Finding(
         "SET101", "entry-point-module-missing", Severity.ERROR, f"`{text}` is {text} {'long ' * 12}{text}", place,
@@ -174,8 +174,8 @@ def test_markdown_keeps_our_own_code_spans() -> None:
 
 
 def test_a_diff_shows_what_would_be_obeyed() -> None:
-    before = Entry("file", f"one\n::error::x\r{NASTY.replace(chr(10), '')[:-8]}\n::x\ntwo\n".encode())
-    after = Entry("file", before.data.replace(b"two", b"three"))
+    before = TreeEntry("file", f"one\n::error::x\r{NASTY.replace(chr(10), '')[:-8]}\n::x\ntwo\n".encode())
+    after = TreeEntry("file", before.data.replace(b"two", b"three"))
     shown = diff("a\n::error::\x1b\udcff.py", before, after)
     assert not RAW.search(shown)
     assert not obeyed(shown)
@@ -183,8 +183,8 @@ def test_a_diff_shows_what_would_be_obeyed() -> None:
 
 
 def test_a_diff_breaks_lines_where_the_file_does() -> None:
-    before = Entry("file", b"a\x0cb\x1cc\xc2\x85d\r\ne\n")
-    shown = diff("x", before, Entry("file", before.data + b"f\n"))
+    before = TreeEntry("file", b"a\x0cb\x1cc\xc2\x85d\r\ne\n")
+    shown = diff("x", before, TreeEntry("file", before.data + b"f\n"))
     assert shown.splitlines()[3:] == [" a\\x0cb\\x1cc\\x85d", " e", "+f"]
     assert "No newline" not in shown
 

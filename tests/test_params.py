@@ -6,7 +6,7 @@ import pytest
 
 from rospkg_cli.checks.params.numbers import ambiguous_numbers, canonical
 from rospkg_cli.example import BACKDROPS
-from rospkg_cli.languages.yaml.nodes import Scalar, documents
+from rospkg_cli.languages.yaml.nodes import ScalarNode, documents
 from rospkg_cli.package.params.file import ParameterFile
 from rospkg_cli.package.params.judge import judge
 from rospkg_cli.package.params.value import type_of, yaml_type
@@ -77,14 +77,14 @@ def test_an_empty_list_has_no_type() -> None:
     ],
 )  # fmt: skip
 def test_types_of_scalars(text: str, rcl: str, yaml: str) -> None:
-    assert type_of(Scalar(text, Span(0, 0), True)) == rcl
+    assert type_of(ScalarNode(text, Span(0, 0), True)) == rcl
     assert yaml_type(text) == yaml
 
 
 @pytest.mark.parametrize("text", ["y", "Y", "yes", "on", "True", "n", "No", "OFF"])
 def test_bools(text: str) -> None:
-    assert type_of(Scalar(text, Span(0, 0), True)) == "bool"
-    assert type_of(Scalar(text, Span(0, 0), False, quoted=True)) == "string"
+    assert type_of(ScalarNode(text, Span(0, 0), True)) == "bool"
+    assert type_of(ScalarNode(text, Span(0, 0), False, quoted=True)) == "string"
 
 
 @pytest.mark.parametrize(
@@ -94,7 +94,7 @@ def test_a_number_that_everybody_reads(text: str, better: str | None) -> None:
     assert canonical(text) == better
     if better:
         assert yaml_type(better) == "double"
-        assert type_of(Scalar(better, Span(0, 0), True)) == "double"
+        assert type_of(ScalarNode(better, Span(0, 0), True)) == "double"
 
 
 def test_a_list_of_numbers_is_one_finding_that_repairs_all() -> None:

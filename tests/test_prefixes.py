@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rospkg_cli.engine.discovery.installed_packages import prefix_names
+from rospkg_cli.engine.discovery.installed_packages import installed_package_names
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, manifest, present
 from rospkg_cli.tree import MemoryTree
@@ -25,15 +25,15 @@ def prefix(folder: Path, *names: str) -> Path:
 def test_every_prefix_of_the_path_counts(tmp_path: Path) -> None:
     first, second = prefix(tmp_path / "a", "one"), prefix(tmp_path / "b", "two", "three")
     path = os.pathsep.join([str(first), str(second), str(tmp_path / "gone"), ""])
-    assert prefix_names({"AMENT_PREFIX_PATH": path}, tmp_path / "none") == {"one", "two", "three"}
+    assert installed_package_names({"AMENT_PREFIX_PATH": path}, tmp_path / "none") == {"one", "two", "three"}
 
 
 def test_the_distribution_that_is_named_counts_else_all_that_are_there(tmp_path: Path) -> None:
     prefix(tmp_path / "humble", "old")
     prefix(tmp_path / "jazzy", "new")
-    assert prefix_names({"ROS_DISTRO": "jazzy"}, tmp_path) == {"new"}
-    assert prefix_names({}, tmp_path) == {"old", "new"}
-    assert prefix_names({}, tmp_path / "nowhere") == frozenset()
+    assert installed_package_names({"ROS_DISTRO": "jazzy"}, tmp_path) == {"new"}
+    assert installed_package_names({}, tmp_path) == {"old", "new"}
+    assert installed_package_names({}, tmp_path / "nowhere") == frozenset()
 
 
 def said(files: dict[str, str | None], installed: str) -> list[str]:

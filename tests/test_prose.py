@@ -19,7 +19,7 @@ from rospkg_cli.scaffold import launch_format as launching
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.node_kinds import OF, all_kinds
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.test_level import TESTS
+from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 ROOT = Path(__file__).parents[1]
 PAGES = {path.relative_to(ROOT).as_posix(): path for path in [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")]}
@@ -90,8 +90,8 @@ def test_what_else_new_lets_one_choose() -> None:
     assert set(words("README.md", r"`--with ([^`]*)`")) == set(all_extras())
     assert set(names(help_of("new", "--launch").partition(":")[2].partition(".")[0])) == forms
     assert set(words("docs/new.md", r"\| `--launch` \| [^:|]*: ([^|]*)")) == forms
-    assert set(names(help_of("new", "--tests").partition(".")[0])) == set(TESTS)
-    assert set(re.findall(r"`(\w+)`", re.search(r"\| `--tests` \| ([^|]*)", text("docs/new.md"))[1])) == set(TESTS)
+    assert set(names(help_of("new", "--tests").partition(".")[0])) == set(TEST_LEVELS)
+    assert set(re.findall(r"`(\w+)`", re.search(r"\| `--tests` \| ([^|]*)", text("docs/new.md"))[1])) == set(TEST_LEVELS)
     assert set(words("docs/new.md", r"\| `--distro` \| ([^;|]*)")) == {each.name for each in DISTROS}
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from test_lint_command import rospkg
 
-from rospkg_cli.engine.fixing.fix import repair
+from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker as shard
 from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.session import Scope, Session
@@ -104,7 +104,7 @@ def test_a_fix_that_would_break_a_file_is_taken_back_and_said(clean, monkeypatch
     comment = clean["package.xml"].replace("  <export>", NEEDLESS)
     tree = MemoryTree.of({**clean, "package.xml": comment})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))
-    outcome = repair(session, (Safety.SAFE,))
+    outcome = fix_all(session, (Safety.SAFE,))
     assert [(f.code, "would break `package.xml`" in why) for f, why in outcome.refused] == [("XML104", True)]
     assert [f.code for f in outcome.applied] == ["RPK002"]
     entry = outcome.changes["package.xml"]
@@ -139,7 +139,7 @@ def test_a_fix_that_shows_a_broken_file_for_the_first_time(clean) -> None:
     setup = files["setup.py"].replace("    zip_safe", f"    {scripts('y = my_pkg.sub.y:main')}\n    zip_safe")
     tree = MemoryTree.of({**files, "setup.py": setup})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), EVERYTHING.codes())
-    outcome = repair(session, (Safety.SAFE, Safety.UNSAFE))
+    outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     assert "my_pkg/sub/__init__.py" in outcome.changes
     assert [f.place.path for f in outcome.results.findings if f.code == "RPK001"] == ["my_pkg/sub/x.py"]
 
@@ -156,7 +156,7 @@ def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clea
     )
     tree = MemoryTree.of({**clean, "package.xml": clean["package.xml"].replace("  <export>", NEEDLESS)})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))
-    outcome = repair(session, (Safety.SAFE,))
+    outcome = fix_all(session, (Safety.SAFE,))
     assert [(f.code, why) for f, why in outcome.refused] == [
         ("XML104", "it wants the same again after each repair; please report this")
     ]

@@ -12,7 +12,7 @@ from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.testing import lint_files
-from rospkg_cli.tree import Entry, MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 CASES = [
     pytest.param(rule, example, id=f"{rule.code}-{i}")
@@ -26,13 +26,13 @@ NEEDS_OTHERS = {"RPK002", "RPK003"}
 """These judge suppressions of other rules, so those have to run as well."""
 
 
-def run(rule: Rule, files: dict[str, str | Entry], example: Example) -> list:
+def run(rule: Rule, files: dict[str, str | TreeEntry], example: Example) -> list:
     codes = None if rule.code in NEEDS_OTHERS else [rule.code]
     results = lint_files(files, codes, example.targets)
     return [f for f in results.findings if f.code == rule.code]
 
 
-def fixed(rule: Rule, files: dict[str, str | Entry], example: Example) -> dict[str, str | Entry]:
+def fixed(rule: Rule, files: dict[str, str | TreeEntry], example: Example) -> dict[str, str | TreeEntry]:
     """Apply the rule's own fixes until none is left (ten rounds at most)."""
     for _ in range(10):
         fixes = [f.fix for f in run(rule, files, example) if f.fix]

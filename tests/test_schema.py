@@ -10,7 +10,7 @@ import pytest
 from rospkg_cli.example import manifest
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.package.schema.schema import longest_run
-from rospkg_cli.package.schema.violation import Kind
+from rospkg_cli.package.schema.violation import ViolationKind
 from rospkg_cli.source import Source
 
 GOOD = manifest()
@@ -92,7 +92,7 @@ def test_order_and_violation_are_told_apart() -> None:
     text = with_line("<depend>x</depend>\n<bogus/>\n<author>Bob</author>")
     verdict = read(text).verdict
     assert not verdict.ordered
-    assert [(v.kind, v.name) for v in verdict.violations] == [(Kind.CHILD, "bogus")]
+    assert [(v.kind, v.name) for v in verdict.violations] == [(ViolationKind.CHILD, "bogus")]
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config.file import find_config
-from rospkg_cli.engine.config_filter import Judge
+from rospkg_cli.engine.config_filter import ConfigFilter
 from rospkg_cli.engine.selection import Selection
-from rospkg_cli.engine.suppression.config_rule_names import complaints
+from rospkg_cli.engine.suppression.config_rule_names import rule_name_events
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.package.run_events import UnknownRuleName
 from rospkg_cli.testing import lint_files
@@ -41,7 +41,7 @@ def test_a_rule_named_in_full_is_ignored_first_and_selected_next(select: str, ig
 
 def level(finding: Finding, folder: Path, *sections: str) -> Severity:
     (folder / "rospkg.toml").write_text("".join(f"[{each}]\nXML104 = {value}\n" for each, value in pairs(sections)))
-    return Judge(find_config(folder), folder).judge(finding).severity
+    return ConfigFilter(find_config(folder), folder).judge(finding).severity
 
 
 def pairs(sections: tuple[str, ...]) -> list[tuple[str, str]]:
@@ -56,11 +56,11 @@ def test_of_two_severities_for_a_path_the_later_holds(finding: Finding, tmp_path
 
 def test_what_is_off_is_set_aside_with_a_reason(finding: Finding, tmp_path: Path) -> None:
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\n')
-    judged = Judge(find_config(tmp_path), tmp_path).judge(finding)
+    judged = ConfigFilter(find_config(tmp_path), tmp_path).judge(finding)
     assert judged.suppressed == "severity is off in the config"
     assert judged.external
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\nXML104 = "error"\n')
-    judged = Judge(find_config(tmp_path), tmp_path).judge(finding)
+    judged = ConfigFilter(find_config(tmp_path), tmp_path).judge(finding)
     assert (judged.severity, judged.suppressed) == (Severity.ERROR, None)
 
 
@@ -77,6 +77,6 @@ def test_a_severity_for_a_path_holds_over_that_for_a_package_and_both_over_that_
 def test_an_unknown_rule_is_shown_where_its_key_is(table: str, tmp_path: Path) -> None:
     text = f'# XML999 is gone\n[{table}]\nXML104 = "info"\n[per-path."*.xml".{table}]\nXML999 = "info"\n'
     (tmp_path / "rospkg.toml").write_text(text)
-    [found] = complaints(find_config(tmp_path), "rospkg.toml", text, set(), frozenset())
+    [found] = rule_name_events(find_config(tmp_path), "rospkg.toml", text, set(), frozenset())
     assert isinstance(found, UnknownRuleName)
     assert text[: found.span.start].count("\n") == 4

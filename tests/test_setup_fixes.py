@@ -9,14 +9,14 @@ from broken_setups import BROKEN, FILES
 
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.testing import lint_files
-from rospkg_cli.tree import Entry, MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 
-def codes(files: dict[str, str | Entry]) -> set[str]:
+def codes(files: dict[str, str | TreeEntry]) -> set[str]:
     return {f.code for f in lint_files(files).findings if f.code.startswith(("SET", "RPK"))}
 
 
-def mended(files: dict[str, str | Entry]) -> dict[str, str | Entry]:
+def mended(files: dict[str, str | TreeEntry]) -> dict[str, str | TreeEntry]:
     """Apply every fix of setup.py's rules, unsafe ones too, until none is left."""
     for _ in range(8):
         fixes = [f.fix for f in lint_files(files).findings if f.fix and f.code.startswith("SET")]
@@ -27,20 +27,20 @@ def mended(files: dict[str, str | Entry]) -> dict[str, str | Entry]:
     pytest.fail("the fixes do not come to an end")
 
 
-def text(files: dict[str, str | Entry], path: str) -> str:
+def text(files: dict[str, str | TreeEntry], path: str) -> str:
     return MemoryTree.of(files).entry(path).text.text
 
 
 @pytest.mark.parametrize("variant", BROKEN)
 def test_the_fault_is_named_and_mended(variant: str) -> None:
-    before: dict[str, str | Entry] = dict(BROKEN[variant].of(variant))
+    before: dict[str, str | TreeEntry] = dict(BROKEN[variant].of(variant))
     assert BROKEN[variant].code in codes(before)
     assert codes(mended(before)) == set()
 
 
 @pytest.mark.parametrize("variant", BROKEN)
 def test_what_is_not_at_fault_stays(variant: str) -> None:
-    before: dict[str, str | Entry] = dict(BROKEN[variant].of(variant))
+    before: dict[str, str | TreeEntry] = dict(BROKEN[variant].of(variant))
     after = mended(before)
     for path in sorted(set(before) & set(after)):
         old, new = text(before, path).splitlines(), text(after, path).splitlines()

@@ -8,7 +8,7 @@ from reading import one, package
 from rospkg_cli.example import BACKDROPS, SETUP_PY
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.setup.entry_points import parse_entry_point
-from rospkg_cli.package.setup.located_text import Said
+from rospkg_cli.package.setup.setup_text import SetupText
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.source import Span
 
@@ -89,7 +89,7 @@ def test_the_parts_of_an_entry_point_have_their_places() -> None:
 )
 def test_the_faults_of_entry_points(text: str, fault: str) -> None:
     span = Span(0, len(text))
-    assert parse_entry_point("console_scripts", Said("setup.py", text, span, span)).fault == fault
+    assert parse_entry_point("console_scripts", SetupText("setup.py", text, span, span)).fault == fault
 
 
 def test_setup_cfg_says_what_setup_py_does_not() -> None:
@@ -218,13 +218,13 @@ def test_a_cmake_package_does_not_run_its_setup_py() -> None:
 
 
 def test_what_other_packages_may_know() -> None:
-    from rospkg_cli.package.collect_facts import gather
+    from rospkg_cli.package.collect_facts import collect_facts
     from rospkg_cli.ros.distros import Targets
 
     text = SETUP_PY.replace(
         "    zip_safe", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    zip_safe"
     )
-    facts = gather(package({**BASE, "setup.py": text, "my_pkg/talker.py": "def main(): ..."}), Targets(), "", "my_pkg")
+    facts = collect_facts(package({**BASE, "setup.py": text, "my_pkg/talker.py": "def main(): ..."}), Targets(), "", "my_pkg")
     assert facts.executables == {"talker"}
     assert facts.share_files == {"package.xml"}
     assert facts.modules == {"my_pkg", "my_pkg.talker"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rospkg_cli.engine.run.rule_inputs import Slices
+from rospkg_cli.engine.run.rule_inputs import InputBuilder
 from rospkg_cli.example import Example
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.cmake.cmake_project import CMake
@@ -12,7 +12,7 @@ from rospkg_cli.package.launch.file import LaunchFile
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.package_facts import PackageFacts
-from rospkg_cli.package.rule_settings import Settings
+from rospkg_cli.package.rule_settings import RuleSettings
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
@@ -38,9 +38,9 @@ class Every:
     launch_files: tuple[LaunchFile, ...]
 
 
-def slices(changed: dict[str, str], on: str = "ament_cmake") -> Slices:
+def slices(changed: dict[str, str], on: str = "ament_cmake") -> InputBuilder:
     package = Package(PackageFiles(MemoryTree.of(Example(bad=changed, good={}, on=on).bad_files()), ""))
-    return Slices(package, Workspace((PackageFacts("my_pkg", ""),)), Targets(), Settings())
+    return InputBuilder(package, Workspace((PackageFacts("my_pkg", ""),)), Targets(), RuleSettings())
 
 
 def test_a_slice_is_put_together_by_the_types_of_its_fields() -> None:

@@ -22,12 +22,12 @@ from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.launch_format import FORMATS
+from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
 from rospkg_cli.scaffold.node_kinds import OF, all_kinds
 from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.test_level import TESTS
-from rospkg_cli.scaffold.workspace import Around
+from rospkg_cli.scaffold.test_level import TEST_LEVELS
+from rospkg_cli.scaffold.workspace import WorkspacePackages
 
 
 def node_sets(template: str) -> dict[str, tuple[str, ...]]:
@@ -63,9 +63,9 @@ DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_
 WITH_NODES = [name for name in template_names() if load_template(name).kinds]
 FACTORS = {
     "distro": [distro.name for distro in DISTROS],
-    "launch": FORMATS,
+    "launch": LAUNCH_FORMATS,
     "params": (True, False),
-    "tests": tuple(TESTS),
+    "tests": tuple(TEST_LEVELS),
     "depends": tuple(DEPENDS),
     "extras": ((), tuple(all_extras())),
 }
@@ -144,13 +144,13 @@ def test_a_description_shows_the_robot_in_every_form(form: str) -> None:
 def test_what_is_there_for_its_launch_files_has_some(template: str) -> None:
     with pytest.raises(ScaffoldError, match="py, xml or yaml"):
         plan("my_robot", template=template, launch="none")
-    with_config = make_plan(Request("my_robot", template=template, **ADA), Path(), {"launch": "none"}, Around())
+    with_config = make_plan(Request("my_robot", template=template, **ADA), Path(), {"launch": "none"}, WorkspacePackages())
     assert "launch/my_robot.launch.py" in texts(with_config)
     with pytest.raises(ScaffoldError, match="no launch file; leave --launch out"):
         plan("my_robot", template="interfaces", launch="xml")
     with pytest.raises(ScaffoldError, match=r"no launch files in `xlm` \(did you mean `xml`\?\)"):
         plan(launch="xlm")
-    assert make_plan(Request("my_robot", template="interfaces", **ADA), Path(), {"launch": "xml"}, Around()).files
+    assert make_plan(Request("my_robot", template="interfaces", **ADA), Path(), {"launch": "xml"}, WorkspacePackages()).files
 
 
 def faultless(planned: Plan) -> None:
@@ -310,7 +310,7 @@ def test_a_frontend_that_knows_no_lifecycle_leaves_the_node_unconfigured_and_say
 
 @pytest.mark.parametrize("template", template_names())
 def test_linters_come_with_ament_alone(template: str) -> None:
-    for tests in TESTS:
+    for tests in TEST_LEVELS:
         planned = plan(template=template, tests=tests)
         tested = re.findall("<test_depend>(.*)</test_depend>", texts(planned)["package.xml"])
         assert any(key.startswith(("ament_copyright", "ament_cmake_copyright")) for key in tested) == (tests == "ament")

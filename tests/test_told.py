@@ -17,10 +17,10 @@ from planned import plan, texts
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.launch_format import FORMATS
+from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.user_text import Told, UnescapedError, comment, markdown, pieces_of, told
+from rospkg_cli.scaffold.user_text import UserText, UnescapedError, comment, markdown, pieces_of, user_text
 
 NASTY = (
     "it's \"quoted\" & <b>bold</b>", "back\\slash \\n \\N{DASH}", "{{ name }} {% raw %} {# no #}", "${HOME} $(id) `id`",
@@ -93,7 +93,7 @@ def test_any_maintainer_is_the_same_everywhere(text: str) -> None:
     if line:
         assert planned.findings == ()
         check(planned, None, line)
-        assert Told(line).text in texts(plan(maintainer=text, license="MIT"))["LICENSE"]
+        assert UserText(line).text in texts(plan(maintainer=text, license="MIT"))["LICENSE"]
 
 
 @settings(deadline=None, max_examples=40)
@@ -113,7 +113,7 @@ NAMES = st.from_regex(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", fullmatch=True).filter(lam
 
 
 @settings(deadline=None, max_examples=40)
-@given(NAMES, st.sampled_from(template_names()), st.sampled_from(FORMATS[:3]))
+@given(NAMES, st.sampled_from(template_names()), st.sampled_from(LAUNCH_FORMATS[:3]))
 def test_any_name_fits_every_type_of_package(name: str, template: str, launch: str) -> None:
     try:
         planned = plan(name, template=template, launch=launch if load_template(template).launches else "")
@@ -186,11 +186,11 @@ def test_pieces_make_the_text(text: str, width: int) -> None:
     ],
 )
 def test_markdown_has_no_markup_of_users(text: str, shown: str) -> None:
-    assert markdown(told("it", text)) == shown
+    assert markdown(user_text("it", text)) == shown
 
 
 def test_a_comment_shows_every_character() -> None:
-    assert comment(Told("abc\u202edef\u200b")) == "# abcdef"
+    assert comment(UserText("abc\u202edef\u200b")) == "# abcdef"
     assert comment("a\n\nb\n", "//") == "// a\n//\n// b\n"
 
 

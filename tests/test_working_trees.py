@@ -6,8 +6,8 @@ import shutil
 from pathlib import Path
 
 import pytest
+from in_process import run_here as rospkg
 from planned import plan
-from test_lint_command import rospkg
 from working_trees import PUT, folders_of
 
 from rospkg_cli.disk import DiskTree

@@ -8,7 +8,7 @@ import pytest
 
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.write import WriteError, write_changes
-from rospkg_cli.tree import Entry
+from rospkg_cli.tree import TreeEntry
 
 
 def test_content_changes_and_the_mode_stays(tmp_path: Path) -> None:
@@ -17,7 +17,7 @@ def test_content_changes_and_the_mode_stays(tmp_path: Path) -> None:
     script.chmod(0o750)
     tree = DiskTree(tmp_path)
     old = tree.entry("run.py")
-    changes = {"run.py": Entry("file", b"new", old.mode), "resource/x": Entry("file", b"")}
+    changes = {"run.py": TreeEntry("file", b"new", old.mode), "resource/x": TreeEntry("file", b"")}
     assert write_changes(tmp_path, tree, changes) == ["resource/x", "run.py"]
     assert script.read_text() == "new"
     assert script.stat().st_mode & 0o777 == 0o750
@@ -31,7 +31,7 @@ def test_a_file_changed_meanwhile_is_left_alone(tmp_path: Path) -> None:
     tree.entry("a")
     (tmp_path / "a").write_text("somebody's")
     with pytest.raises(WriteError, match="changed by someone else"):
-        write_changes(tmp_path, tree, {"a": Entry("file", b"ours")})
+        write_changes(tmp_path, tree, {"a": TreeEntry("file", b"ours")})
     assert (tmp_path / "a").read_text() == "somebody's"
 
 
@@ -39,14 +39,14 @@ def test_a_read_only_file_is_said(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("x")
     (tmp_path / "a").chmod(0o444)
     with pytest.raises(WriteError, match="`a` can't be written: the file is read-only; nothing was written"):
-        write_changes(tmp_path, DiskTree(tmp_path), {"a": Entry("file", b"y")})
+        write_changes(tmp_path, DiskTree(tmp_path), {"a": TreeEntry("file", b"y")})
     assert (tmp_path / "a").read_text() == "x"
 
 
 def test_a_link_stays_a_link(tmp_path: Path) -> None:
     (tmp_path / "real").write_text("x")
     (tmp_path / "link").symlink_to("real")
-    write_changes(tmp_path, DiskTree(tmp_path), {"link": Entry("link", b"y")})
+    write_changes(tmp_path, DiskTree(tmp_path), {"link": TreeEntry("link", b"y")})
     assert (tmp_path / "link").is_symlink()
     assert (tmp_path / "real").read_text() == "y"
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.yaml.aliases import unfolded
-from rospkg_cli.languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode, documents
+from rospkg_cli.languages.yaml.aliases import read_resolved
+from rospkg_cli.languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 from rospkg_cli.source import Source, Span
 from rospkg_cli.unreadable import UnreadableError
 
@@ -41,11 +41,11 @@ def source(text: str) -> Source:
 
 def plain(node: YamlNode | None) -> object:
     match node:
-        case Mapping():
+        case MappingNode():
             return {plain(key): plain(value) for key, value in node.entries}
-        case Sequence():
+        case SequenceNode():
             return [plain(item) for item in node.items]
-        case Scalar():
+        case ScalarNode():
             return node.text
         case _:
             return node
@@ -65,15 +65,15 @@ def plain(node: YamlNode | None) -> object:
 )
 def test_a_scalar_knows_where_its_text_stands(text: str, shown: str, exact: bool) -> None:
     (node,) = documents(source(text))
-    assert isinstance(node, Scalar)
+    assert isinstance(node, ScalarNode)
     assert (source(text).slice(node.written.span), node.written.exact) == (shown, exact)
     assert node.written.text == node.text
 
 
 def test_aliases_are_replaced() -> None:
-    found = unfolded(source("a: &x [1, &y {b: c}]\nd: *x\ne: [*y, *x]\n"))
+    found = read_resolved(source("a: &x [1, &y {b: c}]\nd: *x\ne: [*y, *x]\n"))
     assert plain(found) == {"a": ["1", {"b": "c"}], "d": ["1", {"b": "c"}], "e": [{"b": "c"}, ["1", {"b": "c"}]]}
-    assert unfolded(source("# nothing\n")) is None
+    assert read_resolved(source("# nothing\n")) is None
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_aliases_are_replaced() -> None:
 )
 def test_what_is_not_one_document_is_refused(text: str, place: str, why: str) -> None:
     with pytest.raises(UnreadableError, match=why) as raised:
-        unfolded(source(text))
+        read_resolved(source(text))
     assert place in source(text).slice(raised.value.unreadable.span)
 
 
@@ -95,7 +95,7 @@ def test_what_is_not_one_document_is_refused(text: str, place: str, why: str) ->
 def test_any_text_can_be_read_or_is_refused(text: str) -> None:
     place = Span(0, 0)
     try:
-        unfolded(source(text))
+        read_resolved(source(text))
     except UnreadableError as error:
         place = error.unreadable.span
     assert 0 <= place.start <= place.end <= len(text)

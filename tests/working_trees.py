@@ -6,7 +6,7 @@ import os
 import socket
 import tempfile
 from collections.abc import Callable
-from contextlib import chdir, closing
+from contextlib import closing
 from pathlib import Path
 
 
@@ -32,8 +32,13 @@ def put_fifo(folder: Path) -> None:
 
 
 def put_socket(folder: Path) -> None:
-    with chdir(folder), closing(socket.socket(socket.AF_UNIX)) as made:  # its address is at most 108 bytes long
-        made.bind("socket")
+    before = Path.cwd()
+    os.chdir(folder)  # its address is at most 108 bytes long
+    try:
+        with closing(socket.socket(socket.AF_UNIX)) as made:
+            made.bind("socket")
+    finally:
+        os.chdir(before)
 
 
 def put_editor_files(folder: Path) -> None:

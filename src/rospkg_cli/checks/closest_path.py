@@ -8,7 +8,7 @@ from collections.abc import Collection
 from ..suggest import nearest
 
 
-def meant_file(path: str, known: Collection[str]) -> str | None:
+def closest_path(path: str, known: Collection[str]) -> str | None:
     """Return the one path that is near: a near name in the same folder, or the same name elsewhere."""
     folder, name = posixpath.split(path)
     beside = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}

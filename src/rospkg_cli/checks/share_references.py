@@ -16,12 +16,12 @@ REACH = 200
 """How many characters a path takes from its share directory to its folder."""
 
 
-def speaks_of(text: str, package: str, folder: str) -> bool:
+def references_folder(text: str, package: str, folder: str) -> bool:
     """Return whether a text joins a folder to the share directory of a package, or of one that can't be told."""
     spoken = [match.start() for match in re.finditer(rf"""["'/]{re.escape(folder)}["'/]""", text)]
     if not spoken:
         return False
-    said = sorted(mentions(text))
+    said = sorted(share_directories(text))
     for at in spoken:
         before = [name for place, name in said if at - REACH <= place <= at]
         if before and before[-1] in (package, ""):
@@ -29,7 +29,7 @@ def speaks_of(text: str, package: str, folder: str) -> bool:
     return False
 
 
-def mentions(text: str) -> Iterator[tuple[int, str]]:
+def share_directories(text: str) -> Iterator[tuple[int, str]]:
     """Yield where a share directory is meant, with its package's name; "" where a variable holds that."""
     held: dict[str, str] = {}
     for match in SHARE.finditer(text):

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from ..finding import Edit
 from ..languages.cmake.file import CMakeFile
-from ..languages.cmake.syntax import Command
+from ..languages.cmake.syntax import CommandInvocation
 from ..source import Source, Span
 
 MAX_RUN = 200
@@ -22,13 +22,13 @@ def add_at_end(file: CMakeFile, lines: str) -> Edit:
     return Edit(file.path, Span(end, len(text)), f"\n\n{in_case_of(file, lines)}\n" if end else f"{lines}\n")
 
 
-def add_before(file: CMakeFile, command: Command, lines: str) -> Edit:
+def add_before(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     """Put commands before another one, above the comment that belongs to it."""
     at = beginning(file.source, command)
     return Edit(file.path, Span(at, at), f"{in_case_of(file, lines)}\n")
 
 
-def add_after(file: CMakeFile, command: Command, lines: str) -> Edit:
+def add_after(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     """Put commands below another one, behind a comment in its last line."""
     source = file.source
     line = source.line_span(source.position(command.span.end)[0])
@@ -37,7 +37,7 @@ def add_after(file: CMakeFile, command: Command, lines: str) -> Edit:
     return Edit(file.path, Span(at, at), f"\n{in_case_of(file, lines)}")
 
 
-def remove(file: CMakeFile, command: Command) -> Edit:
+def remove(file: CMakeFile, command: CommandInvocation) -> Edit:
     """Take a command out, with its line where nothing else stands in it."""
     source = file.source
     start = source.line_span(source.position(command.span.start)[0]).start
@@ -48,7 +48,7 @@ def remove(file: CMakeFile, command: Command) -> Edit:
     return Edit(file.path, command.span, "")
 
 
-def add_argument(file: CMakeFile, command: Command, text: str, after: Span | None = None) -> Edit:
+def add_argument(file: CMakeFile, command: CommandInvocation, text: str, after: Span | None = None) -> Edit:
     """Put an argument into a command: below the one before it where that has a line of its own, else beside it."""
     source = file.source
     last = after or (
@@ -61,7 +61,7 @@ def add_argument(file: CMakeFile, command: Command, text: str, after: Span | Non
     return Edit(file.path, Span(last.end, last.end), glue + text)
 
 
-def guard(file: CMakeFile, commands: Sequence[Command]) -> dict[int, tuple[Edit, ...]]:
+def guard(file: CMakeFile, commands: Sequence[CommandInvocation]) -> dict[int, tuple[Edit, ...]]:
     """Return, by the id of each command, the edit that puts it and its neighbours among them into `if(BUILD_TESTING)`.
 
     None of them has one where something else stands in their lines, nor one in a run that only a generator writes.
@@ -70,14 +70,14 @@ def guard(file: CMakeFile, commands: Sequence[Command]) -> dict[int, tuple[Edit,
     if not all(stands_alone(file.source, each) for each in file.top if id(each) in wanted):
         return {}
     found: dict[int, tuple[Edit, ...]] = {}
-    for inside, run in groupby(file.body, lambda each: isinstance(each, Command) and id(each) in wanted):
-        members = [each for each in run if isinstance(each, Command)] if inside else []
+    for inside, run in groupby(file.body, lambda each: isinstance(each, CommandInvocation) and id(each) in wanted):
+        members = [each for each in run if isinstance(each, CommandInvocation)] if inside else []
         if 0 < len(members) <= MAX_RUN:
             found |= dict.fromkeys(map(id, members), (guarded(file, members[0], members[-1]),))
     return found
 
 
-def guarded(file: CMakeFile, first: Command, last: Command) -> Edit:
+def guarded(file: CMakeFile, first: CommandInvocation, last: CommandInvocation) -> Edit:
     """Put the lines from one command to another into `if(BUILD_TESTING)`."""
     start = file.source.line_span(file.source.position(first.span.start)[0]).start
     end = file.source.line_span(file.source.position(last.span.end)[0]).end
@@ -87,7 +87,7 @@ def guarded(file: CMakeFile, first: Command, last: Command) -> Edit:
     return Edit(file.path, Span(start, end), f"{names[0]}\n{inside}\n{names[1]}")
 
 
-def stands_alone(source: Source, command: Command) -> bool:
+def stands_alone(source: Source, command: CommandInvocation) -> bool:
     """Return whether nothing but a comment stands in the lines of a command."""
     start = source.line_span(source.position(command.span.start)[0]).start
     end = source.line_span(source.position(command.span.end)[0]).end
@@ -102,7 +102,7 @@ def in_case_of(file: CMakeFile, lines: str) -> str:
     return re.sub(r"^([ \t]*)([a-z_]\w*)(?=\()", lambda match: match[1] + match[2].upper(), lines, flags=re.MULTILINE)
 
 
-def beginning(source: Source, command: Command) -> int:
+def beginning(source: Source, command: CommandInvocation) -> int:
     """Return where a command begins, with the comment lines right above it."""
     at = source.line_span(source.position(command.span.start)[0]).start
     while at:

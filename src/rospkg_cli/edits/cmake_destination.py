@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.misplaced_executables import Astray
+from ..checks.cmake.misplaced_executables import MisplacedExecutable
 from ..finding import Edit
-from ..languages.cmake.syntax import Argument
+from ..languages.cmake.syntax import CommandArgument
 from ..package.cmake.cmake_project import CMake
 from ..source import Span
 from .cmake_commands import add_after
 from .cmake_install import LIBEXEC, block
 
 
-def to_libexec(cmake: CMake, astray: Astray) -> tuple[Edit, ...]:
+def to_libexec(cmake: CMake, astray: MisplacedExecutable) -> tuple[Edit, ...]:
     """Send an executable to lib/<package>: with its whole rule where that is about executables, else in a new one."""
     rule = astray.rule
     file = cmake.file(rule.call.path)
@@ -45,6 +45,6 @@ def is_executable(cmake: CMake, name: str) -> bool:
     return target is not None and target.executable
 
 
-def is_destination(cmake: CMake, arguments: tuple[Argument, ...], argument: Argument) -> bool:
+def is_destination(cmake: CMake, arguments: tuple[CommandArgument, ...], argument: CommandArgument) -> bool:
     at = arguments.index(argument)
     return at > 0 and arguments[at - 1].text == "DESTINATION"

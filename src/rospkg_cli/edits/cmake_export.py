@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..languages.cmake.syntax import Command
+from ..languages.cmake.syntax import CommandInvocation
 from ..package.cmake.cmake_project import CMake
 from .cmake_commands import add_after, add_argument
 from .cmake_install import add_rule
@@ -15,7 +15,7 @@ def export_dependency(cmake: CMake, name: str, *, first: bool) -> Edit | None:
     Where there is no call yet, the first package makes it, and the others wait for that.
     """
     root = cmake.root
-    commands = [each for each in root.body if isinstance(each, Command)]
+    commands = [each for each in root.body if isinstance(each, CommandInvocation)]
     exports = [each for each in commands if each.name == "ament_export_dependencies"]
     plain = [each for each in exports if each.arguments and not any("$" in a.text for a in each.arguments)]
     if plain:

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..languages.cmake.evaluated_command import Call
-from ..languages.cmake.syntax import Command
+from ..languages.cmake.evaluated_command import EvaluatedCommand
+from ..languages.cmake.syntax import CommandInvocation
 from ..package.cmake.cmake_project import CMake
 from .cmake_commands import add_after, add_before
 from .plain_names import PLAIN
 
 
-def find(cmake: CMake, name: str, before: Call) -> tuple[Edit, ...]:
+def find(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple[Edit, ...]:
     """Look for a package before a call that needs it, below the last one that is looked for; nothing where one does."""
     if not PLAIN.fullmatch(name) or any(each.name == name for each in cmake.packages):
         return ()
     file = cmake.file(before.path)
     line = f"find_package({name} REQUIRED)"
     end = before.command.span.start
-    commands = [each for each in file.body if isinstance(each, Command) and each.span.end <= end]
+    commands = [each for each in file.body if isinstance(each, CommandInvocation) and each.span.end <= end]
     found = [each for each in commands if each.name == "find_package"]
     if found:
         return (add_after(file, found[-1], line),)
@@ -34,6 +34,6 @@ def find_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
     return (add_after(cmake.file(last.path), last.command, f"find_package({name} REQUIRED)"),)
 
 
-def is_alone(cmake: CMake, call: Call) -> bool:
+def is_alone(cmake: CMake, call: EvaluatedCommand) -> bool:
     """Return whether a command looks for one package: in a loop it looks for several."""
     return sum(each.call.command is call.command for each in cmake.packages) == 1

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ..finding import Edit
-from ..languages.cmake.evaluated_command import Call
+from ..languages.cmake.evaluated_command import EvaluatedCommand
 from ..languages.cmake.file import CMakeFile
-from ..languages.cmake.syntax import Command
+from ..languages.cmake.syntax import CommandInvocation
 from ..languages.cmake.targets import Target
 from ..package.cmake.cmake_project import CMake
 from ..package.cmake.install_rules import InstallRule
@@ -31,7 +31,7 @@ def install_folder(cmake: CMake, folder: str) -> Edit:
     )
 
 
-def to_share(cmake: CMake, command: Command, folder: str) -> Edit | None:
+def to_share(cmake: CMake, command: CommandInvocation, folder: str) -> Edit | None:
     """Name a folder behind INSTALL_TO_SHARE of ament_auto_package, where that stands in CMakeLists.txt itself."""
     if not cmake.root.is_top(command):
         return None
@@ -102,7 +102,7 @@ def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
 
 
 def extend_or_add(
-    cmake: CMake, fits: Callable[[InstallRule], bool], item: str, lines: str, made: Call | None = None
+    cmake: CMake, fits: Callable[[InstallRule], bool], item: str, lines: str, made: EvaluatedCommand | None = None
 ) -> Edit:
     """Put an item into the last rule that fits, in CMakeLists.txt or where the item is made, else add a rule.
 
@@ -123,14 +123,14 @@ def extend_or_add(
     return add_rule(cmake, lines, made)
 
 
-def follows(cmake: CMake, command: Command, made: Call | None) -> bool:
+def follows(cmake: CMake, command: CommandInvocation, made: EvaluatedCommand | None) -> bool:
     """Return whether a command runs after a call."""
     if made is None:
         return True
     return cmake.place(command) > cmake.place(made.command)
 
 
-def add_rule(cmake: CMake, lines: str, made: Call | None = None) -> Edit:
+def add_rule(cmake: CMake, lines: str, made: EvaluatedCommand | None = None) -> Edit:
     """Put a rule below the last one, else before the tests and ament_package()."""
     root = cmake.root
     last = root.last_install

@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from ..finding import Edit
 from ..languages.cmake.values import Word
 from ..package.cmake.cmake_project import CMake
-from ..package.interfaces.interface_file import Interface
-from ..package.interfaces.rosidl_targets import GeneratedInterfaces, UnlistedNeed
+from ..package.interfaces.interface_file import InterfaceFile
+from ..package.interfaces.rosidl_targets import GeneratedInterfaces, UnlistedDependency
 from ..source import Span
 from .cmake_commands import add_argument
 
 
-def list_interface(generated: GeneratedInterfaces, interface: Interface) -> Edit | None:
+def list_interface(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
     """Put a file among its like, in order where they are; None where no file of its kind is written out."""
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
@@ -27,7 +27,7 @@ def list_interface(generated: GeneratedInterfaces, interface: Interface) -> Edit
     return insert(generated.cmake, written, path, sort=bool(of_kind))
 
 
-def list_need(generated: GeneratedInterfaces, need: UnlistedNeed) -> Edit | None:
+def list_need(generated: GeneratedInterfaces, need: UnlistedDependency) -> Edit | None:
     """Put a package among the DEPENDENCIES of a call; None where these are not written out in it."""
     cmake, command = generated.cmake, need.target.call.command
     written = [word for word in need.target.dependencies if is_written(cmake, word)]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.ament_target_dependencies import Part, Removed, Replacement
+from ..checks.cmake.ament_target_dependencies import RemovedCommand, ReplacedArgument, Replacement
 from ..finding import Edit
 from ..source import Span
 from .cmake_commands import remove
 
 
-def link_instead(removed: Removed, replacement: Replacement) -> tuple[Edit, ...]:
+def link_instead(removed: RemovedCommand, replacement: Replacement) -> tuple[Edit, ...]:
     """Return the edits: the name, the packages, and the keyword where the target is linked with keywords."""
     file, command = removed.file, removed.command
     if not any(part.texts for part in replacement.parts):
@@ -26,7 +26,7 @@ def link_instead(removed: Removed, replacement: Replacement) -> tuple[Edit, ...]
     return tuple(edits)
 
 
-def written(removed: Removed, part: Part) -> Edit | None:
+def written(removed: RemovedCommand, part: ReplacedArgument) -> Edit | None:
     """Return the edit of one argument: its targets, parted as the arguments are; the blanks before it go with it."""
     if part.texts is None:
         return None
@@ -40,7 +40,7 @@ def written(removed: Removed, part: Part) -> Edit | None:
     return Edit(file.path, Span(span.start - len(before), span.end), lines)
 
 
-def leading(removed: Removed, at: int) -> str:
+def leading(removed: RemovedCommand, at: int) -> str:
     """Return the blanks before an offset."""
     text = removed.file.source.text
     start = at
@@ -49,13 +49,13 @@ def leading(removed: Removed, at: int) -> str:
     return text[start:at]
 
 
-def indent(removed: Removed) -> str:
+def indent(removed: RemovedCommand) -> str:
     source = removed.file.source
     line = source.slice(source.line_span(source.position(removed.command.span.start)[0]))
     return line[: len(line) - len(line.lstrip())] + "  "
 
 
-def included(removed: Removed, replacement: Replacement, upper: bool) -> str:
+def included(removed: RemovedCommand, replacement: Replacement, upper: bool) -> str:
     """Return a command for the include directories that the targets don't bring."""
     source = removed.file.source
     name = "TARGET_INCLUDE_DIRECTORIES" if upper else "target_include_directories"

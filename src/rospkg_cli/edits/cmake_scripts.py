@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.installed_scripts import Script, Scripts
+from ..checks.cmake.installed_scripts import BrokenScript, InstalledScripts
 from ..finding import Chmod, Edit, Operation
 from ..package.cmake.cmake_project import CMake
 from ..source import Span
@@ -10,7 +10,7 @@ from ..source import Span
 SHEBANG = "#!/usr/bin/env python3\n"
 
 
-def make_executable(scripts: Scripts, script: Script) -> tuple[Operation, ...]:
+def make_executable(scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
     """Return what mends a script: PROGRAMS for FILES, a first line, the executable bit, or keeping the bits."""
     cmake, copy = scripts.package.cmake, script.copy
     match script.wrong:
@@ -24,7 +24,7 @@ def make_executable(scripts: Scripts, script: Script) -> tuple[Operation, ...]:
             return (Chmod(copy.source, True),)
 
 
-def as_programs(cmake: CMake, scripts: Scripts, script: Script) -> tuple[Operation, ...]:
+def as_programs(cmake: CMake, scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
     """Write PROGRAMS where all that the rule installs are scripts."""
     call = script.copy.rule.call
     ours = [copy.source for copy in scripts.copies if copy.rule is script.copy.rule]
@@ -34,7 +34,7 @@ def as_programs(cmake: CMake, scripts: Scripts, script: Script) -> tuple[Operati
     return (Edit(call.path, first.span, "PROGRAMS"),) if first.text == "FILES" else ()
 
 
-def keeping_permissions(cmake: CMake, script: Script) -> tuple[Operation, ...]:
+def keeping_permissions(cmake: CMake, script: BrokenScript) -> tuple[Operation, ...]:
     """Add USE_SOURCE_PERMISSIONS behind the destination."""
     call = script.copy.rule.call
     arguments = call.command.arguments

@@ -8,8 +8,8 @@ import tokenize
 
 from ..finding import Edit
 from ..package.setup.entry_points import EntryPoint, parse_entry_point
-from ..package.setup.located_text import Said
 from ..package.setup.setup_py import SetupPy
+from ..package.setup.setup_text import SetupText
 from ..source import Span
 from .setup_py import add_item, quoted, replace_text
 
@@ -33,7 +33,9 @@ def repair(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
 
 def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
     return (
-        replace_text(entry.said, text) if not parse_entry_point(entry.group, Said("", text, Span(0, 0))).fault else ()
+        replace_text(entry.said, text)
+        if not parse_entry_point(entry.group, SetupText("", text, Span(0, 0))).fault
+        else ()
     )
 
 
@@ -41,7 +43,7 @@ def parted(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
     """Put commas between the strings that Python joined, if each of them is an entry point."""
     pieces = strings(setup.source.slice(entry.said.span))
     texts = [setup.source.slice(entry.said.span)[start:end].strip("'\"") for start, end in pieces]
-    if len(pieces) < 2 or any(parse_entry_point(entry.group, Said("", t, Span(0, 0))).fault for t in texts):
+    if len(pieces) < 2 or any(parse_entry_point(entry.group, SetupText("", t, Span(0, 0))).fault for t in texts):
         return ()
     ends = [entry.said.span.start + end for _, end in pieces[:-1]]
     return tuple(Edit(entry.path, Span(end, end), ",") for end in ends)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..finding import Edit
-from ..languages.xml.elements import Comment, Element
+from ..languages.xml.elements import Element, XmlComment
 from ..package.manifest import Dependency, Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, place_of
 from ..source import Span
@@ -66,7 +66,7 @@ def rank(tag: str) -> tuple[int, int]:
     return place_of(tag), DEPENDENCY_TAGS.index(tag) if tag in DEPENDENCY_TAGS else 0
 
 
-def indentation(manifest: Manifest, sibling: Element | Comment | None) -> str:
+def indentation(manifest: Manifest, sibling: Element | XmlComment | None) -> str:
     """Return the blanks before a sibling, or before the first child, or two."""
     element = sibling or next(iter(manifest.root.children), None)
     if element is None:

@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 from ..finding import Edit
-from ..languages.xml.elements import Comment, Element
+from ..languages.xml.elements import Element, XmlComment
 from ..package.manifest import Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, ORDER, place_of
 from ..source import Span
@@ -87,7 +87,7 @@ def items_of(manifest: Manifest) -> list[Item]:
     index = 0
     while index < len(nodes):
         start = index
-        while index < len(nodes) and isinstance(nodes[index], Comment):
+        while index < len(nodes) and isinstance(nodes[index], XmlComment):
             index += 1
         if index == len(nodes):
             break
@@ -103,11 +103,11 @@ def items_of(manifest: Manifest) -> list[Item]:
     return items
 
 
-def in_line_behind(text: str, end: int, node: Element | Comment) -> bool:
-    return isinstance(node, Comment) and "\n" not in text[end : node.span.start]
+def in_line_behind(text: str, end: int, node: Element | XmlComment) -> bool:
+    return isinstance(node, XmlComment) and "\n" not in text[end : node.span.start]
 
 
-def leading(text: str, nodes: Sequence[Element | Comment]) -> int:
+def leading(text: str, nodes: Sequence[Element | XmlComment]) -> int:
     """Return where an item begins: at the first of the comments that stand right above its element."""
     start = nodes[-1].span.start
     for comment in reversed(nodes[:-1]):

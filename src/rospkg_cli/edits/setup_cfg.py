@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..finding import Create, Edit
-from ..package.setup.located_text import Said
 from ..package.setup.setup_cfg import SetupCfg
+from ..package.setup.setup_text import SetupText
 from ..source import Span
 
 
@@ -16,7 +16,7 @@ def new_setup_cfg(name: str) -> Create:
     return Create("setup.cfg", f"[develop]\nscript_dir={home}\n[install]\ninstall_scripts={home}\n")
 
 
-def replace_value(value: Said, text: str) -> Edit:
+def replace_value(value: SetupText, text: str) -> Edit:
     return Edit(value.path, value.shown, text)
 
 

@@ -6,9 +6,9 @@ import re
 
 from ..finding import Edit
 from ..languages.python.evaluate.values import Argument, Mapping, Sequence, Text
-from ..package.setup.find_packages import Search
-from ..package.setup.located_text import Said
+from ..package.setup.find_packages import PackageSearch
 from ..package.setup.setup_py import SetupPy
+from ..package.setup.setup_text import SetupText
 from ..source import Span
 from . import python_list as commas
 
@@ -16,7 +16,7 @@ PLAIN = re.compile(r"[^\\'\"\n\r{}]*")
 """What may stand between any quotes as it is."""
 
 
-def replace_text(said: Said, text: str) -> tuple[Edit, ...]:
+def replace_text(said: SetupText, text: str) -> tuple[Edit, ...]:
     """Write another text between the quotes; no edit where the text was computed or would need escapes."""
     if said.literal is None or not PLAIN.fullmatch(text):
         return ()
@@ -115,7 +115,7 @@ def add_package(setup: SetupPy, name: str) -> tuple[Edit, ...]:
     return add_item(setup, value, quoted(setup, name)) if isinstance(value, Sequence) else ()
 
 
-def drop_item(setup: SetupPy, argument: str, said: Said) -> tuple[Edit, ...]:
+def drop_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:
     """Take a text out of a list that is written out in setup.py."""
     value = setup.value(argument)
     if said.path != setup.path or not isinstance(value, Sequence) or not value.display:
@@ -125,7 +125,7 @@ def drop_item(setup: SetupPy, argument: str, said: Said) -> tuple[Edit, ...]:
     return tuple(commas.remove(setup.source, place) for place in inside[:1])
 
 
-def exclude_packages(setup: SetupPy, search: Search, names: list[str]) -> tuple[Edit, ...]:
+def exclude_packages(setup: SetupPy, search: PackageSearch, names: list[str]) -> tuple[Edit, ...]:
     """Let find_packages() pass over some names."""
     if search.call is None:
         return ()

@@ -8,7 +8,7 @@ from ..source import Span
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class LocatedText:
     text: str
     span: Span
     """Between the quotes where there are any."""

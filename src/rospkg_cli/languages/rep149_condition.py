@@ -88,7 +88,7 @@ Condition = Comparison | Junction
 @lru_cache(maxsize=512)
 def parse_condition(text: str) -> Condition:
     """Parse a condition; raises ConditionError."""
-    parser = Parser(text)
+    parser = ConditionParser(text)
     found = parser.junction("or")
     if parser.kind:
         raise ConditionError(f"`{parser.token}` is not expected", parser.at)
@@ -99,7 +99,7 @@ Environments = Sequence[Mapping[str, str]]
 """The variables of each target, as `Targets.environments` gives them."""
 
 
-def value_in(text: str | None, variables: Mapping[str, str]) -> bool | None:
+def evaluate_condition(text: str | None, variables: Mapping[str, str]) -> bool | None:
     """Return whether a condition holds; None for what can't be told or read. No condition holds."""
     if text is None:
         return True
@@ -109,24 +109,24 @@ def value_in(text: str | None, variables: Mapping[str, str]) -> bool | None:
         return None
 
 
-def possible(text: str | None, environments: Environments) -> bool:
+def may_hold(text: str | None, environments: Environments) -> bool:
     """Return whether a condition may hold for one of the targets."""
-    return any(value_in(text, variables) is not False for variables in environments)
+    return any(evaluate_condition(text, variables) is not False for variables in environments)
 
 
-def certain(text: str | None, environments: Environments) -> bool:
+def always_holds(text: str | None, environments: Environments) -> bool:
     """Return whether a condition surely holds for every target."""
-    return all(value_in(text, variables) for variables in environments)
+    return all(evaluate_condition(text, variables) for variables in environments)
 
 
-def together(one: str | None, other: str | None, environments: Environments) -> bool:
+def can_hold_together(one: str | None, other: str | None, environments: Environments) -> bool:
     """Return whether two conditions surely hold at once for one of the targets; equal ones do wherever they hold."""
     if one == other:
-        return possible(one, environments)
-    return any(value_in(one, each) and value_in(other, each) for each in environments)
+        return may_hold(one, environments)
+    return any(evaluate_condition(one, each) and evaluate_condition(other, each) for each in environments)
 
 
-class Parser:
+class ConditionParser:
     def __init__(self, text: str) -> None:
         self.text, self.at, self.end, self.depth = text, 0, 0, 0
         self.kind = self.token = ""

@@ -26,7 +26,7 @@ Number = tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class ChangelogEntry:
     version: str
     span: Span
     """Of the version."""
@@ -39,16 +39,16 @@ class Entry:
 @dataclass(frozen=True)
 class Changelog:
     source: Source
-    entries: tuple[Entry, ...]
+    entries: tuple[ChangelogEntry, ...]
     """In the order of the file."""
 
     @property
-    def newest(self) -> Entry | None:
+    def newest(self) -> ChangelogEntry | None:
         return max(self.entries, key=lambda entry: entry.number, default=None)
 
 
 @dataclass(frozen=True)
-class Released:
+class ManifestAndChangelog:
     """What a release is made of: a version, and what changed in it."""
 
     manifest: Manifest
@@ -67,4 +67,6 @@ def read_changelog(reading: Reading) -> Iterator[Changelog]:
 
 
 def changelog_of(source: Source) -> Changelog:
-    return Changelog(source, tuple(Entry(m["version"], Span(*m.span("version"))) for m in TITLE.finditer(source.text)))
+    return Changelog(
+        source, tuple(ChangelogEntry(m["version"], Span(*m.span("version"))) for m in TITLE.finditer(source.text))
+    )

@@ -8,14 +8,14 @@ from typing import get_args
 from ..files import Reading
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, registered_components
-from .dependency_facts import dependencies, group_needs, groups
-from .include_dirs import header_folders
+from .dependency_facts import dependencies, group_dependencies, groups
+from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
 from .launch.file import launch_summaries, started_nodes
 from .launch.signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
-from .package_facts import PackageFacts, Unknown
+from .package_facts import PackageFacts, UnknownField
 from .params.code import node_code
 from .params.gathered import declared_parameters, given_parameters
 from .plugins.plugin_facts import plugin_facts
@@ -23,12 +23,12 @@ from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
 
 
-def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
+def collect_facts(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
     """Return a package's facts; `fallback` is its name where package.xml can't be read."""
     manifest = reading.parts(Manifest).only
     if manifest is None:
         return unknown_facts(folder, fallback)
-    unknown: set[Unknown] = set()
+    unknown: set[UnknownField] = set()
     interfaces, complete = interface_names(reading)
     unknown |= set() if complete else {"interfaces"}
     installed = installed_facts(reading, manifest.name)
@@ -47,7 +47,7 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         version_span=manifest.version_span,
         dependencies=dependencies(manifest, targets),
         groups=groups(manifest, targets),
-        group_needs=group_needs(manifest, targets),
+        group_dependencies=group_dependencies(manifest, targets),
         executables=installed.executables,
         astray=installed.astray,
         starts=started_nodes(reading),
@@ -68,10 +68,10 @@ def gather(reading: Reading, targets: Targets, folder: str, fallback: str) -> Pa
         loaders=plugins.loaders,
         unknown=frozenset(unknown),
         metapackage=is_metapackage(reading.files, manifest),
-        headers=header_folders(reading.files),
+        headers=include_dirs(reading.files),
     )
 
 
 def unknown_facts(folder: str, fallback: str) -> PackageFacts:
     """Return what is known of a package that can't be read: a name by its folder."""
-    return PackageFacts(PurePosixPath(folder).name or fallback, folder, unknown=frozenset(get_args(Unknown)))
+    return PackageFacts(PurePosixPath(folder).name or fallback, folder, unknown=frozenset(get_args(UnknownField)))

@@ -7,7 +7,7 @@ from ..files import PackageFiles
 HEADERS = (".hpp", ".h", ".hh", ".hxx")
 
 
-def header_folders(files: PackageFiles) -> frozenset[str]:
+def include_dirs(files: PackageFiles) -> frozenset[str]:
     """Return the folders with headers below an `include/` folder, relative to it."""
     found = set()
     for path in files.paths:

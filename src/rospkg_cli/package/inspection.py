@@ -9,14 +9,14 @@ from ..ros.distros import Targets
 from ..source import Source
 from ..unreadable import Unreadable, UnreadableError
 from .cmake.cmake_project import CMake
-from .collect_facts import gather
+from .collect_facts import collect_facts
 from .file_role import role_of
-from .install_table import InstallTable, NotKnown, What
+from .install_table import InstallKind, InstallTable, UnknownPart
 from .launch.file import LaunchFile
 from .package import Package
 from .package_facts import NOWHERE
 
-EVERYTHING: tuple[What, ...] = ("executable", "share", "module")
+EVERYTHING: tuple[InstallKind, ...] = ("executable", "share", "module")
 SAY_WHAT_IS_INSTALLED = ("package.xml", "setup.py", "setup.cfg", "CMakeLists.txt")
 
 
@@ -55,7 +55,7 @@ class Inspection:
 
 def inspect_package(package: Package, fallback: str, targets: Targets) -> Inspection:
     """Return what the build installs; `fallback` names a package whose package.xml can't be read."""
-    facts = gather(package, targets, package.folder, fallback)
+    facts = collect_facts(package, targets, package.folder, fallback)
     broken = [each for each in package.unreadable() if each.path in SAY_WHAT_IS_INSTALLED]
     table = package.parts(InstallTable).only or unread(facts.build_type, broken)
     components = tuple(registered(package))
@@ -91,7 +91,7 @@ def unread(build_type: str, broken: list[Unreadable]) -> InstallTable:
     """Return the table of a package of which nothing is known, and why."""
     why = broken[0].message if broken else f"how a package of build type `{build_type}` is installed is not known here"
     path, span = (broken[0].path, broken[0].span) if broken else ("package.xml", NOWHERE)
-    return InstallTable((), tuple(NotKnown(what, why, path, span) for what in EVERYTHING))
+    return InstallTable((), tuple(UnknownPart(what, why, path, span) for what in EVERYTHING))
 
 
 def readable(package: Package, paths: set[str]) -> dict[str, Source]:

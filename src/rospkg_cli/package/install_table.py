@@ -10,14 +10,14 @@ from ..languages.cmake.call_stack import PYTHON as PYTHON
 from ..source import Span
 from .package_facts import NOWHERE
 
-What = Literal["executable", "share", "module", "library", "header", "other"]
+InstallKind = Literal["executable", "share", "module", "library", "header", "other"]
 
 
 @dataclass(frozen=True, slots=True)
-class Installed:
+class InstalledFile:
     """One file that will be there."""
 
-    what: What
+    what: InstallKind
     destination: str
     """Relative to the prefix: `share/my_pkg/launch/a.launch.py`, `lib/my_pkg/talker`, `lib/python/my_pkg/talker.py`."""
     source: str = ""
@@ -34,10 +34,10 @@ class Installed:
 
 
 @dataclass(frozen=True, slots=True)
-class NotKnown:
+class UnknownPart:
     """A part of the table that can't be told."""
 
-    what: What
+    what: InstallKind
     why: str
     path: str
     span: Span
@@ -45,18 +45,18 @@ class NotKnown:
 
 @dataclass(frozen=True)
 class InstallTable:
-    rows: tuple[Installed, ...] = ()
-    unknown: tuple[NotKnown, ...] = ()
+    rows: tuple[InstalledFile, ...] = ()
+    unknown: tuple[UnknownPart, ...] = ()
 
-    def of(self, what: What) -> Iterator[Installed]:
+    def of(self, what: InstallKind) -> Iterator[InstalledFile]:
         return (row for row in self.rows if row.what == what)
 
-    def below(self, folder: str) -> Iterator[tuple[str, Installed]]:
+    def below(self, folder: str) -> Iterator[tuple[str, InstalledFile]]:
         """Yield the rows below a folder of the prefix, with their path relative to it."""
         prefix = folder.rstrip("/") + "/"
         return ((row.destination[len(prefix) :], row) for row in self.rows if row.destination.startswith(prefix))
 
-    def knows(self, what: What) -> bool:
+    def knows(self, what: InstallKind) -> bool:
         return all(each.what != what for each in self.unknown)
 
     def joined(self, other: InstallTable) -> InstallTable:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..files import Reading
-from ..languages.rep149_condition import possible
+from ..languages.rep149_condition import may_hold
 from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
 from ..ros.distros import Targets
 from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span
 from ..unreadable import UnreadableError
-from .schema.schema import Verdict, judge
+from .schema.schema import Verdict, validate
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Dependency:
 
     def active(self, targets: Targets) -> bool:
         """Return whether the condition holds, or may hold, for one of the targets."""
-        return possible(self.condition, targets.environments())
+        return may_hold(self.condition, targets.environments())
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Manifest:
     @cached_property
     def verdict(self) -> Verdict:
         """What the schema says."""
-        return judge(self.document, self.schema_format)
+        return validate(self.document, self.schema_format)
 
     @cached_property
     def features_of_3(self) -> tuple[tuple[Element, Attribute | None], ...]:
@@ -155,7 +155,7 @@ class Manifest:
     def build_types(self, targets: Targets) -> Iterator[Element]:
         """Yield the <build_type> elements that hold for one of the targets."""
         return (
-            e for e in self.exports if e.tag == "build_type" and possible(e.get("condition"), targets.environments())
+            e for e in self.exports if e.tag == "build_type" and may_hold(e.get("condition"), targets.environments())
         )
 
     def build_type(self, targets: Targets) -> str:

@@ -11,7 +11,7 @@ from .launch.declared import LaunchSignature
 from .launch.events import Summary
 from .params.declared import DeclaredParameter, NodeCode
 
-Unknown = Literal[
+UnknownField = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
     "plugins", "loaders"
 ]  # fmt: skip
@@ -21,7 +21,7 @@ NOWHERE = Span(0, 0)
 
 
 @dataclass(frozen=True, slots=True)
-class Need:
+class ActiveDependency:
     """One dependency of a manifest that holds for a target: its tag, its name, and the span of the name."""
 
     tag: str
@@ -66,10 +66,10 @@ class PackageFacts:
     """Of the name in package.xml."""
     version: str = ""
     version_span: Span = NOWHERE
-    dependencies: tuple[Need, ...] = ()
+    dependencies: tuple[ActiveDependency, ...] = ()
     groups: frozenset[str] = frozenset()
     """The groups it is a member of, for every target."""
-    group_needs: tuple[Need, ...] = ()
+    group_dependencies: tuple[ActiveDependency, ...] = ()
     """The groups it depends on."""
     metapackage: bool = False
     """Whether it has nothing of its own and only names others."""
@@ -108,7 +108,7 @@ class PackageFacts:
     """What its launch files take from those that include them."""
     launch_summaries: tuple[Summary, ...] = ()
     """What its launch files, installed or not, set for each other."""
-    unknown: frozenset[Unknown] = frozenset()
+    unknown: frozenset[UnknownField] = frozenset()
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
 
     @property
@@ -116,7 +116,7 @@ class PackageFacts:
         """Whether it is a package of ROS 2 that is built with CMake."""
         return self.build_type in ("ament_cmake", "cmake")
 
-    def knows(self, field: Unknown) -> bool:
+    def knows(self, field: UnknownField) -> bool:
         return field not in self.unknown
 
     def makes(self, path: str) -> bool:

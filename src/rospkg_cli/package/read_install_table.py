@@ -10,10 +10,10 @@ from ..files import Reading
 from .cmake.build import is_built_with_cmake
 from .cmake.cmake_install_table import cmake_table
 from .cmake.cmake_project import CMake
-from .cmake.uninstalled_targets import ForgottenTargets
+from .cmake.uninstalled_targets import UninstalledTargets
 from .install_table import PYTHON, InstallTable
 from .manifest import Manifest
-from .package_facts import Unknown
+from .package_facts import UnknownField
 from .setup.python_install_table import python_table
 from .setup.setup_py import SetupPy
 
@@ -37,14 +37,14 @@ class InstalledFacts(NamedTuple):
     astray: frozenset[str] = frozenset()
     share_files: frozenset[str] = frozenset()
     modules: frozenset[str] = frozenset()
-    unknown: frozenset[Unknown] = frozenset({"executables", "share_files", "modules"})
+    unknown: frozenset[UnknownField] = frozenset({"executables", "share_files", "modules"})
 
 
 def installed_facts(reading: Reading, name: str) -> InstalledFacts:
     table = reading.parts(InstallTable).only
     if table is None:
         return InstalledFacts()
-    unknown: set[Unknown] = set()
+    unknown: set[UnknownField] = set()
     unknown |= {"executables"} if has_malformed(reading) or not table.knows("executable") else set()
     unknown |= set() if table.knows("share") else {"share_files"}
     unknown |= set() if table.knows("module") else {"modules"}
@@ -61,7 +61,7 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
 
 def forgotten(reading: Reading) -> frozenset[str]:
     """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
-    found = (each for cmake in reading.parts(CMake).good for each in ForgottenTargets(cmake).all())
+    found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
     return frozenset(each.target.name for each in found if each.target.executable)
 
 

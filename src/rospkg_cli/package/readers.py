@@ -14,7 +14,7 @@ from ..unreadable import Unreadable
 from .changelog import Changelog, read_changelog
 from .cmake.cmake_project import CMake, read_cmake, read_cmake_files
 from .install_table import InstallTable
-from .interfaces.interface_file import Interface
+from .interfaces.interface_file import InterfaceFile
 from .interfaces.reader import read_interfaces
 from .launch.file import LaunchFile
 from .launch.reader import read_launch_files
@@ -25,7 +25,7 @@ from .params.reader import read_parameter_files
 from .plugins.description import PluginDescription
 from .plugins.loaders import PluginLoaders, read_plugin_loaders
 from .plugins.read_descriptions import read_plugin_descriptions
-from .python.python_imports import PythonUse, read_python_use
+from .python.python_imports import PackageImports, read_package_imports
 from .python_modules import Modules, read_installed_modules, read_modules
 from .read_install_table import read_install_table
 from .setup.read_setup_py import read_setup_py
@@ -45,13 +45,13 @@ READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
     CMake: read_cmake,
     CMakeFile: read_cmake_files,
     CppFile: read_cpp_files,
-    Interface: read_interfaces,
+    InterfaceFile: read_interfaces,
     PluginDescription: read_plugin_descriptions,
     PluginLoaders: read_plugin_loaders,
     ParameterFile: read_parameter_files,
     ParameterLibrary: read_parameter_libraries,
     RobotFile: read_robot_files,
-    PythonUse: read_python_use,
+    PackageImports: read_package_imports,
     LaunchFile: read_launch_files,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Settings:
+class RuleSettings:
     build_types: frozenset[str] = frozenset()
     """Build types that are known here beside those of `ros.manifest`."""
     plugins: tuple[str, ...] = ()

@@ -41,7 +41,7 @@ class RuleCrash:
 
 
 @dataclass(frozen=True, slots=True)
-class NothingChecked:
+class NoPackagesFound:
     """No package under the given paths."""
 
     paths: tuple[str, ...]
@@ -49,5 +49,5 @@ class NothingChecked:
     """Why packages that are there were left out, where that is known."""
 
 
-HAPPENINGS: frozenset[type] = frozenset({UnusedSuppression, UnknownRuleName, RuleCrash, NothingChecked})
+RUN_EVENTS: frozenset[type] = frozenset({UnusedSuppression, UnknownRuleName, RuleCrash, NoPackagesFound})
 """Slices that the run makes of itself, after the packages have been checked."""

@@ -6,11 +6,11 @@ import posixpath
 from collections.abc import Iterator
 
 from ..files import Reading
-from ..languages.cmake.evaluated_command import Call
-from ..languages.cmake.values import HOLE
+from ..languages.cmake.evaluated_command import EvaluatedCommand
+from ..languages.cmake.values import UNKNOWN
 from ..ros.share_layout import FOLDERS
 from .cmake.cmake_project import CMake
-from .cmake.referenced_paths import NamedPaths, written_by
+from .cmake.referenced_paths import ReferencedPaths, files_written_by
 from .install_table import InstallTable
 
 RUNS = frozenset({"execute_process", "add_custom_command", "add_custom_target"})
@@ -35,17 +35,17 @@ def made_files(reading: Reading) -> frozenset[str]:
     cmake = reading.parts(CMake).only
     if cmake is None:
         return frozenset()
-    named = NamedPaths(cmake)
+    named = ReferencedPaths(cmake)
     texts = [text for call in named.calls for text in made_by(call)]
     texts += [each.path for each in named.missing() if each.use == "install"]
-    names = {posixpath.basename(text).replace(HOLE, "*") for text in texts}
+    names = {posixpath.basename(text).replace(UNKNOWN, "*") for text in texts}
     folders = {f"*{posixpath.basename(each.path)}/*" for each in named.missing() if each.use == "folder"}
     return frozenset(name for name in names if name.strip("*.") and not name.endswith(CODE)) | folders
 
 
-def made_by(call: Call) -> Iterator[str]:
+def made_by(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the paths that a call may write: where it runs a program, all that it hands to it."""
-    yield from (word.text for word in written_by(call))
+    yield from (word.text for word in files_written_by(call))
     if call.name in RUNS:
         yield from (text for text in call.texts if "." in posixpath.basename(text))
     elif call.name.startswith("xacro_"):

@@ -7,34 +7,7 @@ import re
 from .distros import DISTROS
 from .imports import keys_called_like
 from .names import BUILT_IN, Names
-from .read_table import rows
-
-PYPI = {
-    "beautifulsoup4": "python3-bs4",
-    "gitpython": "python3-git",
-    "grpcio": "python3-grpcio",
-    "lark": "python3-lark-parser",
-    "msgpack-python": "python3-msgpack",
-    "opencv-contrib-python": "python3-opencv",
-    "opencv-python": "python3-opencv",
-    "opencv-python-headless": "python3-opencv",
-    "paho-mqtt": "python3-paho-mqtt",
-    "pillow": "python3-pil",
-    "protobuf": "python3-protobuf",
-    "pyaudio": "python3-pyaudio",
-    "pyqt5": "python3-pyqt5",
-    "pyserial": "python3-serial",
-    "python-can": "python3-can",
-    "python-dateutil": "python3-dateutil",
-    "python-dotenv": "python3-dotenv",
-    "pyusb": "python3-usb",
-    "pyyaml": "python3-yaml",
-    "pyzmq": "python3-zmq",
-    "scikit-image": "python3-skimage",
-    "scikit-learn": "python3-sklearn",
-    "websocket-client": "python3-websocket",
-}
-"""Names on PyPI whose key is called like something else, by normalised name (PEP 503)."""
+from .read_table import pairs, rows
 
 OF_ROS = re.compile(rf"ros-(?:{'|'.join(each.name for each in DISTROS)})-([a-z0-9-]+)")
 """What Ubuntu's packages of ROS packages are called."""
@@ -45,8 +18,8 @@ NOTHING_NEEDED = "-"
 def key_for_pip(name: str, names: Names = BUILT_IN) -> str | None:
     """Return the rosdep key for a name on PyPI; None where none is known."""
     normal = re.sub(r"[-_.]+", "-", name).lower()
-    if normal in PYPI:
-        return PYPI[normal]
+    if found := pairs("pypi_apt.txt").get(normal):
+        return found
     likely = [key for key in keys_called_like(normal) if names.is_key(key)]
     listed = {re.sub(r"[-_.]+", "-", pip).lower(): keys for pip, keys in names.pip.items()}
     return next(iter([*likely, *listed.get(normal, ())]), None)

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-LIBRARIES: Mapping[str, str] = {
-    "Eigen": "Eigen3",
-    "GeographicLib": "GeographicLib",
-    "boost": "Boost",
-    "ceres": "Ceres",
-    "CGAL": "CGAL",
-    "fmt": "fmt",
-    "gflags": "gflags",
-    "glog": "glog",
-    "nlohmann": "nlohmann_json",
-    "opencv2": "OpenCV",
-    "pcl": "PCL",
-    "pybind11": "pybind11",
-    "spdlog": "spdlog",
-    "yaml-cpp": "yaml-cpp",
-}
+from .read_table import pairs, words
+
+LIBRARIES: Mapping[str, str] = pairs("headers.txt", "libraries")
 """Folders of libraries, by the name that find_package has for them."""
 
-SHARED = frozenset({"moveit", "ros", "gz", "ignition", "autoware", "nav2", "rclcpp_components_"})
+SHARED = words("headers.txt", "shared")
 """Folders that several packages put headers into, or that are no package's at all."""

@@ -7,12 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from .names import BUILT_IN, Names
-from .read_table import rows
+from .read_table import rows, words
 
-STANDARD = frozenset(sys.stdlib_module_names) | frozenset(
-    "_abcoll asynchat asyncore cgi cgitb chunk crypt distutils imghdr imp mailcap msilib nis nntplib ossaudiodev pipes "
-    "smtpd sndhdr spwd sunau telnetlib uu xdrlib tomllib annotationlib compression".split()
-)
+STANDARD = frozenset(sys.stdlib_module_names) | words("standard_modules.txt")
 """Modules of the standard library of any Python that a supported distribution comes with."""
 
 NO_PYTHON = "?"

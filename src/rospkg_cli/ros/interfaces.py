@@ -9,6 +9,8 @@ from __future__ import annotations
 import keyword
 import re
 
+from .read_table import pairs, words
+
 KINDS = ("msg", "srv", "action")
 """The folders, and the suffixes of the files in them."""
 
@@ -36,14 +38,7 @@ ROS1_TYPES = {
 }
 """What ROS 1 knew without a package. rosidl reads the first two, and has nothing to generate for them."""
 
-FOREIGN_TYPES = {
-    "int": "int32", "uint": "uint32", "long": "int64", "short": "int16", "unsigned": "uint32", "float": "float32",
-    "double": "float64", "boolean": "bool", "Bool": "bool", "str": "string", "String": "string", "float_t": "float32",
-    "int8_t": "int8", "int16_t": "int16", "int32_t": "int32", "int64_t": "int64", "uint8_t": "uint8",
-    "uint16_t": "uint16", "uint32_t": "uint32", "uint64_t": "uint64", "Int32": "int32", "Float32": "float32",
-    "Float64": "float64", "Int64": "int64", "Int8": "int8", "Int16": "int16", "UInt8": "uint8", "UInt16": "uint16",
-    "UInt32": "uint32", "UInt64": "uint64",
-}  # fmt: skip
+FOREIGN_TYPES = pairs("interface_words.txt", "foreign types")
 """Types of C, Python, and std_msgs that people write where rosidl has its own name."""
 
 PACKAGE_NAME = re.compile(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*")
@@ -58,24 +53,8 @@ GENERATED_SUFFIXES = ("_Request", "_Response", "_Goal", "_Result", "_Feedback")
 
 PYTHON_KEYWORDS = frozenset(keyword.kwlist)
 
-CPP_KEYWORDS = frozenset(
-    """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class
-    compl concept const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype default
-    delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline int long
-    mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public register
-    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct switch template this
-    thread_local throw true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
-    xor_eq""".split()
-)
-
-IDL_KEYWORDS = frozenset(
-    """abstract any alias attribute bitfield bitmask bitset boolean case char component connector const consumes
-    context custom default double emits enum eventtype exception factory finder fixed float getraises getter home
-    import in inout interface local long manages map mirrorport module multiple native object octet oneway out port
-    porttype primarykey private provides public publishes raises readonly sequence setraises setter short string
-    struct supports switch truncatable typedef typeid typename typeprefix union unsigned uses valuebase valuetype void
-    wchar wstring int8 uint8 int16 int32 int64 uint16 uint32 uint64""".split()
-)
+CPP_KEYWORDS = words("interface_words.txt", "C++")
+IDL_KEYWORDS = words("interface_words.txt", "IDL")
 
 
 def valid_interface_name(name: str) -> bool:

@@ -10,6 +10,8 @@ import re
 from dataclasses import dataclass
 from functools import cache
 
+from .read_table import phrases
+
 
 @dataclass(frozen=True)
 class License:
@@ -37,39 +39,6 @@ LICENSES: tuple[License, ...] = (
 )
 """ament_copyright's one header for the GPL offers "any later version": nothing that it knows says `-only`."""
 
-CALLED: dict[str, tuple[str, ...]] = {
-    "Apache-2.0": ("Apache 2", "Apache", "Apache Software License 2.0", "ASL 2.0", "AL2", "Apache License 2.0.0"),
-    "BSD-2-Clause": ("BSD 2", "2-Clause BSD", "Simplified BSD", "BSD 2-Clause Simplified", "FreeBSD"),
-    "BSD-3-Clause": (
-        "BSD 3", "3-Clause BSD", "New BSD", "Modified BSD", "Revised BSD", "BSD Clause 3", "BSD 3-Clause New",
-        "BSD 3-Clause New or Revised", "BSD three clause",
-    ),
-    "BSL-1.0": ("Boost", "Boost 1.0", "Boost Software 1.0", "Boost Software"),
-    "MIT": ("Expat", "X11 MIT"),
-    "MIT-0": ("MIT No Attribution", "MIT zero"),
-    "GPL-2.0-only": ("GPL-2.0", "GPL 2", "GNU General Public License 2.0", "GNU GPL 2"),
-    "GPL-2.0-or-later": ("GPL-2.0+", "GPL 2+"),
-    "GPL-3.0-only": ("GPL-3.0", "GPL 3", "GNU General Public License 3.0", "GNU GPL 3", "GNU General Public License 3"),
-    "GPL-3.0-or-later": ("GPL-3.0+", "GPL 3+"),
-    "LGPL-2.1-only": ("LGPL-2.1", "GNU Lesser General Public License 2.1", "GNU LGPL 2.1"),
-    "LGPL-2.1-or-later": ("LGPL-2.1+",),
-    "LGPL-3.0-only": ("LGPL-3.0", "LGPL 3", "GNU Lesser General Public License 3.0", "GNU LGPL 3"),
-    "LGPL-3.0-or-later": ("LGPL-3.0+", "LGPL 3+"),
-    "AGPL-3.0-only": ("AGPL-3.0", "AGPL 3", "GNU Affero General Public License 3.0"),
-    "AGPL-3.0-or-later": ("AGPL-3.0+", "AGPL 3+"),
-    "MPL-2.0": ("MPL 2", "Mozilla Public License 2.0"),
-    "EPL-2.0": ("EPL 2", "Eclipse Public License 2.0"),
-    "EPL-1.0": ("Eclipse Public License 1.0",),
-    "EUPL-1.2": ("European Union Public License 1.2",),
-    "ISC": (),
-    "Zlib": (),
-    "Unlicense": ("The Unlicense",),
-    "CC0-1.0": ("CC0", "Creative Commons Zero 1.0"),
-    "CC-BY-4.0": ("Creative Commons Attribution 4.0",),
-    "CC-BY-SA-4.0": (),
-}  # fmt: skip
-"""What else people write for an id; "BSD" and "GPL" alone are no one license."""
-
 NOISE = re.compile(r"\b(the|licen[cs]e|version)\b|\bv(ersion)?\.?(?=\s*\d)|(?<=[a-z])v(?=\d)|[^a-z0-9+]")
 
 
@@ -80,7 +49,7 @@ def simplified(text: str) -> str:
 
 @cache
 def ids_by_name() -> dict[str, str]:
-    return {simplified(name): spdx for spdx, names in CALLED.items() for name in (spdx, *names)}
+    return {simplified(name): spdx for spdx, names in phrases("license_names.txt").items() for name in (spdx, *names)}
 
 
 def spdx_id(text: str) -> str | None:

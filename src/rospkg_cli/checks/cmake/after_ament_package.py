@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT
 from ...package.cmake.cmake_project import CMake
 
@@ -35,11 +35,11 @@ OWN_PACKAGES = frozenset({*ENDS, "find_package", "gz_find_package", "ament_pytho
 
 
 @dataclass(frozen=True)
-class Late:
+class MisplacedCommand:
     """A call that comes too late, the call that it should precede, and what follows of that."""
 
-    call: Call
-    end: Call
+    call: EvaluatedCommand
+    end: EvaluatedCommand
     consequence: str
 
     @property
@@ -47,7 +47,7 @@ class Late:
         return self.call.name == LINTERS
 
 
-def late_calls(cmake: CMake) -> Iterator[Late]:
+def commands_after_ament_package(cmake: CMake) -> Iterator[MisplacedCommand]:
     """Yield the calls behind ament_package() that then fail or have no effect; a plain install() does no harm."""
     end = next((call for call in cmake.calls if call.name in ENDS and is_sure(call)), None)
     if end is None:
@@ -58,14 +58,14 @@ def late_calls(cmake: CMake) -> Iterator[Late]:
         if linted and call.name == LINTERS:
             continue
         if call.path == ROOT and not call.maybe and not call.inside and (why := consequence(call, end)):
-            yield Late(call, end, why)
+            yield MisplacedCommand(call, end, why)
 
 
-def is_sure(call: Call) -> bool:
+def is_sure(call: EvaluatedCommand) -> bool:
     return call.path == ROOT and not call.maybe and not call.testing and not call.inside
 
 
-def consequence(call: Call, end: Call) -> str:
+def consequence(call: EvaluatedCommand, end: EvaluatedCommand) -> str:
     if call.name in FATAL or call.name.startswith("ament_export_"):
         return "CMake stops"
     if call.name in AUTOMATIC and end.name != "ament_package":

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import CMakeFile
-from ...languages.cmake.syntax import Argument, Command
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.syntax import CommandArgument, CommandInvocation
+from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.link_targets import LinkTargets, link_targets
-from .distro_guards import guarded
+from .distro_guards import guarded_commands
 
 REMOVED = "ament_target_dependencies"
 KEYWORDS = ("PUBLIC", "PRIVATE", "INTERFACE")
@@ -33,25 +33,25 @@ Signature = Literal["plain", "keyword"]
 
 
 @dataclass(frozen=True)
-class Removed:
+class RemovedCommand:
     """One place where the command is written, with every run of it."""
 
     file: CMakeFile
-    command: Command
-    calls: tuple[Call, ...]
+    command: CommandInvocation
+    calls: tuple[EvaluatedCommand, ...]
 
 
 @dataclass(frozen=True)
-class Part:
+class ReplacedArgument:
     """An argument, and what to write for it: None leaves it, nothing takes it out."""
 
-    argument: Argument
+    argument: CommandArgument
     texts: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True)
 class Replacement:
-    parts: tuple[Part, ...]
+    parts: tuple[ReplacedArgument, ...]
     signature: Signature
     keyword: str
     """The keyword that the command has; "" where it has none."""
@@ -61,28 +61,28 @@ class Replacement:
 
 
 @dataclass(frozen=True)
-class LinkedPackages:
+class AmentTargetDependencies:
     package: CMakePackage
     workspace: Workspace
     targets: Targets
 
-    def removed(self) -> Iterator[Removed]:
+    def removed(self) -> Iterator[RemovedCommand]:
         """Yield every place where the command is written, also where nothing runs it, but not what asks for the
         distribution first."""
         cmake = self.package.cmake
-        runs: dict[tuple[str, int], list[Call]] = {}
+        runs: dict[tuple[str, int], list[EvaluatedCommand]] = {}
         idle = [call for call in cmake.idle if call.name == REMOVED]
         for call in cmake.named(REMOVED):
             runs.setdefault((call.path, call.command.span.start), []).append(call)
         for call in idle:
             runs.setdefault((call.path, call.command.span.start), [call])
         for file in cmake.files:
-            elsewhere = {id(command) for command in guarded(file.body)}
+            elsewhere = {id(command) for command in guarded_commands(file.body)}
             for command in file.syntax.commands:
                 if command.name == REMOVED and id(command) not in elsewhere:
-                    yield Removed(file, command, tuple(runs.get((file.path, command.span.start), ())))
+                    yield RemovedCommand(file, command, tuple(runs.get((file.path, command.span.start), ())))
 
-    def replacement(self, removed: Removed) -> Replacement | None:
+    def replacement(self, removed: RemovedCommand) -> Replacement | None:
         """Return what to write instead; None where an argument can't be evaluated."""
         if not removed.calls or not removed.command.arguments:
             return None
@@ -91,13 +91,13 @@ class LinkedPackages:
         if len(signatures) > 1 or arguments is None:
             return None
         done: set[str] = set()
-        parts, keyword = [Part(removed.command.arguments[0])], ""
+        parts, keyword = [ReplacedArgument(removed.command.arguments[0])], ""
         includes: list[str] = []
         guessed: list[str] = []
         for argument, names in arguments:
             if argument.text in KEYWORDS or is_kept(argument):
                 keyword = argument.text if argument.text in KEYWORDS else keyword
-                parts.append(Part(argument))
+                parts.append(ReplacedArgument(argument))
                 continue
             found = [(name, self.link_targets(name)) for name in names if name != "SYSTEM"]
             texts: list[str] = []
@@ -106,10 +106,10 @@ class LinkedPackages:
                 includes += link.includes
                 guessed += [] if link.certain else [name]
                 done |= set(link.targets)
-            parts.append(Part(argument, tuple(texts)))
+            parts.append(ReplacedArgument(argument, tuple(texts)))
         return Replacement(tuple(parts), signatures.pop(), keyword, tuple(dict.fromkeys(includes)), tuple(guessed))
 
-    def arguments(self, removed: Removed) -> list[tuple[Argument, tuple[str, ...]]] | None:
+    def arguments(self, removed: RemovedCommand) -> list[tuple[CommandArgument, tuple[str, ...]]] | None:
         """Return the arguments behind the target with the names they stand for; None where that can't be told."""
         seen = [list(call.by_argument())[1:] for call in removed.calls]
         first = [(argument, tuple(word.text for word in words)) for argument, words in seen[0]]
@@ -130,9 +130,9 @@ class LinkedPackages:
             return LinkTargets((f"${{{name}_TARGETS}}",))
         return LinkTargets((f"${{{name}_LIBRARIES}}",), (f"${{{name}_INCLUDE_DIRS}}",))
 
-    def signature(self, call: Call) -> Signature:
+    def signature(self, call: EvaluatedCommand) -> Signature:
         """Return how the call's target is linked elsewhere: CMake refuses to mix the two."""
-        target = call.texts[0] if call.texts else HOLE
+        target = call.texts[0] if call.texts else UNKNOWN
         return self.signatures.get(target, "keyword")
 
     @cached_property
@@ -146,10 +146,10 @@ class LinkedPackages:
         return {**found, **dict.fromkeys(plain, "plain")}
 
 
-def is_kept(argument: Argument) -> bool:
+def is_kept(argument: CommandArgument) -> bool:
     """Return whether an argument can be linked as it is: `${Eigen_LIBRARIES}`."""
     return LIBRARIES.fullmatch(argument.text) is not None
 
 
 def is_plain(word: Word) -> bool:
-    return word.known and not word.maybe and word.text != HOLE
+    return word.known and not word.maybe and word.text != UNKNOWN

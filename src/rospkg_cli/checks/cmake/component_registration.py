@@ -14,13 +14,13 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import Component
 from ...source import Span
 from ...suggest import nearest
-from .target_references import References
+from .target_references import TargetReferences
 
 MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
 
 
 @dataclass(frozen=True)
-class Source:
+class RegisteredClass:
     """`RCLCPP_COMPONENTS_REGISTER_NODE(ns::Class)` in a file."""
 
     name: str
@@ -29,17 +29,17 @@ class Source:
 
 
 @dataclass(frozen=True)
-class Components:
+class ComponentRegistration:
     package: CMakePackage
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def in_sources(self) -> tuple[Source, ...]:
+    def in_sources(self) -> tuple[RegisteredClass, ...]:
         found = []
         for file in self.sources:
             for call in file.calls_to(MACRO):
                 for argument in (call.arguments or ())[:1]:
-                    found.append(Source(name_of(argument), file.path, argument.span))
+                    found.append(RegisteredClass(name_of(argument), file.path, argument.span))
         return tuple(found)
 
     @property
@@ -64,7 +64,7 @@ class Components:
 
     def without_target(self) -> Iterator[Component]:
         """Yield the components of a target that nothing makes."""
-        references = References(self.package.cmake)
+        references = TargetReferences(self.package.cmake)
         cmake = self.package.cmake
         if not cmake.complete or cmake.clouded:
             return
@@ -83,7 +83,7 @@ class Components:
                 seen.add(component.plugin.text)
                 yield component
 
-    def without_cmake(self) -> Iterator[Source]:
+    def without_cmake(self) -> Iterator[RegisteredClass]:
         """Yield the classes that a source of a target registers and no call of CMake does."""
         cmake = self.package.cmake
         if not cmake.complete or cmake.clouded or any(not c.plugin.known for c in cmake.components):

@@ -6,18 +6,18 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ...languages.cmake.command_blocks import Block
-from ...languages.cmake.syntax import Command
+from ...languages.cmake.syntax import CommandInvocation
 
 ASKS = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
 """What a condition says that asks for it."""
 
 
-def guarded(body: Iterable[Command | Block], inside: bool = False) -> Iterator[Command]:
+def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = False) -> Iterator[CommandInvocation]:
     """Yield, in no order, the commands that stand in an `if` that asks for the distribution or for a command."""
     waiting = [(each, inside) for each in body]
     while waiting:
         each, inside = waiting.pop()
-        if isinstance(each, Command):
+        if isinstance(each, CommandInvocation):
             if inside:
                 yield each
         else:

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.cmake_project import CMake
 
 
 @dataclass(frozen=True)
-class Clash:
+class DuplicateTarget:
     first: Word
     second: Word
     first_command: str
@@ -22,7 +22,7 @@ class Clash:
         return self.second.text
 
 
-def clashes(cmake: CMake) -> Iterator[Clash]:
+def duplicate_targets(cmake: CMake) -> Iterator[DuplicateTarget]:
     """Yield each target that is made again, at the second place."""
     made: dict[str, tuple[Word, str]] = {}
     for target in cmake.targets:
@@ -30,21 +30,21 @@ def clashes(cmake: CMake) -> Iterator[Clash]:
             continue
         name, command = target.name, target.call.name
         if name in made:
-            yield Clash(made[name][0], target.word, made[name][1], command)
+            yield DuplicateTarget(made[name][0], target.word, made[name][1], command)
         else:
             made[name] = (target.word, command)
-    yield from python_clashes(cmake)
+    yield from duplicate_python_packages(cmake)
 
 
 def is_sure(target: Target) -> bool:
     imported = target.options & {"IMPORTED"}
-    return HOLE not in target.name and not target.word.maybe and not target.call.maybe and not imported
+    return UNKNOWN not in target.name and not target.word.maybe and not target.call.maybe and not imported
 
 
-def python_clashes(cmake: CMake) -> Iterator[Clash]:
+def duplicate_python_packages(cmake: CMake) -> Iterator[DuplicateTarget]:
     """rosidl installs a Python package of the project's name, in the same way as ament_python_install_package."""
     generated = [each for each in cmake.interface_targets if not each.call.maybe and not each.skip_install]
     for call in cmake.named("ament_python_install_package"):
         for word in call.words[:1]:
             if generated and word.text == cmake.project_name and not call.maybe:
-                yield Clash(generated[0].target, word, generated[0].call.name, call.name)
+                yield DuplicateTarget(generated[0].target, word, generated[0].call.name, call.name)

@@ -18,13 +18,13 @@ Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit
 
 
 @dataclass(frozen=True)
-class Script:
+class BrokenScript:
     copy: Copy
     wrong: Wrong
 
 
 @dataclass(frozen=True)
-class Scripts:
+class InstalledScripts:
     package: CMakePackage
 
     @cached_property
@@ -45,14 +45,14 @@ class Scripts:
         """Whether some scripts are installed as they should be."""
         return any(copy.rule.kind == "PROGRAMS" for copy in self.copies)
 
-    def broken(self) -> Iterator[Script]:
+    def broken(self) -> Iterator[BrokenScript]:
         """Yield the scripts that can't be executed where they are installed, each once."""
         seen = {copy.source for copy in self.copies if copy.runs}
         for copy in self.copies:
             wrong = self.wrong(copy)
             if wrong is not None and (copy.source not in seen or wrong.startswith("no ")):
                 seen.add(copy.source)
-                yield Script(copy, wrong)
+                yield BrokenScript(copy, wrong)
 
     def wrong(self, copy: Copy) -> Wrong | None:
         shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)

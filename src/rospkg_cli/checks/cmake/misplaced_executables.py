@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.values import Word
-from ...package.cmake.cmake_install_table import Table
+from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import copies
 from ...package.cmake.install_rules import InstallRule
@@ -23,7 +23,7 @@ IMPORTS_ROS = re.compile(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)
-class Astray:
+class MisplacedExecutable:
     word: Word
     name: str
     """Of the file that is installed."""
@@ -36,10 +36,10 @@ class Astray:
 
 
 @dataclass(frozen=True)
-class AstrayExecutables:
+class MisplacedExecutables:
     package: CMakePackage
 
-    def all(self) -> Iterator[Astray]:
+    def all(self) -> Iterator[MisplacedExecutable]:
         """Yield each executable that is meant for `ros2 run` and does not stand in lib/<package>."""
         found = list(self.anywhere())
         right = {row.destination for row in self.table.rows()} if found else set()
@@ -48,10 +48,10 @@ class AstrayExecutables:
                 yield each
 
     @cached_property
-    def table(self) -> Table:
-        return Table(self.package.cmake, self.package.facts.name)
+    def table(self) -> CMakeTableBuilder:
+        return CMakeTableBuilder(self.package.cmake, self.package.facts.name)
 
-    def anywhere(self) -> Iterator[Astray]:
+    def anywhere(self) -> Iterator[MisplacedExecutable]:
         """Yield each executable that a rule installs into another place, whatever other rules do with it."""
         cmake, artifacts = self.package.cmake, self.table.artifacts
         for rule in cmake.installs:
@@ -62,16 +62,18 @@ class AstrayExecutables:
                 if target is not None and target.executable:
                     place, name = artifacts.place(rule, target), artifacts.file_name(target)
                     if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
-                        yield Astray(word, name, place or "", rule, self.starts(name), self.uses_ros(target.name))
+                        yield MisplacedExecutable(
+                            word, name, place or "", rule, self.starts(name), self.uses_ros(target.name)
+                        )
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
 
-    def scripts(self, rule: InstallRule, place: str) -> Iterator[Astray]:
+    def scripts(self, rule: InstallRule, place: str) -> Iterator[MisplacedExecutable]:
         for copy in copies(rule, self.package.cmake.package):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
             if self.starts(name) or ros or place == "bin":
-                yield Astray(copy.item, name, place, rule, self.starts(name), ros)
+                yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), ros)
 
     def is_wrong(self, place: str | None) -> bool:
         """Return whether a place is known, relative, and neither lib/<package> nor below it."""

@@ -27,7 +27,7 @@ BY_MACRO = {
 
 
 @dataclass(frozen=True)
-class Unexported:
+class MissingExportDependency:
     package: str
     word: Word
     link: Link
@@ -42,7 +42,7 @@ class ExportedDependencies:
     headers: PublicHeaders
     workspace: Workspace
 
-    def missing(self) -> Iterator[Unexported]:
+    def missing(self) -> Iterator[MissingExportDependency]:
         """Yield each package that an exported library passes on, that an installed header includes, and that users
         don't find, neither by name nor with another one."""
         cmake = self.headers.package.cmake
@@ -60,7 +60,7 @@ class ExportedDependencies:
             if passed and package in self.needed and package not in self.there | seen:
                 seen.add(package)
                 loaded = (plugins or link.target in components) and not self.is_built_against
-                yield Unexported(package, link.word, link, link.target in self.targets, loaded)
+                yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
 
     @cached_property
     def is_built_against(self) -> bool:

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, located
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...unreadable import UnreadableError
-from ..share_references import speaks_of
+from ..share_references import references_folder
 
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 USED_AT_BUILD = re.compile(
@@ -55,7 +55,7 @@ class RuntimeFolders:
         return any(path == folder or path.startswith(f"{folder}/") for call in calls for path in paths_of(call))
 
     @property
-    def place(self) -> Call | None:
+    def place(self) -> EvaluatedCommand | None:
         """The call that should have named the folder: the last rule for share/, else ament_package()."""
         cmake = self.package.cmake
         share = f"share/{cmake.project_name}"
@@ -68,7 +68,8 @@ class RuntimeFolders:
         name = self.package.facts.name
         started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
         return any(
-            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+            references_folder(text, name, folder) if code else started and started.search(text)
+            for text, code in self.texts
         )
 
     @cached_property
@@ -87,7 +88,7 @@ class RuntimeFolders:
         return tuple(found)
 
 
-def paths_of(call: Call) -> Iterator[str]:
+def paths_of(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the paths that a call's arguments may be, whatever they stand for."""
     for text in call.texts:
         if (path := located(text, call.folder)) and ("/" in path or "." in path or path in FOLDERS):

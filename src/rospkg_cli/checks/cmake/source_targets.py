@@ -6,22 +6,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, located
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.referenced_paths import sources_in
 
 
 @dataclass(frozen=True)
-class Compiled:
+class SourceTargets:
     cmake: CMake
 
     @cached_property
     def _sources(self) -> dict[str, tuple[frozenset[str], bool]]:
         """Target → its sources in the package, and whether these are all that it has."""
         found: dict[str, tuple[frozenset[str], bool]] = {}
-        added: dict[str, list[Call]] = {}
+        added: dict[str, list[EvaluatedCommand]] = {}
         for call in self.cmake.named("target_sources"):
             added.setdefault(call.texts[0] if call.words else "", []).append(call)
         for target in self.cmake.targets:
@@ -32,7 +32,7 @@ class Compiled:
             for call in added.get(target.name, ()):
                 more, known = located_all(sources_in(call), call)
                 paths, complete = paths | more, complete and known
-            if "" in added or any(HOLE in name for name in added):
+            if "" in added or any(UNKNOWN in name for name in added):
                 complete = False
             before, known = found.get(target.name, (frozenset(), True))
             found[target.name] = before | paths, complete and known
@@ -46,14 +46,14 @@ class Compiled:
 
     def targets_of(self, path: str) -> frozenset[str]:
         """Return the names of the targets that a file is compiled into, as far as they are known."""
-        return frozenset(name for name, (paths, _) in self._sources.items() if path in paths and HOLE not in name)
+        return frozenset(name for name, (paths, _) in self._sources.items() if path in paths and UNKNOWN not in name)
 
     def is_complete(self, target: str) -> bool:
         """Return whether all sources of a target are known and stand in the package."""
         return target in self._sources and self._sources[target][1]
 
 
-def located_all(words: Sequence[Word], call: Call) -> tuple[frozenset[str], bool]:
+def located_all(words: Sequence[Word], call: EvaluatedCommand) -> tuple[frozenset[str], bool]:
     """Return the paths in the package that some words name, and whether these are all."""
     paths = [None if word.maybe else located(word.text, call.folder) for word in words]
     return frozenset(path for path in paths if path), None not in paths

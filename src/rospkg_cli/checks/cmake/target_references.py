@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Literal
 
 from ...languages.cmake.commands import COMMANDS
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import MAKERS
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.cmake_project import CMake
 
 FIRST_IS_TARGET = (
@@ -22,17 +22,17 @@ EXPORTS = ("ament_export_targets", "ament_export_interfaces")
 
 
 @dataclass(frozen=True)
-class Reference:
+class TargetReference:
     word: Word
-    call: Call
+    call: EvaluatedCommand
     kind: Literal["target", "export"]
 
 
 @dataclass(frozen=True)
-class References:
+class TargetReferences:
     cmake: CMake
 
-    def broken(self) -> Iterator[Reference]:
+    def broken(self) -> Iterator[TargetReference]:
         """Yield what is named and never made, each place once; nothing where a name can't be evaluated."""
         if not self.cmake.complete or self.cmake.clouded:
             return
@@ -45,7 +45,7 @@ class References:
                 seen.add(key)
                 yield reference
 
-    def run_together(self, names: Collection[str]) -> Iterator[tuple[Reference, str, str]]:
+    def run_together(self, names: Collection[str]) -> Iterator[tuple[TargetReference, str, str]]:
         """Yield words that are none of some packages' names, but two of them without a blank."""
         for call in self.cmake.named("ament_export_dependencies", "ament_target_dependencies"):
             for word in call.words[call.name != "ament_export_dependencies" :]:
@@ -53,25 +53,25 @@ class References:
                 halves = ((text[:at], text[at:]) for at in range(2, len(text) - 1))
                 found = next((pair for pair in halves if pair[0] in names and pair[1] in names), None)
                 if word.known and text not in names and found is not None:
-                    yield Reference(word, call, "target"), *found
+                    yield TargetReference(word, call, "target"), *found
 
-    def all(self) -> Iterator[Reference]:
+    def all(self) -> Iterator[TargetReference]:
         for call in self.cmake.named(*FIRST_IS_TARGET):
-            yield from (Reference(word, call, "target") for word in call.words[:1])
+            yield from (TargetReference(word, call, "target") for word in call.words[:1])
         for call in self.cmake.named("set_target_properties"):
             end = call.texts.index("PROPERTIES") if "PROPERTIES" in call.texts else 0
-            yield from (Reference(word, call, "target") for word in call.words[:end])
+            yield from (TargetReference(word, call, "target") for word in call.words[:end])
         for rule in self.cmake.installs:
             if rule.kind == "TARGETS":
-                yield from (Reference(word, rule.call, "target") for word in rule.items)
+                yield from (TargetReference(word, rule.call, "target") for word in rule.items)
         for call in self.cmake.named(*EXPORTS):
             names = [w for w in call.words if w.text not in ("HAS_LIBRARY_TARGET", "NAMESPACE") and "::" not in w.text]
-            yield from (Reference(word, call, "export") for word in names)
+            yield from (TargetReference(word, call, "export") for word in names)
 
-    def is_made(self, reference: Reference) -> bool:
+    def is_made(self, reference: TargetReference) -> bool:
         if reference.kind == "export":
-            return reference.word.text in self.exports or HOLE in self.exports
-        return reference.word.text in self.names or "::" in reference.word.text or HOLE in self.names
+            return reference.word.text in self.exports or UNKNOWN in self.exports
+        return reference.word.text in self.names or "::" in reference.word.text or UNKNOWN in self.names
 
     @cached_property
     def exports(self) -> frozenset[str]:
@@ -83,17 +83,17 @@ class References:
     @cached_property
     def targets(self) -> frozenset[str]:
         """The targets that the package makes for certain."""
-        return frozenset(target.name for target in self.cmake.targets if HOLE not in target.name)
+        return frozenset(target.name for target in self.cmake.targets if UNKNOWN not in target.name)
 
     @cached_property
     def names(self) -> frozenset[str]:
         """All names that may be targets; a hole among them where a target's name is unknown."""
-        made = (HOLE if HOLE in target.name else target.name for target in self.cmake.targets)
-        foreign = (HOLE if HOLE in text else text for call in self.foreign for text in call.texts)
+        made = (UNKNOWN if UNKNOWN in target.name else target.name for target in self.cmake.targets)
+        foreign = (UNKNOWN if UNKNOWN in text else text for call in self.foreign for text in call.texts)
         return frozenset([*made, *foreign])
 
     @cached_property
-    def foreign(self) -> list[Call]:
+    def foreign(self) -> list[EvaluatedCommand]:
         """The calls of commands that we don't know: each may make a target of any of its arguments."""
         known = {*COMMANDS, *MAKERS, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...package.cmake.cmake_package import CMakePackage
 from ...ros.manifest import DEPENDENCY_TAGS
 
@@ -25,12 +25,12 @@ FOR_TESTS = ("test_depend",)
 
 
 @dataclass(frozen=True)
-class Unguarded:
-    call: Call
+class UnguardedTest:
+    call: EvaluatedCommand
     what: str
 
 
-def unguarded(package: CMakePackage) -> Iterator[Unguarded]:
+def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:
     """Yield what looks for test packages or makes tests, though nobody asked for tests."""
     cmake, manifest = package.cmake, package.manifest
     if cmake.only_tests:
@@ -39,7 +39,7 @@ def unguarded(package: CMakePackage) -> Iterator[Unguarded]:
     for found in cmake.packages:
         sure = not found.call.testing and not found.call.maybe and found.required
         if sure and found.name in TEST_PACKAGES and not manifest.depends_on(found.name, needed):
-            yield Unguarded(found.call, found.name)
+            yield UnguardedTest(found.call, found.name)
     for call in cmake.calls:
         if call.name in TEST_COMMANDS and not call.testing and not call.maybe and not call.inside:
-            yield Unguarded(call, call.name)
+            yield UnguardedTest(call, call.name)

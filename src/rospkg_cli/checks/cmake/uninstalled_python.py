@@ -14,7 +14,7 @@ from ...source import Span
 
 
 @dataclass(frozen=True)
-class Uninstalled:
+class UninstalledPythonPackage:
     """A Python package that is imported, and where."""
 
     folder: str
@@ -40,7 +40,7 @@ class PythonPackages:
         """The first names of the modules that Python finds."""
         return frozenset(path.partition("/")[0].removesuffix(".py") for path, _ in self.table.below(PYTHON))
 
-    def uninstalled(self) -> Iterator[Uninstalled]:
+    def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
         """Yield each Python package that an installed script or launch file imports and that is not installed."""
         if not self.table.knows("module") or not self.package.cmake.complete:
             return
@@ -55,7 +55,7 @@ class PythonPackages:
                 beside = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
                 if name in missing and not each.level and not each.optional and self.is_own(each) and not beside:
                     missing.discard(name)
-                    yield Uninstalled(name, row.source, each.span, each.module)
+                    yield UninstalledPythonPackage(name, row.source, each.span, each.module)
 
     def is_own(self, what: Import) -> bool:
         """Return whether an import means a module that lies in the package, and none that rosidl generates."""

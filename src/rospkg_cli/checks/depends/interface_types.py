@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...package.interfaces.interface_file import Interface
+from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 
@@ -19,7 +19,7 @@ class InterfaceTypeUse:
 @dataclass(frozen=True)
 class InterfaceTypeDependencies:
     declared: DeclaredDependencies
-    interfaces: tuple[Interface, ...]
+    interfaces: tuple[InterfaceFile, ...]
 
     def undeclared(self) -> dict[str, list[InterfaceTypeUse]]:
         """Return the packages whose types are used and which are not declared, with the places."""

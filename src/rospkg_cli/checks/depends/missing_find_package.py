@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.values import HOLE
+from ...languages.cmake.values import UNKNOWN
 from ...package.cmake.target_links import Links
 from ...ros.manifest import BUILDS
 from ...ros.names import Known
@@ -67,7 +67,9 @@ class MissingFindPackages:
         """Whether all that is looked for is known."""
         cmake = self.includes.cmake
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
-        return cmake.complete and not cmake.clouded and not automatic and not any(HOLE in name for name in self.found)
+        return (
+            cmake.complete and not cmake.clouded and not automatic and not any(UNKNOWN in name for name in self.found)
+        )
 
     def is_declared(self, each: MissingFindPackage) -> bool:
         tags = BUILDS | {"test_depend"} if each.testing else BUILDS

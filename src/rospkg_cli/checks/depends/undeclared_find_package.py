@@ -10,7 +10,7 @@ from typing import Literal
 
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
-from ...package.interfaces.interface_file import Interface
+from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
 from ...ros.names import Known
@@ -36,7 +36,7 @@ class FindPackageDependencies:
 
     declared: DeclaredDependencies
     cmake: CMake
-    interfaces: tuple[Interface, ...] = ()
+    interfaces: tuple[InterfaceFile, ...] = ()
 
     def missing(self) -> Iterator[UndeclaredFindPackage]:
         """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""

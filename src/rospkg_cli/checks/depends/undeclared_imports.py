@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...package.file_role import Role
-from ...package.python.python_imports import PythonUse
+from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
@@ -43,7 +43,7 @@ class ImportDependencies:
     """The imports of a package, and what it declares."""
 
     declared: DeclaredDependencies
-    python: PythonUse
+    python: PackageImports
 
     def missing(self) -> list[UndeclaredImport]:
         """Return what installed modules and scripts import without its being declared, in the order of the files."""

@@ -12,7 +12,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
 from ...package.launch.file import LaunchFile
-from ...package.python.python_imports import OwnModules, PythonUse
+from ...package.python.python_imports import OwnModules, PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import Known
@@ -34,7 +34,7 @@ class LaunchDependencies:
     launch_files: tuple[LaunchFile, ...]
     cmake: CMake | None
     table: InstallTable | None
-    python: PythonUse
+    python: PackageImports
 
     def role(self, path: str) -> Role:
         """Return what a launch file is there for; one that lies about and is not installed is for nobody."""

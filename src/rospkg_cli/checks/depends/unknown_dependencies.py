@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.rep149_condition import certain
+from ...languages.rep149_condition import always_holds
 from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Distro, Targets
@@ -112,7 +112,7 @@ class DependencyNames:
         same = [each for each in (dependency, *self.again(dependency)) if each.tag not in NO_NEEDS]
         for distro in self.targets:
             environments = Targets((distro.name,)).environments()
-            if any(certain(each.condition, environments) for each in same):
+            if any(always_holds(each.condition, environments) for each in same):
                 yield distro
 
     def meant(self, dependency: Dependency) -> UnknownDependency | None:

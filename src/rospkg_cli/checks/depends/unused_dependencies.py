@@ -12,7 +12,7 @@ from ...languages.cpp.file import CppFile
 from ...languages.python.file import Import
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
-from ...package.python.python_imports import PythonUse
+from ...package.python.python_imports import PackageImports
 from ...ros.headers import SHARED
 from ...ros.imports import may_serve
 from ...ros.names import Known
@@ -45,7 +45,7 @@ class UnusedDependencies:
     """What package.xml declares, and everything in the package that may use it."""
 
     declared: DeclaredDependencies
-    python: PythonUse
+    python: PackageImports
     files: PackageFiles
     cmake: CMake | None
     sources: tuple[CppFile, ...]

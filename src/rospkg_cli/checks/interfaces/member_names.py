@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...package.interfaces.interface_file import Interface, Member, Section
+from ...package.interfaces.interface_file import InterfaceFile, Member, MessageSection
 from ...ros.interfaces import CONSTANT_NAME, CPP_KEYWORDS, FIELD_NAME, IDL_KEYWORDS, PYTHON_KEYWORDS
 
 HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
@@ -16,7 +16,7 @@ def is_valid(member: Member) -> bool:
     return (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(member.name) is not None
 
 
-def repeated(section: Section) -> Iterator[tuple[Member, Member]]:
+def repeated(section: MessageSection) -> Iterator[tuple[Member, Member]]:
     """Yield each field and each constant whose name stands before in the same section, with the first of that name."""
     seen: dict[tuple[bool, str], Member] = {}
     for member in section.members:
@@ -42,7 +42,7 @@ def language_of(member: Member) -> str | None:
     return None
 
 
-def is_accepted(interface: Interface) -> bool:
+def is_accepted(interface: InterfaceFile) -> bool:
     """Return whether rosidl builds the file, whatever it is called and whatever types it names."""
     return not interface.problems and all(
         all(map(is_valid, section.members)) and not any(repeated(section)) for section in interface.sections

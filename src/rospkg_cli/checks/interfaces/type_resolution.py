@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
 
-from ...package.interfaces.interface_file import FieldType, Interface
+from ...package.interfaces.interface_file import FieldType, InterfaceFile
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_MESSAGES
@@ -16,7 +16,7 @@ from ...suggest import near, nearest
 
 @dataclass(frozen=True)
 class InterfaceInWorkspace:
-    interface: Interface
+    interface: InterfaceFile
     package: PackageFacts
     workspace: Workspace
 
@@ -43,7 +43,7 @@ class InterfaceInWorkspace:
         for kind in self.interface.types:
             known = self.messages(kind)
             if known is None:
-                absent = meant_of_core(kind.package, kind.base) is not None
+                absent = core_suggestion(kind.package, kind.base) is not None
             else:
                 absent = kind.base not in known and "_" not in kind.base  # one with `_` is generated of a service
             if absent and kind not in bare:
@@ -53,7 +53,7 @@ class InterfaceInWorkspace:
         """Return the type that was meant where exactly one is near."""
         known = self.messages(kind)
         if known is None:
-            return meant_of_core(kind.package, kind.base)
+            return core_suggestion(kind.package, kind.base)
         prefix = f"{kind.package}/" if kind.package else ""
         if not prefix and kind.base in FOREIGN_TYPES:
             return FOREIGN_TYPES[kind.base]
@@ -74,7 +74,7 @@ def core_package_of(name: str, besides: str = "") -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def meant_of_core(package: str, name: str) -> str | None:
+def core_suggestion(package: str, name: str) -> str | None:
     """Return `package/Name` where a core package lacks a message, and it is plain what was meant; else None."""
     known = CORE_MESSAGES.get(package, frozenset())
     if not known or name in known:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.file_role import role_of
-from ...package.install_table import Installed, InstallTable
+from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...ros.launch_entities import LAUNCH_SUFFIXES
@@ -26,12 +26,12 @@ class InstalledLaunchFiles:
         """The files that others of the package include by their paths."""
         return frozenset(each.path for file in self.files for each in file.paths if each.use == "include")
 
-    def doubles(self) -> Iterator[tuple[Installed, str, tuple[str, ...]]]:
+    def doubles(self) -> Iterator[tuple[InstalledFile, str, tuple[str, ...]]]:
         """Yield each name that several installed launch files have: the row of the last, the name, and where they go.
 
         Files that others include by their path are parts of these, and not meant to be started by name.
         """
-        named: dict[str, dict[str, Installed]] = {}
+        named: dict[str, dict[str, InstalledFile]] = {}
         for path, row in self.table.below(f"share/{self.package.name}"):
             if LAUNCH.fullmatch(posixpath.basename(path)):
                 named.setdefault(posixpath.basename(path), {})[path] = row

@@ -9,14 +9,14 @@ from functools import cached_property
 from ...package.cmake.cmake_project import CMake
 from ...package.setup.setup_py import SetupPy
 from ..cmake.share_folders import RuntimeFolders
-from ..setup.share_files import SharedFiles, folder_of
+from ..setup.share_files import ShareFiles, folder_of
 from .scope import LaunchScope, Missing
 
 
 @dataclass(frozen=True)
 class LaunchedFiles:
     scope: LaunchScope
-    shared: SharedFiles | None
+    shared: ShareFiles | None
     folders: RuntimeFolders | None
 
     @property

@@ -18,7 +18,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import UnreadableError
-from ..closest_path import meant_file
+from ..closest_path import closest_path
 
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
@@ -102,7 +102,7 @@ class LaunchScope:
             return ("elsewhere", goes) if goes else ("not installed", None)
         if path in facts.uninstalled:
             return "not installed", None
-        return "absent", meant_file(path, facts.share_files)
+        return "absent", closest_path(path, facts.share_files)
 
     def goes_to(self, path: str) -> str | None:
         """Return where a file of the package goes below the prefix."""
@@ -119,5 +119,5 @@ class LaunchScope:
         for place in self.places:
             if posixpath.normpath(posixpath.join(posixpath.dirname(place), away)) in self.package.share_files:
                 return None
-        meant = meant_file(named.path, self.files.paths)
+        meant = closest_path(named.path, self.files.paths)
         return Missing(named.span, self.package.name, named.path, "absent", named.use, meant)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Manifest
 from ...ros.interfaces import GROUP
@@ -21,7 +21,7 @@ class InterfacePackage:
     cmake: CMake
 
     @cached_property
-    def installed(self) -> tuple[Call, ...]:
+    def installed(self) -> tuple[EvaluatedCommand, ...]:
         """The calls that generate interfaces for others than the package itself; what may skip that is left out."""
         calls = self.cmake.named(GENERATE)
         return tuple(call for call in calls if SKIP_INSTALL not in call.texts)

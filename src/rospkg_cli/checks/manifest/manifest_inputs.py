@@ -10,7 +10,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
-from ...package.rule_settings import Settings
+from ...package.rule_settings import RuleSettings
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
@@ -33,7 +33,7 @@ class ManifestAndFiles:
     manifest: Manifest
     files: PackageFiles
     targets: Targets
-    settings: Settings
+    settings: RuleSettings
 
     @cached_property
     def interface_files(self) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...languages.yaml.nodes import Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import ScalarNode, SequenceNode, YamlNode
 from ...package.params.file import ParameterFile
 from ...package.params.value import integer, type_of, yaml_type
 from ...source import Span
@@ -35,13 +35,13 @@ def ambiguous_numbers(file: ParameterFile) -> Iterator[AmbiguousNumber]:
                 yield AmbiguousNumber(first.span, first.message + more, repairs, all(n.right_for_rcl for n in found))
 
 
-def scalars(value: YamlNode) -> Iterator[Scalar]:
-    for item in value.items if isinstance(value, Sequence) else [value]:
-        if isinstance(item, Scalar) and item.plain and item.tag is None:
+def scalars(value: YamlNode) -> Iterator[ScalarNode]:
+    for item in value.items if isinstance(value, SequenceNode) else [value]:
+        if isinstance(item, ScalarNode) and item.plain and item.tag is None:
             yield item
 
 
-def judge(scalar: Scalar) -> Iterator[AmbiguousNumber]:
+def judge(scalar: ScalarNode) -> Iterator[AmbiguousNumber]:
     text, rcl, yaml = scalar.text, type_of(scalar), yaml_type(scalar.text)
     if rcl == "double" and yaml == "string" and not OCTAL.fullmatch(text):
         better = canonical(text)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cpp.file import CppFile
-from ...languages.yaml.nodes import Scalar, YamlNode
-from ...languages.yaml.nodes import Sequence as YamlSequence
+from ...languages.yaml.nodes import ScalarNode, YamlNode
+from ...languages.yaml.nodes import SequenceNode as YamlSequence
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp import read_in
 from ...package.params.declared import DeclaredParameter, type_named
@@ -179,7 +179,7 @@ def is_its_own(name: str) -> bool:
 
 def given_type(value: YamlNode) -> str:
     """Return the type that rcl gives a value; "" where it has none, or it is filled in later."""
-    if isinstance(value, Scalar):
+    if isinstance(value, ScalarNode):
         return "" if "$(" in value.text or (value.plain and not value.text) else type_of(value)
     if isinstance(value, YamlSequence) and value.items:
         types = {given_type(item) for item in value.items}

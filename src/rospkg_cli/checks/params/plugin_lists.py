@@ -5,23 +5,23 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...languages.yaml.nodes import Scalar, Sequence
+from ...languages.yaml.nodes import ScalarNode, SequenceNode
 from ...package.params.file import NodeBlock
 
 LISTS = re.compile(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
 TYPE = "plugin"
 
 
-def unfound_plugins(block: NodeBlock) -> Iterator[tuple[Scalar, str]]:
+def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
     """Yield each listed name that has no group, where the block has exactly one group that no list names."""
     groups = {name.removesuffix(f".{TYPE}") for each in block.parameters if (name := each.name).endswith(f".{TYPE}")}
     used = {each.name.partition(".")[0] for each in block.parameters if "." in each.name}
     listed = [
         item
         for each in block.parameters
-        if LISTS.fullmatch(each.name) and isinstance(each.value, Sequence)
+        if LISTS.fullmatch(each.name) and isinstance(each.value, SequenceNode)
         for item in each.value.items
-        if isinstance(item, Scalar)
+        if isinstance(item, ScalarNode)
     ]
     idle = {group for group in groups if "." not in group} - {item.text for item in listed}
     lost = [item for item in listed if item.text not in used]

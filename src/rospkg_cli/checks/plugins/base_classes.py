@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...package.package_facts import PackageFacts
-from ...package.plugins.description import Exported, PluginClass, PluginDescription
+from ...package.plugins.description import DescriptionExport, PluginClass, PluginDescription
 from ...package.plugins.loaders import PluginLoader, PluginLoaders
 from ...package.workspace import Workspace
 from ...ros.names import Known
@@ -19,11 +19,11 @@ from .plugin_package import PluginPackage, spaceless
 
 
 @dataclass(frozen=True)
-class Misplaced:
+class WrongExport:
     """A description that is exported to a package for which nobody loads it."""
 
     description: PluginDescription
-    exported: Exported
+    exported: DescriptionExport
     base: str
     """The class that is loaded elsewhere; "" where only the package is unknown."""
     owners: tuple[str, ...]
@@ -31,7 +31,7 @@ class Misplaced:
 
 
 @dataclass(frozen=True)
-class Misnamed:
+class WrongBaseClass:
     """A class whose base class nobody loads under that name."""
 
     description: PluginDescription
@@ -40,7 +40,7 @@ class Misnamed:
 
 
 @dataclass(frozen=True)
-class Astray:
+class UnmatchedLoader:
     """A loader that looks for plug-ins of a package that isn't there."""
 
     loader: PluginLoader
@@ -64,7 +64,7 @@ class PluginBases:
                 cpp = [each for each in description.classes if not each.python and each.element.span not in unmade]
                 yield description, tuple(cpp)
 
-    def misplaced(self) -> Iterator[Misplaced]:
+    def misplaced(self) -> Iterator[WrongExport]:
         for description, classes in self.described():
             owners = {each.base.value: self.workspace.loading(each.base.value) for each in classes}
             for exported in description.exported:
@@ -73,9 +73,9 @@ class PluginBases:
                     continue
                 if owners and not serves and self.is_certain(exported.base):
                     base, packages = next(iter(owners.items()))
-                    yield Misplaced(description, exported, base, tuple(sorted(packages)))
+                    yield WrongExport(description, exported, base, tuple(sorted(packages)))
                 elif self.workspace.what(exported.base) is Known.UNKNOWN:
-                    yield Misplaced(description, exported, "", ())
+                    yield WrongExport(description, exported, "", ())
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""
@@ -84,7 +84,7 @@ class PluginBases:
         around = self.workspace.named(package) is not None
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
 
-    def misnamed(self) -> Iterator[Misnamed]:
+    def misnamed(self) -> Iterator[WrongBaseClass]:
         """Yield classes whose base is not known where it is exported, and almost that of another that is."""
         for description, classes in self.described():
             known = {base for package in description.bases for base in self.workspace.loaded_from(package)}
@@ -92,7 +92,7 @@ class PluginBases:
                 if not self.workspace.loading(plugin.base.value):
                     meant = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
                     if meant is not None:
-                        yield Misnamed(description, plugin, meant)
+                        yield WrongBaseClass(description, plugin, meant)
 
     def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
         """Return the base that the macro has, where that is one that is loaded."""
@@ -100,7 +100,7 @@ class PluginBases:
         bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
         return bases.pop() if len(bases) == 1 and bases <= known else None
 
-    def astray(self) -> Iterator[Astray]:
+    def astray(self) -> Iterator[UnmatchedLoader]:
         for loader in self.loaders.loaders if self.facts.ament else ():
             package, base = loader.names
             known = self.workspace.what(package)
@@ -109,7 +109,7 @@ class PluginBases:
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
             if package not in served and (served or known is Known.UNKNOWN):
                 meant = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
-                yield Astray(loader, meant)
+                yield UnmatchedLoader(loader, meant)
 
 
 def misspelt(base: str, known: set[str]) -> str | None:

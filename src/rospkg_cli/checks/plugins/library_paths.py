@@ -10,18 +10,18 @@ from typing import Literal
 from ...languages.xml.parser import Attribute
 from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
-from .plugin_package import Entry, PluginPackage, spaceless
+from .plugin_package import DescribedPlugin, PluginPackage, spaceless
 
-Fault = Literal["prefixed", "unknown", "static", "absent"]
+LibraryFault = Literal["prefixed", "unknown", "static", "absent"]
 SUFFIXES = (".so", ".dylib", ".dll", ".a")
 
 
 @dataclass(frozen=True)
-class WrongLibrary:
-    entry: Entry
+class WrongLibraryPath:
+    entry: DescribedPlugin
     """The first class of the library."""
     path: Attribute
-    fault: Fault
+    fault: LibraryFault
     meant: str = ""
     """The path that it should be, as far as there is one; the target that is not installed."""
     certain: bool = False
@@ -37,7 +37,7 @@ class PluginLibraries:
     def cmake(self) -> CMake:
         return self.package.cmake
 
-    def wrong(self) -> Iterator[WrongLibrary]:
+    def wrong(self) -> Iterator[WrongLibraryPath]:
         """Yield each library once; those of classes that no source exports are another fault."""
         unmade = {entry.plugin.element.span for entry in self.package.unmade()}
         seen = set()
@@ -47,23 +47,23 @@ class PluginLibraries:
                 seen.add(key)
                 yield from self.judged(entry, entry.plugin.path)
 
-    def judged(self, entry: Entry, path: Attribute) -> Iterator[WrongLibrary]:
+    def judged(self, entry: DescribedPlugin, path: Attribute) -> Iterator[WrongLibraryPath]:
         name = path.value.strip()
         target = self.package.library(name)
         if target is None:
             if self.package.sees_all_libraries(name):
-                yield WrongLibrary(entry, path, "unknown", *self.meant(entry, name))
+                yield WrongLibraryPath(entry, path, "unknown", *self.meant(entry, name))
         elif (
             "/" not in name
             and name.startswith("lib")
             and self.package.library(name[3:]) == target
             and not self.is_made(name)
         ):
-            yield WrongLibrary(entry, path, "prefixed", name[3:], True)
+            yield WrongLibraryPath(entry, path, "prefixed", name[3:], True)
         elif self.is_static(target):
-            yield WrongLibrary(entry, path, "static", target)
+            yield WrongLibraryPath(entry, path, "static", target)
         elif self.is_uninstalled(entry, target):
-            yield WrongLibrary(entry, path, "absent", target)
+            yield WrongLibraryPath(entry, path, "absent", target)
 
     def is_made(self, name: str) -> bool:
         """Return whether a library has exactly this name."""
@@ -73,7 +73,7 @@ class PluginLibraries:
         made = self.cmake.target(target)
         return made is not None and "STATIC" in made.options
 
-    def meant(self, entry: Entry, name: str) -> tuple[str, bool]:
+    def meant(self, entry: DescribedPlugin, name: str) -> tuple[str, bool]:
         """Return the library that holds the class, else the one whose name is hidden in a path or a file name."""
         makers = [e for e in self.package.exported if spaceless(e.type) == spaceless(entry.type)]
         homes = {home for each in makers for home in self.package.libraries_of(each)}
@@ -88,7 +88,7 @@ class PluginLibraries:
                 return each, each in homes
         return "", False
 
-    def is_uninstalled(self, entry: Entry, target: str) -> bool:
+    def is_uninstalled(self, entry: DescribedPlugin, target: str) -> bool:
         """Return whether a library that is not only there for tests is certainly not installed."""
         made = self.cmake.target(target)
         if made is None or made.call.testing or made.call.maybe or not self.table.knows("library"):

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...languages.cmake.values import HOLE
+from ...languages.cmake.values import UNKNOWN
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.read import SUFFIXES
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginClass, PluginDescription
-from ..cmake.source_targets import Compiled
+from ..cmake.source_targets import SourceTargets
 from .exported_classes import ExportedClass, exported_classes, is_plain, is_registered_otherwise, tail
 
 PREBUILT = (".so", ".a", ".dylib", ".dll")
@@ -24,7 +24,7 @@ FETCHES = frozenset({"externalproject_add", "fetchcontent_declare", "fetchconten
 
 
 @dataclass(frozen=True)
-class Entry:
+class DescribedPlugin:
     """A class of a description that pluginlib can find."""
 
     description: PluginDescription
@@ -49,8 +49,8 @@ class PluginPackage:
     descriptions: tuple[PluginDescription, ...]
 
     @cached_property
-    def compiled(self) -> Compiled:
-        return Compiled(self.cmake)
+    def compiled(self) -> SourceTargets:
+        return SourceTargets(self.cmake)
 
     @cached_property
     def exported(self) -> tuple[ExportedClass, ...]:
@@ -61,12 +61,12 @@ class PluginPackage:
         return frozenset(spaceless(each.type) for each in self.exported)
 
     @cached_property
-    def entries(self) -> tuple[Entry, ...]:
+    def entries(self) -> tuple[DescribedPlugin, ...]:
         """What CMake exports and what is C++, in order; nothing of ROS 1, where package.xml does that."""
         if not self.facts.ament:
             return ()
         return tuple(
-            Entry(description, plugin)
+            DescribedPlugin(description, plugin)
             for description in self.descriptions
             if description.indexed
             for plugin in description.classes
@@ -79,7 +79,7 @@ class PluginPackage:
         paths = sum(path.endswith(SUFFIXES) for path in self.files.paths)
         return self.cmake.complete and len(self.sources) == paths
 
-    def unmade(self) -> Iterator[Entry]:
+    def unmade(self) -> Iterator[DescribedPlugin]:
         """Yield the entries whose class is exported by no source, as far as that can be told."""
         if self.legible:
             for entry in self.entries:
@@ -87,7 +87,7 @@ class PluginPackage:
                 if not exported and self.is_ours(entry) and not is_registered_otherwise(self.sources, entry.type):
                     yield entry
 
-    def is_ours(self, entry: Entry) -> bool:
+    def is_ours(self, entry: DescribedPlugin) -> bool:
         """Return whether the library of an entry is made of sources that can be seen, or of nothing that is known."""
         target = self.library(entry.library)
         if target is not None:
@@ -98,7 +98,7 @@ class PluginPackage:
         """Return whether every library that may have a name is known: made by CMake, of a known name."""
         fetched = any(call.name in FETCHES for call in self.cmake.calls)
         known = all(each.word.known for each in self.cmake.targets if each.library)
-        known = known and not any(HOLE in new for new in self.cmake.output_names.values())
+        known = known and not any(UNKNOWN in new for new in self.cmake.output_names.values())
         return self.cmake.complete and known and not fetched and not self.prebuilt.intersection(stems(name))
 
     @cached_property
@@ -109,7 +109,7 @@ class PluginPackage:
 
     def library(self, name: str) -> str | None:
         """Return the target that makes the library of a description's path; None where none is known to."""
-        named = {new: target for target, new in self.cmake.output_names.items() if HOLE not in new}
+        named = {new: target for target, new in self.cmake.output_names.items() if UNKNOWN not in new}
         for stem in stems(name):
             target = self.cmake.target(named.get(stem, stem))
             if target is not None and target.library:
@@ -168,7 +168,7 @@ class PluginPackage:
             if each is not None and each.library and not each.call.testing and not each.call.maybe
         ]
 
-    def meant(self, entry: Entry) -> ExportedClass | None:
+    def meant(self, entry: DescribedPlugin) -> ExportedClass | None:
         """Return the one exported class without an entry that an entry may mean: of its name, or its base and library.
 
         None where there is none, or more than one.

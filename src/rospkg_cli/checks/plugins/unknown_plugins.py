@@ -19,7 +19,7 @@ BUILT_IN = frozenset({"rviz_common"})
 
 
 @dataclass(frozen=True)
-class Unknown:
+class UnknownPlugin:
     user: PackageFacts
     use: PluginUse
     owner: PackageFacts
@@ -28,7 +28,7 @@ class Unknown:
 
 
 @dataclass(frozen=True)
-class Sought:
+class PluginReferences:
     workspace: Workspace
 
     @cached_property
@@ -42,22 +42,22 @@ class Sought:
             found.setdefault(tail(each[1].name), []).append(each)
         return found
 
-    def unknown(self) -> Iterator[Unknown]:
+    def unknown(self) -> Iterator[UnknownPlugin]:
         for user in self.workspace.packages:
             for use in user.plugin_uses if user.build_type != "catkin" else ():
                 if use.name not in self.names:
                     yield from self.judged(user, use)
 
-    def judged(self, user: PackageFacts, use: PluginUse) -> Iterator[Unknown]:
+    def judged(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
         name = SEPARATOR.split(use.name)[0]
         owner = self.workspace.named(name)
         if owner is not None:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
-                yield Unknown(user, use, owner, self.meant(owner, use.name))
+                yield UnknownPlugin(user, use, owner, self.meant(owner, use.name))
         elif self.is_nowhere(name):
             alike = self._tails.get(tail(use.name), [])
             if len(alike) == 1:
-                yield Unknown(user, use, *alike[0])
+                yield UnknownPlugin(user, use, *alike[0])
 
     def is_nowhere(self, package: str) -> bool:
         """Return whether there is no such package, as far as anybody knows."""

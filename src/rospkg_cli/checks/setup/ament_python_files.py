@@ -11,7 +11,7 @@ from ...ros.distros import Targets
 
 
 @dataclass(frozen=True)
-class PythonBuild:
+class AmentPythonFiles:
     manifest: Manifest
     files: PackageFiles
     targets: Targets

@@ -7,12 +7,12 @@ from functools import cached_property
 
 from ...package.setup.data_files import DataEntry
 from ...ros.share_layout import FOLDERS, SHARED
-from .share_files import SharedFiles
+from .share_files import ShareFiles
 
 
 @dataclass(frozen=True)
-class Destinations:
-    shared: SharedFiles
+class DataDestinations:
+    shared: ShareFiles
 
     @cached_property
     def astray(self) -> tuple[tuple[DataEntry, str, str], ...]:

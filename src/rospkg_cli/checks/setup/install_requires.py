@@ -5,18 +5,18 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from ...package.setup.located_text import Said
+from ...package.setup.setup_text import SetupText
 from .python_package import PythonPackage
 
 REQUIREMENT = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
 
 
 @dataclass(frozen=True)
-class Requirements:
+class InstallRequires:
     package: PythonPackage
 
     @property
-    def ros_requirements(self) -> tuple[tuple[Said, str], ...]:
+    def ros_requirements(self) -> tuple[tuple[SetupText, str], ...]:
         """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
         found = []
         for said in self.package.setup.texts("install_requires"):

@@ -9,8 +9,8 @@ from functools import cached_property
 
 from ...languages.xml.parser import Element
 from ...package.manifest import Manifest
-from ...package.setup.located_text import Said
 from ...package.setup.setup_py import SetupPy
+from ...package.setup.setup_text import SetupText
 from ...ros.licenses import spdx_id
 
 SEVERAL = re.compile(r"\s*(?:,|;|\band\b|&|\|)\s*")
@@ -20,7 +20,7 @@ TODO = re.compile(r"todo\b.*", re.IGNORECASE | re.DOTALL)
 REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
 """An address that is one, and not a template's."""
 
-Difference = tuple[str, Said, str, Element]
+Difference = tuple[str, SetupText, str, Element]
 """The argument of setup(), what it says, what it should say ("" where that is not one text), and who says so."""
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.setup.entry_points import EntryPoint
-from ...package.setup.located_text import Said
 from ...package.setup.setup_cfg import SetupCfg
+from ...package.setup.setup_text import SetupText
 from ...package.workspace import Workspace
 from .python_package import PythonPackage
 
@@ -17,7 +17,7 @@ ELSEWHERE = re.compile(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
 
 
 @dataclass(frozen=True)
-class ScriptHome:
+class ScriptDir:
     """Where the executables of a package go."""
 
     package: PythonPackage
@@ -32,12 +32,12 @@ class ScriptHome:
         return tuple(dict.fromkeys((*self.package.nodes, *named)))
 
     @cached_property
-    def wrong(self) -> tuple[tuple[str, str, Said | None], ...]:
+    def wrong(self) -> tuple[tuple[str, str, SetupText | None], ...]:
         """The options that put nodes where nobody looks: section, key, and the value, None where it is missing.
 
         A value that is no folder below lib/ was meant so; so was one for the name that setup.py gives the package.
         """
-        found: list[tuple[str, str, Said | None]] = []
+        found: list[tuple[str, str, SetupText | None]] = []
         own = {self.package.name, said.text if (said := self.package.setup.said("name")) else ""}
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None

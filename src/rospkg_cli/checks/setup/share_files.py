@@ -15,12 +15,12 @@ from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ...unreadable import UnreadableError
-from ..share_references import speaks_of
+from ..share_references import references_folder
 from .python_package import PythonPackage
 
 
 @dataclass(frozen=True)
-class Missed:
+class UninstalledNeighbour:
     """A file that lies beside installed ones and is not installed."""
 
     path: str
@@ -31,7 +31,7 @@ class Missed:
 
 
 @dataclass(frozen=True)
-class SharedFiles:
+class ShareFiles:
     package: PythonPackage
 
     @property
@@ -125,7 +125,8 @@ class SharedFiles:
         name = self.package.name
         started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
         return any(
-            speaks_of(text, name, folder) if code else started and started.search(text) for text, code in self.texts
+            references_folder(text, name, folder) if code else started and started.search(text)
+            for text, code in self.texts
         )
 
     @cached_property
@@ -143,20 +144,20 @@ class SharedFiles:
         return tuple(found)
 
     @cached_property
-    def missed(self) -> tuple[Missed, ...]:
+    def missed(self) -> tuple[UninstalledNeighbour, ...]:
         """Files for run time that lie beside or below files that a glob installs, and that no glob matches."""
-        found: dict[str, Missed] = {}
+        found: dict[str, UninstalledNeighbour] = {}
         for entry in self.package.setup.data_entries:
             places = {file.said.span for file in entry.files}
             for glob in self.package.setup.globs:
                 if glob.span in places and folder_of(glob.pattern):
                     for path in self.beside(folder_of(glob.pattern)):
-                        found.setdefault(path, Missed(path, entry, glob))
+                        found.setdefault(path, UninstalledNeighbour(path, entry, glob))
         for folder, missed in self.folders_beside():
             found.setdefault(f"{folder}/", missed)
         return tuple(found.values())
 
-    def folders_beside(self) -> Iterator[tuple[str, Missed]]:
+    def folders_beside(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where each of at least two beside them has a glob."""
         entries = self.package.setup.data_entries
         globbed = {folder_of(e.glob.pattern): (e, e.glob) for e in entries if e.glob is not None and e.glob.matches}
@@ -169,7 +170,7 @@ class SharedFiles:
                     ]
                     if useful:
                         entry, glob = globbed[inner[-1]]
-                        yield folder, Missed(f"{folder}/", entry, glob)
+                        yield folder, UninstalledNeighbour(f"{folder}/", entry, glob)
 
     def beside(self, folder: str) -> Iterator[str]:
         pattern = FOLDERS.get(folder.partition("/")[0])

@@ -10,17 +10,17 @@ from typing import Literal
 
 from ...files import PackageFiles
 from ...package.package_facts import PackageFacts
-from ...package.urdf.robot_file import Reference, RobotFile
+from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
-from ..closest_path import meant_file
+from ..closest_path import closest_path
 
 State = Literal["absent", "not installed"]
 
 
 @dataclass(frozen=True, slots=True)
-class Missing:
+class MissingResource:
     """A file that is named and won't be there."""
 
     span: Span
@@ -40,15 +40,15 @@ class RobotInWorkspace:
     package: PackageFacts
     workspace: Workspace
 
-    def missing(self) -> Iterator[Missing]:
+    def missing(self) -> Iterator[MissingResource]:
         """Yield each file that is named and is not there, once, as far as that can be told."""
-        found: dict[tuple[str, str], list[Missing]] = {}
+        found: dict[tuple[str, str], list[MissingResource]] = {}
         for each in self.every_missing():
             found.setdefault((each.package, each.path), []).append(each)
         for first, *others in found.values():
             yield replace(first, again=tuple(other.span for other in others))
 
-    def every_missing(self) -> Iterator[Missing]:
+    def every_missing(self) -> Iterator[MissingResource]:
         for reference in self.robot.references:
             facts = self.facts_of(reference)
             if facts is not None and reference.path and not reference.path.startswith(".."):
@@ -56,13 +56,13 @@ class RobotInWorkspace:
                 meant = self.meant(facts, reference.path)
                 if state is not None and (facts.knows("share_files") or meant):
                     include = reference.use == "include"
-                    yield Missing(reference.path_span, facts.name, reference.path, state, include, meant)
+                    yield MissingResource(reference.path_span, facts.name, reference.path, state, include, meant)
         for local in self.robot.includes:
             if not self.files.exists(local.path) and not local.path.startswith(".."):
                 near = nearest(posixpath.basename(local.path), self.beside(local.path))
-                yield Missing(local.span, self.package.name, local.path, "absent", True, near)
+                yield MissingResource(local.span, self.package.name, local.path, "absent", True, near)
 
-    def facts_of(self, reference: Reference) -> PackageFacts | None:
+    def facts_of(self, reference: ResourceReference) -> PackageFacts | None:
         own = reference.package == self.package.name
         return self.package if own else self.workspace.named(reference.package)
 
@@ -84,7 +84,7 @@ class RobotInWorkspace:
 
     def meant(self, facts: PackageFacts, path: str) -> str | None:
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
-        return meant_file(path, known)
+        return closest_path(path, known)
 
     def beside(self, path: str) -> list[str]:
         folder = posixpath.dirname(path)

@@ -12,30 +12,30 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ...package.package_facts import Need, PackageFacts
+from ...package.package_facts import ActiveDependency, PackageFacts
 from ...package.workspace import Workspace
 from ...ros.manifest import NOT_ORDERED
 
-Edges = Mapping[str, Mapping[str, Need]]
+Edges = Mapping[str, Mapping[str, ActiveDependency]]
 """Package → the packages that it needs → the first place that says so."""
 
 
 @dataclass(frozen=True)
-class Step:
+class DependencyStep:
     package: PackageFacts
     needs: PackageFacts
-    need: Need
+    need: ActiveDependency
 
 
-def cycles(workspace: Workspace) -> Iterator[tuple[Step, ...]]:
+def dependency_cycles(workspace: Workspace) -> Iterator[tuple[DependencyStep, ...]]:
     """Yield one cycle for each knot of packages that takes part in any: the shortest through its first given one."""
     edges = needed(workspace)
-    for knot in knots(edges):
+    for knot in strongly_connected(edges):
         given = sorted(name for name in knot if named(workspace, name).folder in workspace.given)
         if given:
             path = shortest(edges, given[0], knot)
             yield tuple(
-                Step(named(workspace, here), named(workspace, there), edges[here][there])
+                DependencyStep(named(workspace, here), named(workspace, there), edges[here][there])
                 for here, there in pairwise(path)
             )
 
@@ -52,21 +52,21 @@ def needed(workspace: Workspace) -> Edges:
     for facts in workspace.packages:
         for group in facts.groups:
             members.setdefault(group, []).append(facts.name)
-    edges: dict[str, dict[str, Need]] = {}
+    edges: dict[str, dict[str, ActiveDependency]] = {}
     for name in sorted(workspace.names):
         facts = named(workspace, name)
         found = edges.setdefault(name, {})
         for need in facts.dependencies:
             if need.certain and need.tag not in NOT_ORDERED and need.name in workspace.names:
                 found.setdefault(need.name, need)
-        for need in facts.group_needs:
+        for need in facts.group_dependencies:
             for member in members.get(need.name, ()) if need.certain else ():
                 found.setdefault(member, need)
         found.pop(name, None)
     return edges
 
 
-def knots(edges: Edges) -> list[set[str]]:
+def strongly_connected(edges: Edges) -> list[set[str]]:
     """Return the sets of two packages or more that reach each other (Tarjan's strongly connected components)."""
     order: dict[str, int] = {}
     low: dict[str, int] = {}

@@ -13,7 +13,7 @@ from ...ros.manifest import VERSION
 
 
 @dataclass(frozen=True)
-class Deviant:
+class VersionMismatch:
     """A package whose version is not that of the others."""
 
     package: PackageFacts
@@ -22,7 +22,7 @@ class Deviant:
     """Those that have the common version."""
 
 
-def deviants(workspace: Workspace) -> Iterator[Deviant]:
+def version_mismatches(workspace: Workspace) -> Iterator[VersionMismatch]:
     """Yield them by repository; the most common version counts, of several the highest, and `0.0.0` only at last."""
     for folders in workspace.repositories:
         packages = [
@@ -32,4 +32,4 @@ def deviants(workspace: Workspace) -> Iterator[Deviant]:
         if len(counted) > 1:
             common = max(counted, key=lambda version: (any(number_of(version)), counted[version], number_of(version)))
             others = tuple(facts for facts in packages if facts.version == common)
-            yield from (Deviant(facts, common, others) for facts in packages if facts.version != common)
+            yield from (VersionMismatch(facts, common, others) for facts in packages if facts.version != common)

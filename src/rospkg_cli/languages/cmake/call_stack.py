@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from ...source import Span
 from .command_blocks import Block
 from .file import ROOT
-from .syntax import Command
-from .values import BINARY, HOLE, PREFIX, SOURCE, Value
+from .syntax import CommandInvocation
+from .values import BINARY, PREFIX, SOURCE, UNKNOWN, Value
 
 MAX_STEPS = 20_000
 MAX_DEPTH = 40
@@ -76,16 +76,16 @@ class Frame:
 
 
 @dataclass
-class Function:
-    command: Command
-    body: list[Command | Block]
+class FunctionDefinition:
+    command: CommandInvocation
+    body: list[CommandInvocation | Block]
     path: str
     parameters: list[str]
     macro: bool
 
 
 def environment(name: str) -> str:
-    return ENVIRONMENT.get(name, HOLE)
+    return ENVIRONMENT.get(name, UNKNOWN)
 
 
 def built_in(name: str, here: Frame, testing: str | None) -> str | None:

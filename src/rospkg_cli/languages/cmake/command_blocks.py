@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from .syntax import Command, Fault
+from .syntax import CommandInvocation, Fault
 
 CLOSED_BY = {
     "if": "endif",
@@ -23,8 +23,8 @@ BETWEEN = ("elseif", "else")
 class Branch:
     """A command that opens a block, or goes on with one (`elseif`, `else`), and what stands below it."""
 
-    command: Command
-    body: list[Command | Block] = field(default_factory=list)
+    command: CommandInvocation
+    body: list[CommandInvocation | Block] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -32,16 +32,16 @@ class Block:
     """`if` has a branch for each alternative, all others have one."""
 
     branches: list[Branch]
-    end: Command | None = None
+    end: CommandInvocation | None = None
 
     @property
-    def command(self) -> Command:
+    def command(self) -> CommandInvocation:
         return self.branches[0].command
 
 
-def nest(commands: Sequence[Command]) -> tuple[list[Command | Block], list[Fault]]:
+def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation | Block], list[Fault]]:
     """Return the commands of a file with their blocks, and what is badly nested."""
-    top: list[Command | Block] = []
+    top: list[CommandInvocation | Block] = []
     stack: list[Block] = []
     faults: list[Fault] = []
     for command in commands:
@@ -51,27 +51,27 @@ def nest(commands: Sequence[Command]) -> tuple[list[Command | Block], list[Fault
             body.append(block)
             stack.append(block)
         elif command.name in BETWEEN:
-            if not stack or not goes_on(stack[-1]):
-                faults.append(stray(command, stack))
+            if not stack or not may_have_alternative(stack[-1]):
+                faults.append(misplaced(command, stack))
             else:
                 stack[-1].branches.append(Branch(command))
         elif command.name in OPENED_BY:
             if not stack or CLOSED_BY[stack[-1].command.name] != command.name:
-                faults.append(stray(command, stack))
+                faults.append(misplaced(command, stack))
             else:
                 stack.pop().end = command
         else:
             body.append(command)
-    faults += [left_open(block.command) for block in stack]
+    faults += [unclosed(block.command) for block in stack]
     return top, faults
 
 
-def goes_on(block: Block) -> bool:
+def may_have_alternative(block: Block) -> bool:
     """Return whether an `elseif` or `else` may follow."""
     return block.command.name == "if" and block.branches[-1].command.name != "else"
 
 
-def stray(command: Command, stack: Sequence[Block]) -> Fault:
+def misplaced(command: CommandInvocation, stack: Sequence[Block]) -> Fault:
     if not stack:
         wanted = OPENED_BY.get(command.name, "if")
         return Fault(command.name_span, f"`{command.name}` stands outside of any `{wanted}`")
@@ -79,5 +79,5 @@ def stray(command: Command, stack: Sequence[Block]) -> Fault:
     return Fault(command.name_span, f"`{command.name}` stands where `{CLOSED_BY[opened]}` should close `{opened}`")
 
 
-def left_open(command: Command) -> Fault:
+def unclosed(command: CommandInvocation) -> Fault:
     return Fault(command.name_span, f"`{command.name}` is never closed: `{CLOSED_BY[command.name]}()` is missing")

@@ -7,13 +7,13 @@ import re
 from collections.abc import Callable, Mapping
 
 from .call_stack import PYTHON, LeaveError
-from .evaluated_command import Call
+from .evaluated_command import EvaluatedCommand
 from .file import ROOT
 from .file_command import run_file
-from .interpreter import Machine
+from .interpreter import Interpreter
 from .string_commands import run_get_filename_component, run_string
 from .targets import MAKERS
-from .values import BINARY, HOLE, SOURCE
+from .values import BINARY, SOURCE, UNKNOWN
 from .variable_commands import (
     run_list,
     run_math,
@@ -23,7 +23,7 @@ from .variable_commands import (
     run_set,
     run_unset,
 )
-from .variable_scope import Scope
+from .variable_scope import VariableScope
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 
@@ -33,7 +33,7 @@ FIRST_IS_OUTPUT = ("find_program", "find_library", "find_path", "find_file", "ge
                    "try_run", "cmake_host_system_information", "aux_source_directory")  # fmt: skip
 
 
-def run_project(machine: Machine, call: Call) -> None:
+def run_project(machine: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
         top = machine.frame.folder == ""
         here = posixpath.join(SOURCE, machine.frame.folder).rstrip("/")
@@ -46,7 +46,7 @@ def run_project(machine: Machine, call: Call) -> None:
             machine.set_text("CMAKE_PROJECT_NAME", name)
 
 
-def run_find_package(machine: Machine, call: Call) -> None:
+def run_find_package(machine: Interpreter, call: EvaluatedCommand) -> None:
     """What is required was found, or the configuration stopped."""
     for name in call.texts[:1]:
         if "REQUIRED" in call.texts and not call.maybe:
@@ -54,7 +54,7 @@ def run_find_package(machine: Machine, call: Call) -> None:
         machine.touched.update({f"{name}_FOUND", f"{name.upper()}_FOUND"})
 
 
-def run_include(machine: Machine, call: Call) -> None:
+def run_include(machine: Interpreter, call: EvaluatedCommand) -> None:
     """Run a file of the package; a module of CMake's own (`include(CTest)`) sets nothing that matters here."""
     if not call.words or NAME.fullmatch(call.texts[0]):
         return
@@ -65,62 +65,62 @@ def run_include(machine: Machine, call: Call) -> None:
         machine.clouded = True
 
 
-def run_add_subdirectory(machine: Machine, call: Call) -> None:
+def run_add_subdirectory(machine: Interpreter, call: EvaluatedCommand) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
     folder = machine.path(call.texts[0]) if call.texts else None
     if folder is None or not machine.files.holds(posixpath.join(folder, ROOT)):
         machine.clouded = True
         return
     outer = machine.scope
-    machine.scope = Scope(outer)
+    machine.scope = VariableScope(outer)
     try:
         machine.file(posixpath.join(folder, ROOT), folder)
     finally:
         machine.scope = outer
 
 
-def run_target(machine: Machine, call: Call) -> None:
+def run_target(machine: Interpreter, call: EvaluatedCommand) -> None:
     for text in call.texts[:1]:
-        if HOLE not in text and not call.maybe:
+        if UNKNOWN not in text and not call.maybe:
             machine.targets[text] = machine.targets.get(text, True) and call.testing
 
 
-def run_message(machine: Machine, call: Call) -> None:
+def run_message(machine: Interpreter, call: EvaluatedCommand) -> None:
     if call.texts[:1] == ("FATAL_ERROR",):
         raise LeaveError("fatal")
 
 
-def leave(how: str) -> Callable[[Machine, Call], None]:
-    def run(machine: Machine, call: Call) -> None:
+def leave(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
+    def run(machine: Interpreter, call: EvaluatedCommand) -> None:
         raise LeaveError(how)
 
     return run
 
 
-def unseen(machine: Machine, call: Call) -> None:
+def unseen(machine: Interpreter, call: EvaluatedCommand) -> None:
     """What FetchContent brings is read as part of the package."""
     machine.clouded = True
 
 
-def first_is_output(machine: Machine, call: Call) -> None:
+def first_is_output(machine: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
         machine.set(name, machine.hole())
 
 
-def run_python_install_dir(machine: Machine, call: Call) -> None:
+def run_python_install_dir(machine: Interpreter, call: EvaluatedCommand) -> None:
     """`ament_get_python_install_dir(name)`"""
     for name in call.texts[:1]:
         machine.set_text(name, PYTHON)
 
 
-def named_outputs(machine: Machine, call: Call) -> None:
+def named_outputs(machine: Interpreter, call: EvaluatedCommand) -> None:
     """What execute_process and the like write is unknown."""
     for keyword, name in zip(call.texts, call.texts[1:], strict=False):
         if keyword in OUTPUT_KEYWORDS:
             machine.set(name, machine.hole())
 
 
-def foreign(machine: Machine, call: Call) -> None:
+def foreign(machine: Interpreter, call: EvaluatedCommand) -> None:
     """A command of another package may set any variable whose name it is given."""
     for text in call.texts:
         if NAME.fullmatch(text):
@@ -129,7 +129,7 @@ def foreign(machine: Machine, call: Call) -> None:
                 machine.set(text, machine.hole())
 
 
-def nothing(machine: Machine, call: Call) -> None:
+def nothing(machine: Interpreter, call: EvaluatedCommand) -> None:
     """Only recorded."""
 
 
@@ -152,7 +152,7 @@ HARMLESS = frozenset(
 )
 """Commands that set no variable of the caller."""
 
-COMMANDS: Mapping[str, Callable[[Machine, Call], None]] = {
+COMMANDS: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]] = {
     **dict.fromkeys(HARMLESS, nothing),
     **dict.fromkeys(FIRST_IS_OUTPUT, first_is_output),
     "set": run_set,

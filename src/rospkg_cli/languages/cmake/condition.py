@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from .regex import search, steps
-from .values import HOLE, Value, Word, joined
+from .values import UNKNOWN, Value, Word, joined
 
 Truth = bool | None
 
@@ -40,7 +40,7 @@ BINARY = frozenset({*NUMBERS, *STRINGS, *(f"VERSION_{name}" for name in NUMBERS)
                     "IS_NEWER_THAN"})  # fmt: skip
 
 
-class World(Protocol):
+class ConditionContext(Protocol):
     """What a condition asks about."""
 
     def variable(self, name: str) -> Value | None:
@@ -68,7 +68,7 @@ def negated(a: Truth) -> Truth:
     return None if a is None else not a
 
 
-def evaluate(words: Sequence[Word], world: World) -> Truth:
+def evaluate(words: Sequence[Word], world: ConditionContext) -> Truth:
     """Return whether a condition holds; unknown too where CMake would refuse it."""
     return Condition(words, world).whole()
 
@@ -76,7 +76,7 @@ def evaluate(words: Sequence[Word], world: World) -> Truth:
 @dataclass
 class Condition:
     words: Sequence[Word]
-    world: World
+    world: ConditionContext
     at: int = 0
 
     def whole(self) -> Truth:
@@ -122,7 +122,7 @@ class Condition:
             return found if self.take().text == ")" else None
         if self.peek() in UNARY and self.at + 1 < len(self.words):
             test, name = self.take().text, self.take()
-            return None if name.maybe or HOLE in name.text else self.world.holds(test, name.text)
+            return None if name.maybe or UNKNOWN in name.text else self.world.holds(test, name.text)
         left = self.take()
         if self.peek() in BINARY and self.at + 1 < len(self.words):
             return self.comparison(left, self.take().text, self.take())
@@ -132,10 +132,10 @@ class Condition:
         a, b = self.content(left), self.content(right)
         if operator == "IN_LIST":
             value = self.world.variable(right.text)
-            return None if HOLE in a else contains(value or (), a)
+            return None if UNKNOWN in a else contains(value or (), a)
         if operator == "MATCHES":
             b = right.text
-        if HOLE in a or HOLE in b:
+        if UNKNOWN in a or UNKNOWN in b:
             return None
         if operator in STRINGS:
             return STRINGS[operator](a, b)
@@ -150,12 +150,12 @@ class Condition:
     def content(self, word: Word) -> str:
         """Return a word, or what the variable of that name holds."""
         if word.maybe:
-            return HOLE
-        value = None if word.quoted or HOLE in word.text else self.world.operand(word.text)
+            return UNKNOWN
+        value = None if word.quoted or UNKNOWN in word.text else self.world.operand(word.text)
         return word.text if value is None else joined(value)
 
     def truth(self, word: Word) -> Truth:
-        if word.maybe or HOLE in word.text:
+        if word.maybe or UNKNOWN in word.text:
             return None
         if (constant := as_constant(word.text)) is not None:
             return constant
@@ -165,7 +165,7 @@ class Condition:
         if value is None:
             return False
         text = joined(value)
-        return None if HOLE in text else as_constant(text) is not False
+        return None if UNKNOWN in text else as_constant(text) is not False
 
 
 def as_constant(text: str) -> Truth:
@@ -181,7 +181,7 @@ def contains(value: Value, text: str) -> Truth:
     sure = [word.text for word in value if not word.maybe]
     if text in sure:
         return True
-    return None if any(word.maybe or HOLE in word.text for word in value) else False
+    return None if any(word.maybe or UNKNOWN in word.text for word in value) else False
 
 
 def versions(operator: str, a: str, b: str) -> Truth:

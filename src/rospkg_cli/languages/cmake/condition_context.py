@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from .call_stack import ENVIRONMENT
 from .condition import Truth
-from .interpreter import Machine
-from .values import BINARY, HOLE, PREFIX, Value
+from .interpreter import Interpreter
+from .values import BINARY, PREFIX, UNKNOWN, Value
 
 OLDEST_POLICY = "CMP0128"
 """The last that Ubuntu 22.04's CMake knows: what is newer may be unknown to the one that builds."""
@@ -20,8 +20,8 @@ FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z][A-Z_]*")
 
 
 @dataclass
-class World:
-    machine: Machine
+class InterpreterContext:
+    machine: Interpreter
 
     def variable(self, name: str) -> Value | None:
         """Return a variable's value; None where it is not set; a hole where that can't be told."""
@@ -75,4 +75,4 @@ class World:
         value = self.variable(name)
         if value is None:
             return False
-        return None if not value or any(word.maybe or word.text == HOLE for word in value) else True
+        return None if not value or any(word.maybe or word.text == UNKNOWN for word in value) else True

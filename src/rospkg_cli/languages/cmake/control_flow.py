@@ -8,9 +8,9 @@ from dataclasses import replace
 from .call_stack import Frame, LeaveError
 from .command_blocks import Block, Branch
 from .condition import Truth, both, evaluate, negated
-from .condition_context import World
+from .condition_context import InterpreterContext
 from .functions import define, run_block
-from .interpreter import Machine
+from .interpreter import Interpreter
 from .loops import run_foreach, run_while
 from .variable_scope import Snapshot
 
@@ -18,7 +18,7 @@ Reached = tuple[Truth, Truth]
 """Whether a place is reached with BUILD_TESTING on, and off."""
 
 
-def run_if(machine: Machine, block: Block) -> None:
+def run_if(machine: Interpreter, block: Block) -> None:
     """Run the branches that may be taken, each on its own, and unite what they leave behind."""
     live: Reached = (True, not machine.frame.testing)
     before = machine.save()
@@ -47,14 +47,16 @@ def run_if(machine: Machine, block: Block) -> None:
         machine.frame = after_leaving(machine.frame, reached)
 
 
-def verdict(machine: Machine, branch: Branch, live: Reached) -> Reached:
+def verdict(machine: Interpreter, branch: Branch, live: Reached) -> Reached:
     """Return whether a branch's condition holds with BUILD_TESTING on, and off."""
     if branch.command.name == "else":
         return True, True
     found: list[Truth] = []
     for assumed, alive in zip(("ON", "OFF"), live, strict=True):
         machine.assume = assumed
-        found.append(evaluate(machine.words(branch.command), World(machine)) if alive is not False else False)
+        found.append(
+            evaluate(machine.words(branch.command), InterpreterContext(machine)) if alive is not False else False
+        )
     machine.assume = None
     return found[0], found[1]
 
@@ -65,12 +67,12 @@ def split(live: Reached, verdict: Reached) -> tuple[Reached, Reached]:
     return reached, (both(live[0], negated(verdict[0])), both(live[1], negated(verdict[1])))
 
 
-def is_sure(machine: Machine, reached: Reached) -> bool:
+def is_sure(machine: Interpreter, reached: Reached) -> bool:
     """Return whether a branch is always taken where its block is."""
     return reached[0] is True and (machine.frame.testing or reached[1] is True)
 
 
-def run_branch(machine: Machine, branch: Branch, reached: Reached) -> str:
+def run_branch(machine: Interpreter, branch: Branch, reached: Reached) -> str:
     """Run a branch; return how it left its file or loop, or "".
 
     colcon builds with BUILD_TESTING on: what runs only without it is a `maybe`.
@@ -96,7 +98,7 @@ def after_leaving(frame: Frame, reached: Reached) -> Frame:
     return replace(frame, maybe=True)
 
 
-BLOCKS: Mapping[str, Callable[[Machine, Block], None]] = {
+BLOCKS: Mapping[str, Callable[[Interpreter, Block], None]] = {
     "if": run_if,
     "foreach": run_foreach,
     "while": run_while,

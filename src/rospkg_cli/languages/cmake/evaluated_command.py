@@ -7,13 +7,13 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from .syntax import Argument, Command
-from .values import BINARY, HOLE, SOURCE, Word
+from .syntax import CommandArgument, CommandInvocation
+from .values import BINARY, SOURCE, UNKNOWN, Word
 
 
 @dataclass(frozen=True)
-class Call:
-    command: Command
+class EvaluatedCommand:
+    command: CommandInvocation
     words: tuple[Word, ...]
     path: str
     """The file that the command stands in."""
@@ -36,7 +36,7 @@ class Call:
     def texts(self) -> tuple[str, ...]:
         return tuple(word.text for word in self.words)
 
-    def by_argument(self) -> Iterator[tuple[Argument, tuple[Word, ...]]]:
+    def by_argument(self) -> Iterator[tuple[CommandArgument, tuple[Word, ...]]]:
         """Yield the arguments as they are written, each with the words that it stands for."""
         at = 0
         for argument, count in zip(self.command.arguments, self.counts, strict=True):
@@ -50,7 +50,7 @@ class Call:
     @property
     def open_ended(self) -> bool:
         """Whether there may be more arguments than are known."""
-        return any(word.text == HOLE for word in self.words)
+        return any(word.text == UNKNOWN for word in self.words)
 
 
 def by_keyword(words: Sequence[Word], keywords: Collection[str]) -> dict[str, list[Word]]:
@@ -94,7 +94,7 @@ def located(text: str, folder: str) -> str | None:
 
     None where it is unknown, generated, or outside the package.
     """
-    if HOLE in text or "$<" in text or text.startswith(BINARY) or "\1" in text.removeprefix(SOURCE):
+    if UNKNOWN in text or "$<" in text or text.startswith(BINARY) or "\1" in text.removeprefix(SOURCE):
         return None
     if text.startswith(SOURCE):
         path = text[len(SOURCE) :].lstrip("/")

@@ -11,7 +11,7 @@ from ...files import PackageFiles
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .command_blocks import Block, nest
-from .syntax import Command, Fault, Syntax, parse
+from .syntax import CMakeSyntax, CommandInvocation, Fault, parse
 
 ROOT = "CMakeLists.txt"
 MAX_LENGTH = 500_000
@@ -26,8 +26,8 @@ SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_compone
 class CMakeFile:
     """One file that can be read: its commands, flat and in their blocks."""
 
-    syntax: Syntax
-    body: list[Command | Block]
+    syntax: CMakeSyntax
+    body: list[CommandInvocation | Block]
 
     @property
     def source(self) -> Source:
@@ -38,25 +38,25 @@ class CMakeFile:
         return self.syntax.source.path
 
     @cached_property
-    def top(self) -> tuple[Command, ...]:
+    def top(self) -> tuple[CommandInvocation, ...]:
         """The commands that stand in no block, in order."""
-        return tuple(each for each in self.body if isinstance(each, Command))
+        return tuple(each for each in self.body if isinstance(each, CommandInvocation))
 
     @cached_property
     def _top(self) -> frozenset[int]:
         return frozenset(map(id, self.top))
 
-    def is_top(self, command: Command) -> bool:
+    def is_top(self, command: CommandInvocation) -> bool:
         """Return whether a command is one of this file's, and stands in no block."""
         return id(command) in self._top
 
     @cached_property
-    def last_install(self) -> Command | None:
+    def last_install(self) -> CommandInvocation | None:
         """The last `install` that stands in no block."""
         return next((each for each in reversed(self.top) if each.name == "install"), None)
 
     @cached_property
-    def end(self) -> Command | None:
+    def end(self) -> CommandInvocation | None:
         """The command that opens the block of the tests, or ends the package, whichever comes first."""
         for each in self.body:
             first = each.command if isinstance(each, Block) else each

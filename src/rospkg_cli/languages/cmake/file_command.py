@@ -6,16 +6,16 @@ import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from .evaluated_command import Call
-from .interpreter import Machine
+from .evaluated_command import EvaluatedCommand
+from .interpreter import Interpreter
 from .regex import glob
-from .values import HOLE, SOURCE, Word
+from .values import SOURCE, UNKNOWN, Word
 
 OUTPUTS = {"READ": 1, "STRINGS": 1, "RELATIVE_PATH": 0, "TO_CMAKE_PATH": 1, "TO_NATIVE_PATH": 1, "REAL_PATH": 1,
            "SIZE": 1, "TIMESTAMP": 1, "READ_SYMLINK": 1, "MD5": 1, "SHA1": 1, "SHA256": 1}  # fmt: skip
 
 
-def run_file(machine: Machine, call: Call) -> None:
+def run_file(machine: Interpreter, call: EvaluatedCommand) -> None:
     operation = "".join(call.texts[:1]).upper()
     if operation in ("GLOB", "GLOB_RECURSE"):
         run_glob(machine, call, recurse=operation == "GLOB_RECURSE")
@@ -23,7 +23,7 @@ def run_file(machine: Machine, call: Call) -> None:
         machine.set(call.texts[OUTPUTS[operation] + 1], machine.hole())
 
 
-def run_glob(machine: Machine, call: Call, recurse: bool) -> None:
+def run_glob(machine: Interpreter, call: EvaluatedCommand, recurse: bool) -> None:
     """Set a variable to what the patterns match, each path at the place of its pattern."""
     words = list(call.words[2:])
     relative: Word | None = None
@@ -44,13 +44,13 @@ def run_glob(machine: Machine, call: Call, recurse: bool) -> None:
     for pattern in patterns:
         paths = matches(machine, pattern, recurse, folders)
         if paths is None or (relative and base is None):
-            found.append(replace(pattern, text=HOLE))
+            found.append(replace(pattern, text=UNKNOWN))
         else:
             found += [replace(pattern, text=shown(path, base)) for path in paths]
     machine.set(call.texts[1], tuple({word.text: word for word in found}.values()))
 
 
-def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> list[str] | None:
+def matches(machine: Interpreter, pattern: Word, recurse: bool, folders: bool) -> list[str] | None:
     path = machine.path(pattern.text)
     if path is None:
         return None
@@ -62,7 +62,7 @@ def matches(machine: Machine, pattern: Word, recurse: bool, folders: bool) -> li
     return deep(machine, folder, last, candidates)
 
 
-def deep(machine: Machine, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
+def deep(machine: Interpreter, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
     """Return what fits the last part of a pattern anywhere below what fits its folder."""
     roots = [""] if not folder else glob(folder, machine.places)
     names = glob(last, {posixpath.basename(path) for path in candidates})

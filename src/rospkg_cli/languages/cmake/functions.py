@@ -5,22 +5,22 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from .call_stack import Function, LeaveError
+from .call_stack import FunctionDefinition, LeaveError
 from .command_blocks import Block
-from .evaluated_command import Call
-from .interpreter import Machine
-from .values import HOLE, Value, as_value
-from .variable_scope import Scope
+from .evaluated_command import EvaluatedCommand
+from .interpreter import Interpreter
+from .values import UNKNOWN, Value, as_value
+from .variable_scope import VariableScope
 
 AGAIN = re.compile(r"\$\{|\\")
 """What a macro evaluates once more where it uses an argument."""
 
 
-def run_block(machine: Machine, block: Block) -> None:
+def run_block(machine: Interpreter, block: Block) -> None:
     """Run `block()` in a scope of its own; with PROPAGATE the named variables go out of it."""
     words = [word.text for word in machine.words(block.command)]
     names = words[words.index("PROPAGATE") + 1 :] if "PROPAGATE" in words else []
-    inner = machine.scope = Scope(machine.scope)
+    inner = machine.scope = VariableScope(machine.scope)
     try:
         machine.body(block.branches[0].body)
     finally:
@@ -29,16 +29,16 @@ def run_block(machine: Machine, block: Block) -> None:
         machine.scope.set(name, inner.variables.get(name, ()))
 
 
-def define(machine: Machine, block: Block) -> None:
+def define(machine: Interpreter, block: Block) -> None:
     """Remember a function or a macro."""
     words = [word.text for word in machine.words(block.command)]
-    if words and HOLE not in words[0]:
+    if words and UNKNOWN not in words[0]:
         macro = block.command.name == "macro"
-        function = Function(block.command, block.branches[0].body, machine.frame.path, words[1:], macro)
+        function = FunctionDefinition(block.command, block.branches[0].body, machine.frame.path, words[1:], macro)
         machine.functions[words[0].lower()] = function
 
 
-def invoke(machine: Machine, function: Function, call: Call) -> None:
+def invoke(machine: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> None:
     """Run a function in a scope of its own, or a macro in that of its caller."""
     bound = arguments(machine, function, call)
     frame = machine.frame
@@ -47,7 +47,7 @@ def invoke(machine: Machine, function: Function, call: Call) -> None:
     inner = replace(inner, bindings=bound if function.macro else {})
     scope = machine.scope
     if not function.macro:
-        machine.scope = Scope(scope, dict(bound))
+        machine.scope = VariableScope(scope, dict(bound))
     try:
         with machine.framed(inner):
             machine.body(function.body)
@@ -58,12 +58,12 @@ def invoke(machine: Machine, function: Function, call: Call) -> None:
         machine.scope = scope
 
 
-def arguments(machine: Machine, function: Function, call: Call) -> dict[str, Value]:
+def arguments(machine: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> dict[str, Value]:
     """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
     words, count = call.words, len(function.parameters)
     if function.macro:
-        words = tuple(replace(word, text=HOLE, quoted=False) if AGAIN.search(word.text) else word for word in words)
-    whole = any(word.text == HOLE or word.maybe for word in words[:count])
+        words = tuple(replace(word, text=UNKNOWN, quoted=False) if AGAIN.search(word.text) else word for word in words)
+    whole = any(word.text == UNKNOWN or word.maybe for word in words[:count])
     bound: dict[str, Value] = {"ARGV": as_value(words)}
     bound["ARGN"] = machine.hole() if whole else as_value(words[count:])
     for index, name in enumerate(function.parameters):

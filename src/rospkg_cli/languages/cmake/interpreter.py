@@ -20,36 +20,36 @@ from .call_stack import (
     NOWHERE,
     ExhaustedError,
     Frame,
-    Function,
+    FunctionDefinition,
     LeaveError,
     built_in,
     environment,
 )
 from .command_blocks import Block
-from .evaluated_command import Call, located
+from .evaluated_command import EvaluatedCommand, located
 from .file import ROOT, CMakeFile, names_set, read_file
-from .syntax import Command
-from .values import HOLE, Value, Word, as_value, cost, words_of
-from .variable_scope import Scope, Snapshot
+from .syntax import CommandInvocation
+from .values import UNKNOWN, Value, Word, as_value, cost, words_of
+from .variable_scope import Snapshot, VariableScope
 
 
 @dataclass
-class Machine:
+class Interpreter:
     """The state of a run; what commands and blocks do to it is given, by name."""
 
     files: PackageFiles
-    commands: Mapping[str, Callable[[Machine, Call], None]]
-    blocks: Mapping[str, Callable[[Machine, Block], None]]
-    invoke: Callable[[Machine, Function, Call], None]
-    foreign: Callable[[Machine, Call], None]
+    commands: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]]
+    blocks: Mapping[str, Callable[[Interpreter, Block], None]]
+    invoke: Callable[[Interpreter, FunctionDefinition, EvaluatedCommand], None]
+    foreign: Callable[[Interpreter, EvaluatedCommand], None]
     """What a command does that is none of CMake's own."""
-    calls: list[Call] = field(default_factory=list)
-    idle: list[Call] = field(default_factory=list)
+    calls: list[EvaluatedCommand] = field(default_factory=list)
+    idle: list[EvaluatedCommand] = field(default_factory=list)
     """Commands that are never run, evaluated as far as that goes."""
     broken: list[Unreadable] = field(default_factory=list)
     read: dict[str, CMakeFile] = field(default_factory=dict)
-    scope: Scope = field(default_factory=Scope)
-    functions: dict[str, Function] = field(default_factory=dict)
+    scope: VariableScope = field(default_factory=VariableScope)
+    functions: dict[str, FunctionDefinition] = field(default_factory=dict)
     targets: dict[str, bool] = field(default_factory=dict)
     """The targets that are certainly made, each with whether it is only for tests."""
     assigned: set[str] = field(default_factory=set)
@@ -116,7 +116,7 @@ class Machine:
 
     # ---- commands
 
-    def body(self, body: Sequence[Command | Block]) -> None:
+    def body(self, body: Sequence[CommandInvocation | Block]) -> None:
         for each in body:
             if isinstance(each, Block):
                 self.step()
@@ -135,7 +135,7 @@ class Machine:
         if self.spent > MAX_COST:
             raise ExhaustedError
 
-    def command(self, command: Command) -> None:
+    def command(self, command: CommandInvocation) -> None:
         self.step()
         call = self.call(command)
         (self.idle if self.frame.idle else self.calls).append(call)
@@ -144,21 +144,23 @@ class Machine:
             return
         self.commands.get(command.name, self.foreign)(self, call)
 
-    def call(self, command: Command) -> Call:
+    def call(self, command: CommandInvocation) -> EvaluatedCommand:
         frame = self.frame
         found = self.by_argument(command)
         words, counts = tuple(word for each in found for word in each), tuple(map(len, found))
         self.spend(cost(words))
-        return Call(command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside, counts)
+        return EvaluatedCommand(
+            command, words, frame.path, frame.folder, frame.testing, frame.maybe, frame.inside, counts
+        )
 
-    def words(self, command: Command) -> list[Word]:
+    def words(self, command: CommandInvocation) -> list[Word]:
         """Return the evaluated arguments of a command."""
         return [word for each in self.by_argument(command) for word in each]
 
-    def by_argument(self, command: Command) -> list[list[Word]]:
+    def by_argument(self, command: CommandInvocation) -> list[list[Word]]:
         return [words_of(argument, self.frame.path, self.value, environment) for argument in command.arguments]
 
-    def try_out(self, body: Sequence[Command | Block]) -> None:
+    def try_out(self, body: Sequence[CommandInvocation | Block]) -> None:
         """Run what is never run, only to see its commands: nothing of what it does stays."""
         saved, functions, targets = self.save(), dict(self.functions), dict(self.targets)
         try:
@@ -217,11 +219,11 @@ class Machine:
         return Word(text, self.frame.path, NOWHERE)
 
     def hole(self) -> Value:
-        return (self.word(HOLE),)
+        return (self.word(UNKNOWN),)
 
     def set(self, name: str, value: Value) -> None:
         self.spend(cost(value))
-        if HOLE not in name:
+        if UNKNOWN not in name:
             self.scope.set(name, value)
 
     def set_text(self, name: str, text: str | None) -> None:

@@ -36,7 +36,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
+class CMakeToken:
     kind: Kind
     text: str
     start: int
@@ -50,7 +50,7 @@ class Token:
         return Span(self.start, self.end)
 
 
-def tokens(text: str, at: int = 0) -> Iterator[Token]:
+def tokens(text: str, at: int = 0) -> Iterator[CMakeToken]:
     """Yield the tokens of a text from an offset on.
 
     A string or a bracket that is never closed is one `bad` token up to the end; a stray character is one of its own.
@@ -61,27 +61,27 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
         at = token.end
 
 
-def next_token(text: str, at: int) -> Token:
+def next_token(text: str, at: int) -> CMakeToken:
     match = TOKEN.match(text, at)
     if match is None:
-        return Token("bad", text[at:] if text[at] == '"' else text[at], at)
+        return CMakeToken("bad", text[at:] if text[at] == '"' else text[at], at)
     found = match.group()
     match match.lastgroup:
         case "newline" | "space" | "comment" | "quoted" as kind:
-            return Token(kind, found, at)
+            return CMakeToken(kind, found, at)
         case "paren":
-            return Token("(" if found == "(" else ")", found, at)
+            return CMakeToken("(" if found == "(" else ")", found, at)
         case "open":
             return bracket(text, at, found)
         case _:
-            return Token("identifier" if IDENTIFIER.fullmatch(found) else "unquoted", found, at)
+            return CMakeToken("identifier" if IDENTIFIER.fullmatch(found) else "unquoted", found, at)
 
 
-def bracket(text: str, at: int, opening: str) -> Token:
+def bracket(text: str, at: int, opening: str) -> CMakeToken:
     """Return a bracket argument or comment; `#[[` without an end swallows the rest, as it does in CMake."""
     closing = "]" + "=" * opening.count("=") + "]"
     end = text.find(closing, at + len(opening))
     if end < 0:
-        return Token("bad", text[at:], at)
+        return CMakeToken("bad", text[at:], at)
     whole = text[at : end + len(closing)]
-    return Token("bracket comment" if opening.startswith("#") else "bracket", whole, at)
+    return CMakeToken("bracket comment" if opening.startswith("#") else "bracket", whole, at)

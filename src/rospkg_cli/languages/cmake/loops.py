@@ -8,14 +8,14 @@ from dataclasses import replace
 from .call_stack import ExhaustedError, LeaveError
 from .command_blocks import Block
 from .condition import evaluate
-from .condition_context import World
-from .interpreter import Machine
-from .values import HOLE, Value, Word, as_value
+from .condition_context import InterpreterContext
+from .interpreter import Interpreter
+from .values import UNKNOWN, Value, Word, as_value
 
 MAX_ROUNDS = 500
 
 
-def run_foreach(machine: Machine, block: Block) -> None:
+def run_foreach(machine: Interpreter, block: Block) -> None:
     words = machine.words(block.command)
     if not words:
         return
@@ -35,9 +35,9 @@ def run_foreach(machine: Machine, block: Block) -> None:
         machine.scope.set(name, before)
 
 
-def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]) -> None:
+def run_rounds(machine: Interpreter, block: Block, name: str, values: Sequence[Word]) -> None:
     for word in values[:MAX_ROUNDS]:
-        if word.maybe or word.text == HOLE:
+        if word.maybe or word.text == UNKNOWN:
             run_maybe(machine, block, {name: (replace(word, maybe=False),)})
             continue
         machine.scope.set(name, as_value([word]))
@@ -50,7 +50,7 @@ def run_rounds(machine: Machine, block: Block, name: str, values: Sequence[Word]
                 raise
 
 
-def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) -> None:
+def run_maybe(machine: Interpreter, block: Block, variables: Mapping[str, Value]) -> None:
     """Run a body that may run any number of times, and unite what it leaves behind with what was."""
     before = machine.save()
     for name, value in variables.items():
@@ -65,7 +65,7 @@ def run_maybe(machine: Machine, block: Block, variables: Mapping[str, Value]) ->
     machine.unite([before, machine.save()])
 
 
-def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
+def loop_values(machine: Interpreter, words: Sequence[Word]) -> list[Word] | None:
     """Return what a foreach goes over, None where that is unknown as a whole."""
     if words and words[0].text == "RANGE" and not words[0].quoted:
         return number_range([word.text for word in words[1:]], machine)
@@ -83,7 +83,7 @@ def loop_values(machine: Machine, words: Sequence[Word]) -> list[Word] | None:
     return found
 
 
-def number_range(texts: list[str], machine: Machine) -> list[Word] | None:
+def number_range(texts: list[str], machine: Interpreter) -> list[Word] | None:
     if not all(text.isdecimal() and len(text) < 6 for text in texts) or not 1 <= len(texts) <= 3:
         return None
     numbers = [int(text) for text in texts]
@@ -92,9 +92,9 @@ def number_range(texts: list[str], machine: Machine) -> list[Word] | None:
     return [machine.word(str(n)) for n in range(start, stop + 1, step)[:MAX_ROUNDS]] if step else None
 
 
-def run_while(machine: Machine, block: Block) -> None:
+def run_while(machine: Interpreter, block: Block) -> None:
     for _ in range(MAX_ROUNDS):
-        truth = evaluate(machine.words(block.command), World(machine))
+        truth = evaluate(machine.words(block.command), InterpreterContext(machine))
         if truth is False:
             return
         if truth is None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from .lexer import Token
+from .lexer import CMakeToken
 
 CONFLICT = re.compile(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
 
 
-def unexpected(token: Token, fresh: bool) -> str:
+def unexpected(token: CMakeToken, fresh: bool) -> str:
     if CONFLICT.match(token.text):
         return f"`{token.text[:7]}` is left from a merge conflict"
     if token.kind == "bad" and len(token.text) > 1:
@@ -21,7 +21,7 @@ def unexpected(token: Token, fresh: bool) -> str:
     return f"`{token.text}` stands where a command should begin"
 
 
-def unclosed(token: Token) -> str:
+def unclosed(token: CMakeToken) -> str:
     match token.text[:1]:
         case '"':
             return '`"` is never closed'

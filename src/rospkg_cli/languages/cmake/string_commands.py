@@ -5,13 +5,13 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
-from .evaluated_command import Call, located
-from .interpreter import Machine
+from .evaluated_command import EvaluatedCommand, located
+from .interpreter import Interpreter
 from .regex import find_all, replace_all, steps
-from .values import HOLE, MAX_TEXT, SOURCE, joined
+from .values import MAX_TEXT, SOURCE, UNKNOWN, joined
 
 
-def run_string(machine: Machine, call: Call) -> None:
+def run_string(machine: Interpreter, call: EvaluatedCommand) -> None:
     operation, rest = "".join(call.texts[:1]).upper(), list(call.texts[1:])
     if operation == "REGEX" and rest:
         operation, rest = f"REGEX {rest[0].upper()}", rest[1:]
@@ -23,7 +23,7 @@ def run_string(machine: Machine, call: Call) -> None:
     if output is None:
         return
     name = rest.pop(output)
-    unknown = any(HOLE in text for text in rest)
+    unknown = any(UNKNOWN in text for text in rest)
     if not unknown and operation.startswith("REGEX"):
         machine.spend(steps(rest[0], "".join(rest[1:])) >> 6)
     found = None if unknown else result(operation, rest)
@@ -81,11 +81,11 @@ def is_count(text: str) -> bool:
     return text.isdecimal() and len(text) < 10
 
 
-def run_get_filename_component(machine: Machine, call: Call) -> None:
+def run_get_filename_component(machine: Interpreter, call: EvaluatedCommand) -> None:
     if len(call.texts) < 3:
         return
     name, text, wanted = call.texts[:3]
-    machine.set_text(name, None if HOLE in text else component(text, wanted, machine.frame.folder))
+    machine.set_text(name, None if UNKNOWN in text else component(text, wanted, machine.frame.folder))
 
 
 def component(text: str, wanted: str, folder: str) -> str | None:

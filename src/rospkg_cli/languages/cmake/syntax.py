@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...source import Source, Span
-from .lexer import Token, tokens
+from .lexer import CMakeToken, tokens
 from .parse_errors import unclosed, unexpected
 
 ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
@@ -23,7 +23,7 @@ MAX_FAULTS = 20
 
 
 @dataclass(frozen=True, slots=True)
-class Argument:
+class CommandArgument:
     kind: ArgumentKind
     text: str
     """As written, without quotes or brackets."""
@@ -39,13 +39,13 @@ class Argument:
 
 
 @dataclass(frozen=True, slots=True)
-class Command:
+class CommandInvocation:
     name: str
     """In lower case: CMake does not mind the case."""
     name_span: Span
     span: Span
     """From the name to the closing parenthesis."""
-    arguments: tuple[Argument, ...]
+    arguments: tuple[CommandArgument, ...]
     inner: Span
     """Between the parentheses."""
 
@@ -57,31 +57,31 @@ class Fault:
 
 
 @dataclass(frozen=True)
-class Syntax:
+class CMakeSyntax:
     """The commands of a file, in order; behind a fault, those that can be told again."""
 
     source: Source
-    commands: tuple[Command, ...]
+    commands: tuple[CommandInvocation, ...]
     comments: tuple[Span, ...]
     faults: tuple[Fault, ...]
 
 
-def parse(source: Source) -> Syntax:
+def parse(source: Source) -> CMakeSyntax:
     """Parse a text; never raises, and goes on behind a fault with the next line that looks like a command."""
-    parser = Parser(source)
+    parser = CMakeParser(source)
     parser.run()
     parser.faults.sort(key=lambda fault: fault.span)
-    return Syntax(source, tuple(parser.commands), tuple(parser.comments), tuple(parser.faults))
+    return CMakeSyntax(source, tuple(parser.commands), tuple(parser.comments), tuple(parser.faults))
 
 
 @dataclass
-class Parser:
+class CMakeParser:
     source: Source
     begin: int = 0
     read_to: int = 0
     reread: int = 0
     """How many characters were read before it showed that they are to be read again."""
-    commands: list[Command] = field(default_factory=list)
+    commands: list[CommandInvocation] = field(default_factory=list)
     comments: list[Span] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
@@ -112,22 +112,22 @@ class Parser:
                     return self.fault(token, unexpected(token, fresh))
         return len(self.source.text)
 
-    def note(self, token: Token) -> None:
+    def note(self, token: CMakeToken) -> None:
         if token.kind in ("comment", "bracket comment"):
             self.comments.append(token.span)
 
-    def command(self, name: Token) -> int | None:
+    def command(self, name: CMakeToken) -> int | None:
         """Read the arguments behind a name; return where to go on where that fails."""
         opened = next((token for token in self.stream if token.kind != "space"), None)
         if opened is None or opened.kind != "(":
             return self.fault(name, f"`{name.text}` is followed by no `(`: a command is `name(arguments)`")
-        arguments: list[Argument] = []
+        arguments: list[CommandArgument] = []
         depth, before = 0, "space"
         for token in self.stream:
             self.read_to = token.end
             if token.kind == ")" and not depth:
                 span, inner = Span(name.start, token.end), Span(opened.end, token.start)
-                self.commands.append(Command(name.text.lower(), name.span, span, tuple(arguments), inner))
+                self.commands.append(CommandInvocation(name.text.lower(), name.span, span, tuple(arguments), inner))
                 return None
             if token.kind == "bad":
                 return self.fault(token, unclosed(token))
@@ -139,10 +139,10 @@ class Parser:
             if token.kind not in BLANK:
                 arguments.append(argument(token))
         return self.fault(
-            Token("bad", name.text + "(", name.start), f"`{name.text}(` is never closed: a `)` is missing"
+            CMakeToken("bad", name.text + "(", name.start), f"`{name.text}(` is never closed: a `)` is missing"
         )
 
-    def fault(self, token: Token, message: str) -> int:
+    def fault(self, token: CMakeToken, message: str) -> int:
         """Record a fault; return the offset of the next line that looks like a command."""
         start = token.start
         if (opening := self.swallowing(start)) is not None:
@@ -173,15 +173,15 @@ def glued(before: str, kind: str) -> bool:
     return "bracket" in (before, kind) or before == "bracket comment"
 
 
-def argument(token: Token) -> Argument:
+def argument(token: CMakeToken) -> CommandArgument:
     match token.kind:
         case "quoted":
-            return Argument("quoted", token.text[1:-1], token.span)
+            return CommandArgument("quoted", token.text[1:-1], token.span)
         case "bracket":
             width = token.text.index("[", 1) + 1
             body = token.text[width:-width]
-            return Argument("bracket", body.removeprefix("\n"), token.span)
+            return CommandArgument("bracket", body.removeprefix("\n"), token.span)
         case "(" | ")":
-            return Argument("paren", token.text, token.span)
+            return CommandArgument("paren", token.text, token.span)
         case _:
-            return Argument("unquoted", token.text, token.span)
+            return CommandArgument("unquoted", token.text, token.span)

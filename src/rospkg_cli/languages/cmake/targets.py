@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from .evaluated_command import Call, flags_and_values
-from .values import HOLE, Word
+from .evaluated_command import EvaluatedCommand, flags_and_values
+from .values import UNKNOWN, Word
 
 Kind = Literal["executable", "library", "other"]
 LIBRARY_TYPES = ("STATIC", "SHARED", "MODULE", "OBJECT", "INTERFACE", "ALIAS", "UNKNOWN")
@@ -20,7 +20,7 @@ class Target:
     word: Word
     """The name, where it is given."""
     kind: Kind
-    call: Call
+    call: EvaluatedCommand
     options: frozenset[str] = frozenset()
     """`SHARED`, `INTERFACE`, `EXCLUDE_FROM_ALL` and the like."""
     sources: tuple[Word, ...] = ()
@@ -45,10 +45,10 @@ class Target:
         return self.kind == "executable"
 
 
-def added(kind: Kind) -> Callable[[Call], Iterator[Target]]:
+def added(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     """`add_executable`, `add_library`, their ament_auto forms, and commands that pass arguments on to them."""
 
-    def make(call: Call) -> Iterator[Target]:
+    def make(call: EvaluatedCommand) -> Iterator[Target]:
         if call.words:
             options, values, sources = flags_and_values(call.words[1:], OPTIONS, ("DIRECTORY",), ())
             folder = next(iter(values.get("DIRECTORY", [])), None)
@@ -58,30 +58,30 @@ def added(kind: Kind) -> Callable[[Call], Iterator[Target]]:
     return make
 
 
-def named(kind: Kind) -> Callable[[Call], Iterator[Target]]:
+def named(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     """Commands whose first argument is a target that they make in their own way."""
 
-    def make(call: Call) -> Iterator[Target]:
+    def make(call: EvaluatedCommand) -> Iterator[Target]:
         if call.words:
             yield Target(call.words[0], kind, call)
 
     return make
 
 
-def generated_interface(call: Call) -> Iterator[Target]:
+def generated_interface(call: EvaluatedCommand) -> Iterator[Target]:
     """generate_parameter_library makes a library without code."""
     if call.words:
         yield Target(call.words[0], "library", call, frozenset({"INTERFACE"}))
 
 
-def component_executable(call: Call) -> Iterator[Target]:
+def component_executable(call: EvaluatedCommand) -> Iterator[Target]:
     """`rclcpp_components_register_node(… EXECUTABLE name)` makes an executable of a component."""
     _, values, _ = flags_and_values(call.words, (), ("EXECUTABLE", "PLUGIN", "EXECUTOR", "RESOURCE_INDEX"), ())
     for word in values.get("EXECUTABLE", []):
         yield Target(word, "executable", call)
 
 
-MAKERS: Mapping[str, Callable[[Call], Iterator[Target]]] = {
+MAKERS: Mapping[str, Callable[[EvaluatedCommand], Iterator[Target]]] = {
     "add_executable": added("executable"),
     "ament_auto_add_executable": added("executable"),
     "cuda_add_executable": added("executable"),
@@ -109,7 +109,7 @@ MAKERS: Mapping[str, Callable[[Call], Iterator[Target]]] = {
 }
 
 
-def targets_of(calls: Iterable[Call]) -> Iterator[Target]:
+def targets_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Target]:
     """Yield the targets in the order in which they are made, one whose name is unknown too."""
     for call in calls:
         if maker := MAKERS.get(call.name):
@@ -120,6 +120,6 @@ def by_name(targets: Iterable[Target]) -> dict[str, Target]:
     """Return the targets whose names are known; the first of a name counts."""
     found: dict[str, Target] = {}
     for target in targets:
-        if HOLE not in target.name:
+        if UNKNOWN not in target.name:
             found.setdefault(target.name, target)
     return found

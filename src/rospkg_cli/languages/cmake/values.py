@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ...source import Span
-from .syntax import Argument
+from .syntax import CommandArgument
 
-HOLE = "\0"
+UNKNOWN = "\0"
 """An unknown piece of a text. A word that is nothing but a hole may be any number of words."""
 SOURCE = "/\1source"
 """The package's own folder."""
@@ -43,7 +43,7 @@ class Word:
     @property
     def known(self) -> bool:
         """Whether the text is what CMake would have: no hole, no generator expression."""
-        return HOLE not in self.text and "$<" not in self.text
+        return UNKNOWN not in self.text and "$<" not in self.text
 
 
 Value = tuple[Word, ...]
@@ -57,11 +57,11 @@ def cost(words: Sequence[Word]) -> int:
 def joined(value: Sequence[Word]) -> str:
     """Return a list as the string that it is in CMake, a hole where that can't be told."""
     if any(word.maybe for word in value):
-        return HOLE
+        return UNKNOWN
     if cost(value) > MAX_TEXT:
-        return HOLE
+        return UNKNOWN
     text = ";".join(map(escaped, (word.text for word in value)))
-    return text if len(text) <= MAX_TEXT else HOLE
+    return text if len(text) <= MAX_TEXT else UNKNOWN
 
 
 def escaped(text: str) -> str:
@@ -103,16 +103,18 @@ def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
             kinds.append(match.group(1) or "")
         elif kinds:
             name = "".join(levels.pop())
-            levels[-1].append(HOLE if HOLE in name else value_of(kinds.pop(), name))
+            levels[-1].append(UNKNOWN if UNKNOWN in name else value_of(kinds.pop(), name))
         else:
             levels[-1].append("}")
     if kinds:
-        return HOLE
+        return UNKNOWN
     pieces = [*levels[0], text[at:]]
-    return "".join(pieces) if sum(map(len, pieces)) <= MAX_TEXT else HOLE
+    return "".join(pieces) if sum(map(len, pieces)) <= MAX_TEXT else UNKNOWN
 
 
-def words_of(argument: Argument, path: str, variable: Callable[[str], Value], env: Callable[[str], str]) -> list[Word]:
+def words_of(
+    argument: CommandArgument, path: str, variable: Callable[[str], Value], env: Callable[[str], str]
+) -> list[Word]:
     """Return what an argument stands for: one word if it is quoted, else any number of them."""
 
     def value_of(kind: str, name: str) -> str:
@@ -121,20 +123,20 @@ def words_of(argument: Argument, path: str, variable: Callable[[str], Value], en
     if argument.kind in ("bracket", "paren"):
         return [Word(argument.text, path, argument.span, quoted=argument.kind == "bracket")]
     if argument.kind == "quoted":
-        text = blurred(substitute(argument.text.replace("\\\n", ""), value_of))
+        text = without_uncertain_separators(substitute(argument.text.replace("\\\n", ""), value_of))
         return [Word(text, path, argument.span, quoted=True)]
     if whole := PLAIN_REFERENCE.fullmatch(argument.text):
-        return [placed(word, argument, path) for word in variable(whole.group(1)) if word.text]
-    text = blurred(substitute(argument.text, value_of))
+        return [with_position(word, argument, path) for word in variable(whole.group(1)) if word.text]
+    text = without_uncertain_separators(substitute(argument.text, value_of))
     return [Word(each, path, argument.span) for each in split(text) if each]
 
 
-def blurred(text: str) -> str:
+def without_uncertain_separators(text: str) -> str:
     """Return a text in which a hole beside other text takes the `;` before it along: it may be no element at all."""
-    return HOLE_AT_TEXT.sub(HOLE, text) if HOLE in text and ";" in text else text
+    return HOLE_AT_TEXT.sub(UNKNOWN, text) if UNKNOWN in text and ";" in text else text
 
 
-def placed(word: Word, argument: Argument, path: str) -> Word:
+def with_position(word: Word, argument: CommandArgument, path: str) -> Word:
     """Return a word with a place: what CMake made, and so stands nowhere, is where it is used."""
     return replace(word, path=path, span=argument.span) if word.span.end == 0 else word
 
@@ -152,7 +154,7 @@ def as_value(words: Iterable[Word]) -> Value:
 
 def bounded(value: Value) -> Value:
     """Return a list, a hole where it is too long to be kept."""
-    return value if len(value) <= MAX_WORDS else (replace(value[0], text=HOLE, maybe=False),)
+    return value if len(value) <= MAX_WORDS else (replace(value[0], text=UNKNOWN, maybe=False),)
 
 
 def merge(values: Sequence[Value]) -> Value:
@@ -165,7 +167,7 @@ def merge(values: Sequence[Value]) -> Value:
         return next((value for value in values if any(word.maybe for word in value)), first)
     longest = max(values, key=len)
     if not all(is_within(texts(value), texts(longest)) for value in values):
-        return (replace(longest[0], text=HOLE, maybe=False),)
+        return (replace(longest[0], text=UNKNOWN, maybe=False),)
     common = frozenset(range(len(longest))).intersection(*(certain_in(value, longest) for value in values))
     return tuple(word if at in common else replace(word, maybe=True) for at, word in enumerate(longest))
 

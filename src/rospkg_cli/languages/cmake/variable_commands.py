@@ -6,16 +6,16 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from .evaluated_command import Call, flags_and_values
-from .interpreter import Machine
+from .evaluated_command import EvaluatedCommand, flags_and_values
+from .interpreter import Interpreter
 from .regex import replace_all, search, steps
-from .values import HOLE, Value, Word, as_value, bounded, joined, texts
+from .values import UNKNOWN, Value, Word, as_value, bounded, joined, texts
 
 NUMBER = re.compile(r"-?\d{1,9}")
 PRODUCT = re.compile(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
 
 
-def run_set(machine: Machine, call: Call) -> None:
+def run_set(machine: Interpreter, call: EvaluatedCommand) -> None:
     if not call.words or call.texts[0].startswith("ENV{"):
         return
     name, words = call.texts[0], list(call.words[1:])
@@ -33,18 +33,18 @@ def run_set(machine: Machine, call: Call) -> None:
         machine.set(name, as_value(words))
 
 
-def run_unset(machine: Machine, call: Call) -> None:
+def run_unset(machine: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
         machine.set(name, ())
 
 
-def run_option(machine: Machine, call: Call) -> None:
+def run_option(machine: Interpreter, call: EvaluatedCommand) -> None:
     """An option is whatever the user wants."""
     if call.words and call.texts[0] != "BUILD_TESTING" and machine.known(call.texts[0]) is None:
         machine.set(call.texts[0], machine.hole())
 
 
-def run_list(machine: Machine, call: Call) -> None:
+def run_list(machine: Interpreter, call: EvaluatedCommand) -> None:
     if len(call.words) < 2:
         return
     operation, name = call.texts[0].upper(), call.texts[1]
@@ -71,18 +71,18 @@ def without_repeats(value: Value, _: Sequence[Word]) -> Value:
     for word in value:
         if word.text not in first or (first[word.text].maybe and not word.maybe):
             first[word.text] = word
-    return tuple(word if word.text == HOLE else first[word.text] for word in dict.fromkeys(first.values()))
+    return tuple(word if word.text == UNKNOWN else first[word.text] for word in dict.fromkeys(first.values()))
 
 
 def filtered(value: Value, words: Sequence[Word]) -> Value | None:
-    if len(words) != 3 or words[1].text != "REGEX" or HOLE in words[2].text:
+    if len(words) != 3 or words[1].text != "REGEX" or UNKNOWN in words[2].text:
         return None
     wanted = words[0].text == "INCLUDE"
     kept: list[Word] = []
     for word in value:
-        fits = None if HOLE in word.text else search(words[2].text, word.text)
+        fits = None if UNKNOWN in word.text else search(words[2].text, word.text)
         if fits is None:
-            kept.append(replace(word, text=HOLE))
+            kept.append(replace(word, text=UNKNOWN))
         elif fits == wanted:
             kept.append(word)
     return tuple(kept)
@@ -93,8 +93,8 @@ def transformed(value: Value, words: Sequence[Word]) -> Value | None:
     change = transformation(texts(tuple(words)))
     if change is None:
         return None
-    changed = [(word, HOLE if word.text == HOLE else change(word.text)) for word in value]
-    return as_value(replace(word, text=HOLE if text is None else text) for word, text in changed)
+    changed = [(word, UNKNOWN if word.text == UNKNOWN else change(word.text)) for word in value]
+    return as_value(replace(word, text=UNKNOWN if text is None else text) for word, text in changed)
 
 
 def transformation(words: Sequence[str]) -> Callable[[str], str | None] | None:
@@ -104,7 +104,7 @@ def transformation(words: Sequence[str]) -> Callable[[str], str | None] | None:
         case ["PREPEND", text]:
             return lambda each: text + each
         case ["REPLACE", pattern, by]:
-            return lambda each: None if HOLE in pattern + by + each else replace_all(pattern, by, each)
+            return lambda each: None if UNKNOWN in pattern + by + each else replace_all(pattern, by, each)
         case ["TOUPPER"]:
             return str.upper
         case ["TOLOWER"]:
@@ -114,7 +114,7 @@ def transformation(words: Sequence[str]) -> Callable[[str], str | None] | None:
 
 
 def inserted(value: Value, words: Sequence[Word]) -> Value | None:
-    if not words or not NUMBER.fullmatch(words[0].text) or any(word.maybe or word.text == HOLE for word in value):
+    if not words or not NUMBER.fullmatch(words[0].text) or any(word.maybe or word.text == UNKNOWN for word in value):
         return None
     at = int(words[0].text)
     return value[:at] + as_value(words[1:]) + value[at:]
@@ -133,10 +133,10 @@ CHANGES: Mapping[str, Callable[[Value, Sequence[Word]], Value | None]] = {
 }
 
 
-def derived(machine: Machine, operation: str, value: Value, words: Sequence[Word]) -> Value:
+def derived(machine: Interpreter, operation: str, value: Value, words: Sequence[Word]) -> Value:
     """Return what a list operation that only reads gives."""
     numbers = [int(word.text) for word in words if NUMBER.fullmatch(word.text)]
-    if any(word.maybe or HOLE in word.text for word in (*value, *words)):
+    if any(word.maybe or UNKNOWN in word.text for word in (*value, *words)):
         return machine.hole()
     match operation:
         case "LENGTH":
@@ -154,16 +154,16 @@ def derived(machine: Machine, operation: str, value: Value, words: Sequence[Word
             return machine.hole()
 
 
-def pop(machine: Machine, operation: str, name: str, outputs: Sequence[str]) -> None:
+def pop(machine: Interpreter, operation: str, name: str, outputs: Sequence[str]) -> None:
     value = machine.value(name)
-    sure = bool(value) and not any(word.maybe or word.text == HOLE for word in value)
+    sure = bool(value) and not any(word.maybe or word.text == UNKNOWN for word in value)
     back = operation == "POP_BACK"
     for output in outputs[:1]:
         machine.set(output, (value[-1 if back else 0],) if sure else machine.hole())
     machine.set(name, (value[:-1] if back else value[1:]) if sure and len(outputs) < 2 else machine.hole())
 
 
-def run_math(machine: Machine, call: Call) -> None:
+def run_math(machine: Interpreter, call: EvaluatedCommand) -> None:
     """`math(EXPR name "1 + 2")`, for two numbers."""
     if len(call.words) < 3:
         return
@@ -177,16 +177,16 @@ def compute(a: int, sign: str, b: int) -> str | None:
     return str({"+": a + b, "-": a - b, "*": a * b}[sign])
 
 
-def run_separate_arguments(machine: Machine, call: Call) -> None:
+def run_separate_arguments(machine: Interpreter, call: EvaluatedCommand) -> None:
     if len(call.words) == 1:
         text = joined(machine.value(call.texts[0]))
-        machine.set_text(call.texts[0], None if HOLE in text else ";".join(text.split()))
+        machine.set_text(call.texts[0], None if UNKNOWN in text else ";".join(text.split()))
     else:
         for name in call.texts[:1]:
             machine.set(name, machine.hole())
 
 
-def run_parse_arguments(machine: Machine, call: Call) -> None:
+def run_parse_arguments(machine: Interpreter, call: EvaluatedCommand) -> None:
     """`cmake_parse_arguments(prefix "flags" "single" "many" …)` and its form with PARSE_ARGV."""
     words = list(call.words)
     if words and words[0].text == "PARSE_ARGV":
@@ -198,7 +198,7 @@ def run_parse_arguments(machine: Machine, call: Call) -> None:
         return
     prefix = words[0].text
     flags, single, many = ([t for t in word.text.split(";") if t] for word in words[1:4])
-    unknown = any(word.text == HOLE for word in words[4:])
+    unknown = any(word.text == UNKNOWN for word in words[4:])
     given, values, rest = flags_and_values(words[4:], flags, single, many)
     for name in flags:
         sure = "TRUE" if name in given else "FALSE"

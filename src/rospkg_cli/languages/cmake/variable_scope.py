@@ -11,14 +11,14 @@ Snapshot = tuple[dict[str, Value], ...]
 
 
 @dataclass
-class Scope:
+class VariableScope:
     """The variables of a function or a folder; what it does not hold is looked up around it."""
 
-    around: Scope | None = None
+    around: VariableScope | None = None
     variables: dict[str, Value] = field(default_factory=dict)
 
-    def chain(self) -> Iterator[Scope]:
-        scope: Scope | None = self
+    def chain(self) -> Iterator[VariableScope]:
+        scope: VariableScope | None = self
         while scope is not None:
             yield scope
             scope = scope.around

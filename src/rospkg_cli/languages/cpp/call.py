@@ -19,7 +19,7 @@ MAX_LENGTH = 20_000
 
 
 @dataclass(frozen=True, slots=True)
-class Argument:
+class CppArgument:
     text: str
     """Without comments; every run of blanks is one."""
     span: Span
@@ -41,13 +41,13 @@ class Argument:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class CppCall:
     """A name with its arguments: `NAME(a, b)`, `name<T>(a)`, `Name<T> variable(a, b)`."""
 
     name: str
     template: str
     """What stands between `<` and `>`, "" where there is none."""
-    arguments: tuple[Argument, ...] | None
+    arguments: tuple[CppArgument, ...] | None
     """None where no parentheses follow: the declaration of a variable, or a type."""
     variable: str
     """The variable that is declared, "" where there is none."""
@@ -56,13 +56,13 @@ class Call:
     conditional: bool
 
 
-def arguments(source: Source, at: int) -> tuple[tuple[Argument, ...], int] | None:
+def arguments(source: Source, at: int) -> tuple[tuple[CppArgument, ...], int] | None:
     """Return the arguments behind the parenthesis or brace at an offset, and where they end; None if unclosed.
 
     Commas between `<` and `>` separate arguments too, as they do for the preprocessor.
     """
     text, depth, start = source.text, 0, at + 1
-    found: list[Argument] = []
+    found: list[CppArgument] = []
     for match in PIECE.finditer(text, at, at + MAX_LENGTH):
         kind = match.lastgroup
         if kind == "open":
@@ -78,14 +78,14 @@ def arguments(source: Source, at: int) -> tuple[tuple[Argument, ...], int] | Non
     return None
 
 
-def argument(source: Source, start: int, end: int) -> Argument:
+def argument(source: Source, start: int, end: int) -> CppArgument:
     """Return what stands between two offsets, without the comments and blanks around it."""
     comments = [m.span() for m in PIECE.finditer(source.text, start, end) if m.lastgroup == "comment"]
     borders = [start, *(offset for comment in comments for offset in comment), end]
     code = [solid(source.text, *borders[i : i + 2]) for i in range(0, len(borders), 2)]
     code = [span for span in code if span.start < span.end] or [Span(end, end)]
     text = " ".join(" ".join(source.slice(span) for span in code).split())
-    return Argument(text, Span(code[0].start, code[-1].end))
+    return CppArgument(text, Span(code[0].start, code[-1].end))
 
 
 def solid(text: str, start: int, end: int) -> Span:

@@ -27,7 +27,7 @@ NEVER = re.compile(r"0\b|false\b")
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
+class CppToken:
     """A piece of the text, and the offset of what it is applied to.
 
     That is a directive's rest (`word` is its name), or the parenthesis or `<` behind a name.
@@ -43,7 +43,7 @@ class Token:
 
 
 @dataclass(slots=True)
-class Level:
+class ConditionalBlock:
     """One open `#if`."""
 
     guard: bool
@@ -51,10 +51,10 @@ class Level:
 
 
 @dataclass
-class Conditions:
+class ConditionalStack:
     """The `#if`s that are open."""
 
-    levels: list[Level] = field(default_factory=list)
+    levels: list[ConditionalBlock] = field(default_factory=list)
     first: bool = True
 
     @property
@@ -69,7 +69,7 @@ class Conditions:
         """Follow one directive, whose arguments stand at `start`."""
         if word in ("if", "ifdef", "ifndef"):
             guard = word == "ifndef" and self.first and guards(text, start, end)
-            self.levels.append(Level(guard, word == "if" and NEVER.match(text, start) is not None))
+            self.levels.append(ConditionalBlock(guard, word == "if" and NEVER.match(text, start) is not None))
         elif word in ("else", "elif") and self.levels:
             self.levels[-1].dead = False
         elif word == "endif" and self.levels:
@@ -83,9 +83,9 @@ def guards(text: str, start: int, end: int) -> bool:
     return re.compile(rf"\s*#[ \t]*define[ \t]+{re.escape(name)}\b").match(text, end) is not None
 
 
-def tokens(text: str, at: int = 0) -> Iterator[Token]:
+def tokens(text: str, at: int = 0) -> Iterator[CppToken]:
     """Yield what matters from an offset on, in order."""
-    conditions = Conditions()
+    conditions = ConditionalStack()
     for match in TOKEN.finditer(text, at):
         kind = match.lastgroup
         if kind == "directive":
@@ -93,9 +93,9 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
             assert found is not None
             word, start = found.group(1), found.end()
             if not conditions.dead and word in ("include", "define"):
-                yield Token("directive", match.start(), match.end(), conditions.conditional, word, start)
+                yield CppToken("directive", match.start(), match.end(), conditions.conditional, word, start)
             conditions.step(word, text, start, match.end())
         elif kind == "string" and not conditions.dead:
-            yield Token("string", match.start(), match.end(), conditions.conditional)
+            yield CppToken("string", match.start(), match.end(), conditions.conditional)
         elif kind == "name" and not conditions.dead:
-            yield Token("name", match.start(), match.end(), conditions.conditional, at=match.start("opening"))
+            yield CppToken("name", match.start(), match.end(), conditions.conditional, at=match.start("opening"))

@@ -16,7 +16,7 @@ HEADER = re.compile(r"\b(?:if|else|for|while|case|default|catch|do)\b|\?|&&|\|\|
 
 
 @dataclass(slots=True)
-class Level:
+class Bracket:
     """An open bracket."""
 
     brace: bool
@@ -27,24 +27,24 @@ class Level:
 
 
 @dataclass(slots=True)
-class Levels:
+class BracketStack:
     """The open brackets, innermost last."""
 
-    all: list[Level] = field(default_factory=list)
+    all: list[Bracket] = field(default_factory=list)
     blocks: int = 0
     conditions: int = 0
     """How many of the blocks belong to a condition, a loop or a lambda."""
 
-    def open(self, level: Level) -> None:
+    def open(self, level: Bracket) -> None:
         self.all.append(level)
         self.count(level, 1)
 
-    def close(self) -> Level:
+    def close(self) -> Bracket:
         level = self.all.pop()
         self.count(level, -1)
         return level
 
-    def count(self, level: Level, by: int) -> None:
+    def count(self, level: Bracket, by: int) -> None:
         self.blocks += by * level.brace
         self.conditions += by * (level.brace and level.control)
 
@@ -52,8 +52,8 @@ class Levels:
 def unconditional(text: str, places: Iterable[int]) -> set[int]:
     """Return those of the offsets that stand directly in the body of a function, in one pass over the text."""
     waiting, found = sorted(places, reverse=True), set()
-    levels = Levels()
-    statement, closed = 0, Level(False, False)
+    levels = BracketStack()
+    statement, closed = 0, Bracket(False, False)
     for match in PIECE.finditer(text):
         while waiting and waiting[-1] < match.start():
             at = waiting.pop()
@@ -67,10 +67,10 @@ def unconditional(text: str, places: Iterable[int]) -> set[int]:
             head = "]" if before.endswith("]") else last_word(before)
             if char == "{":
                 behind = closed.head if before.endswith(")") else head
-                levels.open(Level(True, behind in CONTROL or behind == "]"))
+                levels.open(Bracket(True, behind in CONTROL or behind == "]"))
                 statement = match.end()
             else:
-                levels.open(Level(False, False, head))
+                levels.open(Bracket(False, False, head))
         elif kind == "close" and levels.all:
             closed = levels.close()
             statement = match.end() if char == "}" else statement

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...source import Source, Span
-from .syntax import Syntax, parse
+from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
 MACHINE = frozenset({"sys", "os", "platform", "find_spec", "environ"})
@@ -37,7 +37,7 @@ class Import:
 
 
 @dataclass(frozen=True)
-class PythonFile(Syntax):
+class PythonFile(PythonSyntax):
     """A Python file."""
 
     @cached_property

@@ -23,7 +23,7 @@ from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 LINE_END = re.compile(r"\r\n|\r|\n")
 
 
-class Node(Protocol):
+class PositionedNode(Protocol):
     """What of a syntax node its span is made of."""
 
     lineno: int
@@ -33,7 +33,7 @@ class Node(Protocol):
 
 
 @dataclass(frozen=True)
-class Syntax:
+class PythonSyntax:
     """The syntax tree of one file."""
 
     source: Source
@@ -69,13 +69,13 @@ class Syntax:
         columns = self.columns[line]
         return start + (byte if columns is None else columns[min(byte, len(columns) - 1)])
 
-    def span(self, node: Node) -> Span:
+    def span(self, node: PositionedNode) -> Span:
         start = self.offset(node.lineno, node.col_offset)
         if node.end_lineno is None or node.end_col_offset is None:
             return Span(start, start)
         return Span(start, self.offset(node.end_lineno, node.end_col_offset))
 
-    def text(self, node: Node) -> str:
+    def text(self, node: PositionedNode) -> str:
         """Return what the node says in the file."""
         return self.source.slice(self.span(node))
 

@@ -20,7 +20,7 @@ class Attribute:
 
 
 @dataclass(slots=True)
-class Comment:
+class XmlComment:
     text: str
     span: Span
 
@@ -46,7 +46,7 @@ class Element:
     inner: Span
     """Between start tag and end tag; empty at the end of a self-closing tag."""
     attributes: dict[str, Attribute] = field(default_factory=dict)
-    nodes: list[Element | Comment] = field(default_factory=list)
+    nodes: list[Element | XmlComment] = field(default_factory=list)
     """Child elements and comments, in order."""
     chunks: list[str] = field(default_factory=list)
 
@@ -81,7 +81,7 @@ class Document:
     source: Source
     root: Element
     instructions: list[Instruction]
-    comments: list[Comment]
+    comments: list[XmlComment]
     """All of them, wherever they stand."""
 
     def text_span(self, element: Element) -> Span:

@@ -17,7 +17,7 @@ INVALID = Code[expat.errors.XML_ERROR_INVALID_TOKEN]
 DECLARATION = Code[expat.errors.XML_ERROR_MISPLACED_XML_PI]
 
 
-def complaint(source: Source, code: int, at: int, inside: str, opened: int) -> tuple[int, str]:
+def describe_error(source: Source, code: int, at: int, inside: str, opened: int) -> tuple[int, str]:
     """Return where to look and what is wrong; expat noticed `code` at `at`, inside a tag that was opened earlier.
 
     A merge conflict is named as such, and where it begins, whatever else it broke.

@@ -9,11 +9,11 @@ from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table
 from .elements import Attribute as Attribute
-from .elements import Comment as Comment
 from .elements import Document as Document
 from .elements import Element as Element
 from .elements import Instruction as Instruction
-from .errors import complaint
+from .elements import XmlComment as XmlComment
+from .errors import describe_error
 
 MAX_DEPTH = 200
 """Deeper documents are refused; libxml2 stops at 256."""
@@ -34,10 +34,10 @@ def read_xml(source: Source, *, prefixes: bool = True) -> Document:
 
     Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML.
     """
-    return Reader(source, prefixes).read()
+    return XmlParser(source, prefixes).read()
 
 
-class Reader:
+class XmlParser:
     """One pass of expat over the text."""
 
     def __init__(self, source: Source, prefixes: bool) -> None:
@@ -50,7 +50,7 @@ class Reader:
         self.bound = [BOUND]
         self.elements = 0
         self.instructions: list[Instruction] = []
-        self.comments: list[Comment] = []
+        self.comments: list[XmlComment] = []
 
     def read(self) -> Document:
         parser = self.parser
@@ -64,7 +64,9 @@ class Reader:
         except expat.ExpatError as error:
             inside = self.stack[-1]
             self.fail(
-                *complaint(self.source, error.code, self.char(parser.ErrorByteIndex), inside.tag, inside.span.start)
+                *describe_error(
+                    self.source, error.code, self.char(parser.ErrorByteIndex), inside.tag, inside.span.start
+                )
             )
         return Document(self.source, self.stack[0].children[0], self.instructions, self.comments)
 
@@ -126,7 +128,7 @@ class Reader:
     def comment(self, text: str) -> None:
         at = self.at
         self.count(at)
-        found = Comment(text, Span(at, self.source.text.index("-->", at + 4) + 3))
+        found = XmlComment(text, Span(at, self.source.text.index("-->", at + 4) + 3))
         self.comments.append(found)
         self.stack[-1].nodes.append(found)
 

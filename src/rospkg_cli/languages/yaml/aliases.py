@@ -7,21 +7,21 @@ from typing import NoReturn
 
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from .nodes import MAX_DEPTH, Alias, Mapping, Scalar, Sequence, YamlNode, documents
+from .nodes import MAX_DEPTH, AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 
 MAX_NODES = 100_000
 """Aliases may make a small text large."""
 
-Unfolded = Scalar | Sequence | Mapping
+ResolvedNode = ScalarNode | SequenceNode | MappingNode
 
 
-def unfolded(source: Source) -> Unfolded | None:
+def read_resolved(source: Source) -> ResolvedNode | None:
     """Return the one document of a file, None where there is none; raises UnreadableError for what is not that."""
     roots = documents(source)
     if len(roots) > 1:
         at = start_of(roots[1])
         raise UnreadableError(source.path, at, f"`{source.path}` is not one YAML document: another one begins here")
-    return Unfolder(source).node(roots[0], 0) if roots else None
+    return AliasResolver(source).node(roots[0], 0) if roots else None
 
 
 def start_of(node: YamlNode) -> Span:
@@ -29,27 +29,27 @@ def start_of(node: YamlNode) -> Span:
 
 
 @dataclass
-class Unfolder:
+class AliasResolver:
     source: Source
     anchors: dict[str, YamlNode] = field(default_factory=dict)
     count: int = 0
 
-    def node(self, node: YamlNode, depth: int) -> Unfolded:
+    def node(self, node: YamlNode, depth: int) -> ResolvedNode:
         """Raises UnreadableError for an alias of nothing, and for what is too deep or too large."""
         self.count += 1
         if depth > MAX_DEPTH or self.count > MAX_NODES:
             self.refuse(node.span, "is nested too deeply, or too large")
-        if isinstance(node, Alias):
+        if isinstance(node, AliasNode):
             meant = self.anchors.get(node.name)
             if meant is None:
                 self.refuse(node.span, f"is not valid YAML: found undefined alias '{node.name}'")
             return self.node(meant, depth + 1)
         if node.anchor is not None:
             self.anchors[node.anchor] = node
-        if isinstance(node, Sequence):
-            return Sequence(node.span, [self.node(item, depth + 1) for item in node.items])
-        if isinstance(node, Mapping):
-            return Mapping(node.span, [(self.node(k, depth + 1), self.node(v, depth + 1)) for k, v in node.entries])
+        if isinstance(node, SequenceNode):
+            return SequenceNode(node.span, [self.node(item, depth + 1) for item in node.items])
+        if isinstance(node, MappingNode):
+            return MappingNode(node.span, [(self.node(k, depth + 1), self.node(v, depth + 1)) for k, v in node.entries])
         return node
 
     def refuse(self, span: Span, why: str) -> NoReturn:

@@ -11,14 +11,14 @@ from typing import Any
 
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from ..located_text import Written
+from ..located_text import LocatedText
 
 MAX_DEPTH = 100
-NOWHERE = Written("", Span(0, 0), False)
+NOWHERE = LocatedText("", Span(0, 0), False)
 
 
 @dataclass(frozen=True, slots=True)
-class Scalar:
+class ScalarNode:
     text: str
     span: Span
     """As it stands in the file: with quotes, and with an anchor or a tag before it."""
@@ -27,37 +27,37 @@ class Scalar:
     quoted: bool = False
     tag: str | None = None
     anchor: str | None = None
-    written: Written = NOWHERE
+    written: LocatedText = NOWHERE
     """The text where it stands, between the quotes where there are any."""
 
 
 @dataclass(frozen=True, slots=True)
-class Alias:
+class AliasNode:
     name: str
     span: Span
 
 
 @dataclass(slots=True)
-class Sequence:
+class SequenceNode:
     span: Span
     items: list[YamlNode] = field(default_factory=list)
     anchor: str | None = None
 
 
 @dataclass(slots=True)
-class Mapping:
+class MappingNode:
     span: Span
     """Of a mapping in braces; else from its first key to where the next thing begins."""
     entries: list[tuple[YamlNode, YamlNode]] = field(default_factory=list)
     anchor: str | None = None
 
 
-YamlNode = Scalar | Alias | Sequence | Mapping
+YamlNode = ScalarNode | AliasNode | SequenceNode | MappingNode
 
 
 def documents(source: Source) -> list[YamlNode]:
     """Return the root of every document of a file that holds something; raises UnreadableError for what is no YAML."""
-    builder = Builder(source)
+    builder = NodeBuilder(source)
     for event in events(source):
         builder.take(event)
     return builder.roots
@@ -78,13 +78,13 @@ def events(source: Source) -> Iterator[Any]:
         raise UnreadableError(source.path, span, f"`{source.path}` is not valid YAML: {said}") from None
 
 
-class Builder:
+class NodeBuilder:
     """Puts events together without recursion, so that no depth can break it."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
         self.roots: list[YamlNode] = []
-        self.open: list[Sequence | Mapping] = []
+        self.open: list[SequenceNode | MappingNode] = []
         self.keys: list[YamlNode | None] = []
 
     def take(self, event: Any) -> None:
@@ -92,14 +92,14 @@ class Builder:
         if name == "ScalarEvent":
             quoted = event.style in ("'", '"')
             plain, written = not quoted and event.style not in ("|", ">"), self.written(event.value, span, quoted)
-            self.put(Scalar(event.value, span, plain, quoted, event.tag, event.anchor, written))
+            self.put(ScalarNode(event.value, span, plain, quoted, event.tag, event.anchor, written))
         elif name == "AliasEvent":
-            self.put(Alias(event.anchor, span))
+            self.put(AliasNode(event.anchor, span))
         elif name in ("SequenceStartEvent", "MappingStartEvent"):
             if len(self.open) >= MAX_DEPTH:
                 message = f"`{self.source.path}` is nested deeper than {MAX_DEPTH} levels"
                 raise UnreadableError(self.source.path, span, message)
-            node = Sequence(span) if name == "SequenceStartEvent" else Mapping(span)
+            node = SequenceNode(span) if name == "SequenceStartEvent" else MappingNode(span)
             node.anchor = event.anchor
             self.open.append(node)
             self.keys.append(None)
@@ -109,19 +109,19 @@ class Builder:
             node.span = Span(node.span.start, span.end)
             self.put(node)
 
-    def written(self, text: str, span: Span, quoted: bool) -> Written:
+    def written(self, text: str, span: Span, quoted: bool) -> LocatedText:
         """Return where a text stands, behind an anchor or a tag and between its quotes."""
         raw = self.source.slice(span)
         if quoted:
             inner = Span(span.start + raw.index(raw[-1]) + 1, span.end - 1)
         else:
             inner = Span(span.end - len(text), span.end) if raw.endswith(text) else span
-        return Written(text, inner, self.source.slice(inner) == text)
+        return LocatedText(text, inner, self.source.slice(inner) == text)
 
     def put(self, node: YamlNode) -> None:
         if not self.open:
             self.roots.append(node)
-        elif isinstance(self.open[-1], Sequence):
+        elif isinstance(self.open[-1], SequenceNode):
             self.open[-1].items.append(node)
         elif self.keys[-1] is None:
             self.keys[-1] = node

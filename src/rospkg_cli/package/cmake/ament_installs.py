@@ -5,16 +5,16 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ...languages.cmake.evaluated_command import Call, flags_and_values
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
 from ...languages.cmake.values import Word
 from ..install_table import PYTHON
-from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, installed
+from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, rules_of_install
 
 
-def auto_package(project: str) -> Callable[[Call], Iterator[InstallRule]]:
+def auto_package(project: str) -> Callable[[EvaluatedCommand], Iterator[InstallRule]]:
     """`ament_auto_package(INSTALL_TO_SHARE …)`: folders go to share/, as they are called."""
 
-    def make(call: Call) -> Iterator[InstallRule]:
+    def make(call: EvaluatedCommand) -> Iterator[InstallRule]:
         _, values, _ = flags_and_values(call.words, ("INSTALL_TO_PATH",), (), ("INSTALL_TO_SHARE",))
         if folders := values.get("INSTALL_TO_SHARE"):
             yield InstallRule("DIRECTORY", tuple(folders), f"share/{project}", call)
@@ -22,7 +22,7 @@ def auto_package(project: str) -> Callable[[Call], Iterator[InstallRule]]:
     return make
 
 
-def python_package(call: Call) -> Iterator[InstallRule]:
+def python_package(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`ament_python_install_package(name)`: a folder goes to where Python looks."""
     _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
     for name in rest[:1]:
@@ -34,7 +34,7 @@ def python_package(call: Call) -> Iterator[InstallRule]:
         yield InstallRule("DIRECTORY", (inside,), target, call, name, patterns=skip)
 
 
-def python_module(call: Call) -> Iterator[InstallRule]:
+def python_module(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`ament_python_install_module(file.py)`"""
     _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), ("DESTINATION_SUFFIX",), ())
     suffix = "".join(word.text for word in values.get("DESTINATION_SUFFIX", []))
@@ -42,10 +42,10 @@ def python_module(call: Call) -> Iterator[InstallRule]:
     yield InstallRule("FILES", tuple(rest[:1]), place, call)
 
 
-def plugin_description(project: str) -> Callable[[Call], Iterator[InstallRule]]:
+def plugin_description(project: str) -> Callable[[EvaluatedCommand], Iterator[InstallRule]]:
     """`pluginlib_export_plugin_description_file(base folder/file.xml)`: to share/, with its folder."""
 
-    def make(call: Call) -> Iterator[InstallRule]:
+    def make(call: EvaluatedCommand) -> Iterator[InstallRule]:
         for word in call.words[1:2]:
             place = below_prefix(posixpath.join("share", project, posixpath.dirname(word.text)))
             yield InstallRule("FILES", (word,), place, call)
@@ -53,15 +53,15 @@ def plugin_description(project: str) -> Callable[[Call], Iterator[InstallRule]]:
     return make
 
 
-def catkin_style(call: Call) -> Iterator[InstallRule]:
+def catkin_style(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`catkin_install_python(PROGRAMS … DESTINATION …)`"""
     yield files_rule(call, "PROGRAMS", call.words[1:])
 
 
-def install_rules(calls: Iterable[Call], project: str) -> Iterator[InstallRule]:
+def install_rules(calls: Iterable[EvaluatedCommand], project: str) -> Iterator[InstallRule]:
     """Yield every rule, in order."""
-    makers: Mapping[str, Callable[[Call], Iterator[InstallRule]]] = {
-        "install": installed,
+    makers: Mapping[str, Callable[[EvaluatedCommand], Iterator[InstallRule]]] = {
+        "install": rules_of_install,
         "catkin_install_python": catkin_style,
         "ament_auto_package": auto_package(project),
         "autoware_ament_auto_package": auto_package(project),

@@ -7,18 +7,18 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...files import PackageFiles
-from ...languages.cmake.evaluated_command import Call, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
 from ...languages.cmake.values import Word
 from ...source import Span
 from ...unreadable import UnreadableError
-from ..install_table import Installed, NotKnown
+from ..install_table import InstalledFile, UnknownPart
 from ..setup.entry_points import parse_entry_point
 from ..setup.setup_cfg import parse_setup_cfg
 from ..setup.setup_cfg_arguments import items_of
 from .install_rules import PACKAGE_KEYWORDS, below_prefix
 
 
-def python_scripts(call: Call, files: PackageFiles) -> Iterator[Installed | NotKnown]:
+def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[InstalledFile | UnknownPart]:
     """Yield the executables of one call: the `console_scripts`, and what `[options]` lists under `scripts`.
 
     The setup.cfg is that of SETUP_CFG, or the one beside the call's CMakeLists.txt; without SCRIPTS_DESTINATION
@@ -39,7 +39,7 @@ def python_scripts(call: Call, files: PackageFiles) -> Iterator[Installed | NotK
                 yield unknown(place, f"`{path}` can't be read")
 
 
-def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[Installed]:
+def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[InstalledFile]:
     """Raises UnreadableError."""
     cfg = parse_setup_cfg(files.source(path))
     for option in cfg.options("options.entry_points"):
@@ -53,9 +53,9 @@ def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[Installe
         yield row(folder, posixpath.basename(said.text), path, said.shown, source=source)
 
 
-def row(folder: str, name: str, path: str, span: Span, source: str = "", entry: str = "") -> Installed:
-    return Installed("executable", posixpath.normpath(posixpath.join(folder, name)), source, entry, path, span)
+def row(folder: str, name: str, path: str, span: Span, source: str = "", entry: str = "") -> InstalledFile:
+    return InstalledFile("executable", posixpath.normpath(posixpath.join(folder, name)), source, entry, path, span)
 
 
-def unknown(word: Word, why: str) -> NotKnown:
-    return NotKnown("executable", why, word.path, word.span)
+def unknown(word: Word, why: str) -> UnknownPart:
+    return UnknownPart("executable", why, word.path, word.span)

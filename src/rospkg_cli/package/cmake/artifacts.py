@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import HOLE
+from ...languages.cmake.values import UNKNOWN
 from .cmake_project import CMake
 from .install_rules import InstallRule
 
@@ -46,4 +46,4 @@ class Artifacts:
         return self.known("SUFFIX")
 
     def known(self, name: str) -> dict[str, str]:
-        return {target: value for target, value in self.cmake.properties(name) if HOLE not in value}
+        return {target: value for target, value in self.cmake.properties(name) if UNKNOWN not in value}

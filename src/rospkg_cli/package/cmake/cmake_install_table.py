@@ -6,17 +6,17 @@ import posixpath
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...languages.cmake.evaluated_command import Call, located
-from ...languages.cmake.values import BINARY, HOLE, Word
+from ...languages.cmake.evaluated_command import EvaluatedCommand, located
+from ...languages.cmake.values import BINARY, UNKNOWN, Word
 from ...source import Span
 from ...tree import LINKED
-from ..install_table import PYTHON, Installed, InstallTable, NotKnown, What
+from ..install_table import PYTHON, InstalledFile, InstallKind, InstallTable, UnknownPart
 from .ament_python_install import python_scripts
 from .artifacts import Artifacts
 from .cmake_project import CMake
 from .copied_files import copies
 from .install_rules import InstallRule
-from .macro_installs import PACKAGE, made_by_macros
+from .macro_installs import PACKAGE, installed_by_macros
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
 FETCHES = "fetchcontent_makeavailable"
@@ -25,20 +25,20 @@ FETCHES = "fetchcontent_makeavailable"
 
 def cmake_table(cmake: CMake, name: str) -> InstallTable:
     """Return what the package called `name` installs; what ament writes itself (hooks, configs) is left out."""
-    table = Table(cmake, name)
+    table = CMakeTableBuilder(cmake, name)
     rows = tuple(dict.fromkeys(table.rows()))
     return InstallTable(rows, tuple(table.unknown()))
 
 
-class Table:
+class CMakeTableBuilder:
     def __init__(self, cmake: CMake, name: str) -> None:
         self.cmake = cmake
         self.name = name
         self.artifacts = Artifacts(cmake)
 
-    def rows(self) -> Iterator[Installed]:
+    def rows(self) -> Iterator[InstalledFile]:
         if ends := self.cmake.named(*PACKAGE):
-            manifest = Installed("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
+            manifest = InstalledFile("share", f"share/{self.name}/package.xml", "package.xml", "", "package.xml")
             yield replace(manifest, maybe=all(call.maybe for call in ends))
         for rule in self.cmake.installs:
             if rule.kind == "TARGETS":
@@ -46,15 +46,15 @@ class Table:
             else:
                 yield from self.files(rule)
         yield from self.automatic()
-        yield from (self.row(*made) for made in made_by_macros(self.cmake, self.name))
-        yield from (each for each in self.python_scripts() if isinstance(each, Installed))
+        yield from (self.row(*made) for made in installed_by_macros(self.cmake, self.name))
+        yield from (each for each in self.python_scripts() if isinstance(each, InstalledFile))
 
-    def row(self, destination: str, source: str, word: Word, *calls: Call) -> Installed:
+    def row(self, destination: str, source: str, word: Word, *calls: EvaluatedCommand) -> InstalledFile:
         """Return a row that a word says in some calls, all of which must be run."""
         maybe, testing = word.maybe or any(call.maybe for call in calls), any(call.testing for call in calls)
-        return Installed(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
+        return InstalledFile(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
 
-    def what(self, destination: str) -> What:
+    def what(self, destination: str) -> InstallKind:
         if destination.startswith((f"lib/{self.name}/", f"lib/{self.cmake.project_name}/", "bin/")):
             return "executable"
         for prefix, what in PLACES:
@@ -62,7 +62,7 @@ class Table:
                 return what
         return "other"
 
-    def files(self, rule: InstallRule) -> Iterator[Installed]:
+    def files(self, rule: InstallRule) -> Iterator[InstalledFile]:
         for copy in copies(rule, self.cmake.package):
             yield self.row(copy.destination, copy.source, copy.item, rule.call)
         if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
@@ -70,7 +70,7 @@ class Table:
                 name = rule.rename.text if rule.rename else posixpath.basename(word.text)
                 yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word, rule.call)
 
-    def targets(self, rule: InstallRule) -> Iterator[Installed]:
+    def targets(self, rule: InstallRule) -> Iterator[InstalledFile]:
         for word in rule.items:
             target = self.cmake.target(word.text)
             place = self.artifacts.place(rule, target) if target is not None and target.built else None
@@ -79,39 +79,39 @@ class Table:
                     posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
                 )
 
-    def automatic(self) -> Iterator[Installed]:
+    def automatic(self) -> Iterator[InstalledFile]:
         """What ament_auto_package installs of itself: the targets of ament_auto_add_*, and include/."""
         for call in self.cmake.named("ament_auto_package", "autoware_ament_auto_package")[:1]:
             place = "bin" if "INSTALL_TO_PATH" in call.texts else f"lib/{self.name}"
             for target in self.cmake.targets:
-                if target.call.name == "ament_auto_add_executable" and HOLE not in target.name:
+                if target.call.name == "ament_auto_add_executable" and UNKNOWN not in target.name:
                     yield self.row(f"{place}/{self.artifacts.file_name(target)}", "", target.word, target.call)
-                elif target.call.name == "ament_auto_add_library" and target.built and HOLE not in target.name:
+                elif target.call.name == "ament_auto_add_library" and target.built and UNKNOWN not in target.name:
                     yield self.row(f"lib/{self.artifacts.file_name(target)}", "", target.word, target.call)
             scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
             for path in self.cmake.package.below("include"):
                 place = posixpath.join(scope, path.removeprefix("include/"))
-                yield Installed("header", place, path, "", call.path, call.command.name_span)
+                yield InstalledFile("header", place, path, "", call.path, call.command.name_span)
 
-    def python_scripts(self) -> Iterator[Installed | NotKnown]:
+    def python_scripts(self) -> Iterator[InstalledFile | UnknownPart]:
         for call in self.cmake.named("ament_python_install_package"):
             yield from python_scripts(call, self.cmake.package)
 
     # ---- what can't be told
 
-    def unknown(self) -> Iterator[NotKnown]:
+    def unknown(self) -> Iterator[UnknownPart]:
         if not self.cmake.complete:
             for what in ALL:
-                yield NotKnown(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
-        yield from (each for each in self.python_scripts() if isinstance(each, NotKnown))
+                yield UnknownPart(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
+        yield from (each for each in self.python_scripts() if isinstance(each, UnknownPart))
         for rule in self.cmake.installs:
             yield from self.unknown_rule(rule)
         for call in self.cmake.calls:
             if self.may_install(call):
                 for what in ALL[:1] if call.name == FETCHES else ALL[:2]:
-                    yield NotKnown(what, f"`{call.name}` may install anything", call.path, call.command.span)
+                    yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
 
-    def unknown_rule(self, rule: InstallRule) -> Iterator[NotKnown]:
+    def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
         dim = rule.kind == "CODE" or None in places
         items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
@@ -123,7 +123,7 @@ class Table:
         where = items[0] if items else rule.destination_word
         span = where.span if where is not None else rule.call.command.span
         for what in sorted(whats):
-            yield NotKnown(what, self.why(where), where.path if where else rule.call.path, span)
+            yield UnknownPart(what, self.why(where), where.path if where else rule.call.path, span)
 
     def why(self, word: Word | None) -> str:
         raw = " ".join(self.cmake.raw(word).split()) if word is not None else ""
@@ -134,7 +134,7 @@ class Table:
         path = located(word.text, rule.call.folder) or ""
         return self.cmake.package.tree.files().get(path.rstrip("/")) in LINKED
 
-    def may_install(self, call: Call) -> bool:
+    def may_install(self, call: EvaluatedCommand) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions
         return call.name in INSTALLS_ON_ITS_OWN or ("install" in call.name and not known)
 
@@ -143,8 +143,8 @@ def made_by_the_build(word: Word) -> bool:
     return word.known and word.text.startswith(BINARY)
 
 
-ALL: tuple[What, ...] = ("executable", "share", "module", "library", "header", "other")
-PLACES: tuple[tuple[str, What], ...] = (
+ALL: tuple[InstallKind, ...] = ("executable", "share", "module", "library", "header", "other")
+PLACES: tuple[tuple[str, InstallKind], ...] = (
     ("share/", "share"),
     (PYTHON + "/", "module"),
     ("include/", "header"),

@@ -10,13 +10,13 @@ from functools import cached_property
 from ...files import PackageFiles, Reading
 from ...languages.cmake.commands import COMMANDS, foreign
 from ...languages.cmake.control_flow import BLOCKS
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT, CMakeFile
 from ...languages.cmake.functions import invoke
-from ...languages.cmake.interpreter import Machine
-from ...languages.cmake.syntax import Command
+from ...languages.cmake.interpreter import Interpreter
+from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS, Target, by_name, targets_of
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from ...unreadable import Unreadable
 from .ament_installs import install_rules
 from .build import is_built_with_cmake
@@ -31,8 +31,8 @@ class CMake:
 
     package: PackageFiles = field(repr=False)
     files: tuple[CMakeFile, ...]
-    calls: tuple[Call, ...]
-    idle: tuple[Call, ...] = ()
+    calls: tuple[EvaluatedCommand, ...]
+    idle: tuple[EvaluatedCommand, ...] = ()
     """Commands in branches that are never taken and loops over nothing."""
     stopped: str = ""
     """Why the run was cut short: then nothing may be concluded from what is absent."""
@@ -55,7 +55,7 @@ class CMake:
     def _files(self) -> dict[str, CMakeFile]:
         return {file.path: file for file in self.files}
 
-    def place(self, command: Command) -> int:
+    def place(self, command: CommandInvocation) -> int:
         """Return which of the calls is the last one of a command, -1 where it is never run."""
         return self._places.get(id(command), -1)
 
@@ -80,13 +80,13 @@ class CMake:
         return f"`{word.text}`" if raw == word.text or not raw else f"`{word.text}` (`{raw}`)"
 
     @cached_property
-    def _by_name(self) -> dict[str, list[Call]]:
-        found: dict[str, list[Call]] = {}
+    def _by_name(self) -> dict[str, list[EvaluatedCommand]]:
+        found: dict[str, list[EvaluatedCommand]] = {}
         for call in self.calls:
             found.setdefault(call.name, []).append(call)
         return found
 
-    def named(self, *names: str) -> list[Call]:
+    def named(self, *names: str) -> list[EvaluatedCommand]:
         """Return the calls of the commands with these names, in order."""
         if len(names) == 1:
             return self._by_name.get(names[0], [])
@@ -100,7 +100,9 @@ class CMake:
             if call.open_ended and any(each in call.name for each in ("launch", "ros_test", "pytest")):
                 return True
             for last in (text.rpartition("/")[2] for text in call.texts):
-                if last in wanted or (HOLE in last and last.strip(HOLE) and fnmatchcase(name, last.replace(HOLE, "*"))):
+                if last in wanted or (
+                    UNKNOWN in last and last.strip(UNKNOWN) and fnmatchcase(name, last.replace(UNKNOWN, "*"))
+                ):
                     return True
         return False
 
@@ -120,7 +122,7 @@ class CMake:
         return any(call.name.endswith(("ament_package", "ament_auto_package")) for call in self.calls)
 
     @cached_property
-    def exports(self) -> tuple[Call, ...]:
+    def exports(self) -> tuple[EvaluatedCommand, ...]:
         """The calls of ament_export_targets that count: those in a sub-folder set a variable that is lost there."""
         calls = self.named("ament_export_targets", "ament_export_interfaces")
         return tuple(call for call in calls if not call.folder)
@@ -190,7 +192,7 @@ def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
     """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
     if not is_built_with_cmake(reading):
         return
-    machine = Machine(reading.files, COMMANDS, BLOCKS, invoke, foreign)
+    machine = Interpreter(reading.files, COMMANDS, BLOCKS, invoke, foreign)
     machine.run()
     if machine.broken:
         yield from machine.broken

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ...languages.cmake.evaluated_command import Call, flags_and_values
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
 from ...languages.cmake.values import Word, as_value
 
 
@@ -15,7 +15,7 @@ class Component:
     plugin: Word
     """`namespace::Class`"""
     executable: Word | None
-    call: Call
+    call: EvaluatedCommand
 
 
 @dataclass(frozen=True)
@@ -27,10 +27,10 @@ class InterfaceTarget:
     """`msg/Name.msg`, relative to the folder of the call; an absolute one is `base:msg/Name.msg`."""
     dependencies: tuple[Word, ...]
     skip_install: bool
-    call: Call
+    call: EvaluatedCommand
 
 
-def components_of(calls: Iterable[Call]) -> Iterator[Component]:
+def components_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Component]:
     for call in calls:
         if call.name == "rclcpp_components_register_node" and call.words:
             singles = ("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX")
@@ -44,7 +44,7 @@ def components_of(calls: Iterable[Call]) -> Iterator[Component]:
                 yield Component(call.words[0], plugin, None, call)
 
 
-def interface_targets_of(calls: Iterable[Call]) -> Iterator[InterfaceTarget]:
+def interface_targets_of(calls: Iterable[EvaluatedCommand]) -> Iterator[InterfaceTarget]:
     flags = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
     for call in calls:
         if call.name == "rosidl_generate_interfaces" and call.words:

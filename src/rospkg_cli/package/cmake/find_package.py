@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
 
 FIND_KEYWORDS = frozenset({
@@ -24,14 +24,14 @@ class FoundPackage:
     required: bool
     quiet: bool
     components: tuple[Word, ...]
-    call: Call
+    call: EvaluatedCommand
 
     @property
     def name(self) -> str:
         return self.word.text
 
 
-def found_packages(calls: Iterable[Call]) -> Iterator[FoundPackage]:
+def found_packages(calls: Iterable[EvaluatedCommand]) -> Iterator[FoundPackage]:
     """Yield what `find_package` is asked for, in whatever loop."""
     for call in calls:
         if call.name in ("find_package", "gz_find_package", "ign_find_package") and call.words:

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from ...languages.cmake.evaluated_command import Call, by_keyword
-from ...languages.cmake.values import HOLE, PREFIX, Word
+from ...languages.cmake.evaluated_command import EvaluatedCommand, by_keyword
+from ...languages.cmake.values import PREFIX, UNKNOWN, Word
 
 Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
 
@@ -41,7 +41,7 @@ class InstallRule:
     items: tuple[Word, ...]
     destination: str | None
     """Relative to the prefix, absolute where it is said so; None where it is unknown."""
-    call: Call
+    call: EvaluatedCommand
     destination_word: Word | None = None
     destinations: Mapping[str, str | None] | None = None
     """Of targets: for each kind of artifact its own."""
@@ -59,12 +59,12 @@ def below_prefix(text: str) -> str | None:
     """Return a destination relative to the prefix; None where it is unknown."""
     if text.startswith(PREFIX):
         text = text[len(PREFIX) :].lstrip("/") or "."
-    if HOLE in text or "\1" in text or "$<" in text:
+    if UNKNOWN in text or "\1" in text or "$<" in text:
         return None
     return posixpath.normpath(text) if text else "."
 
 
-def installed(call: Call) -> Iterator[InstallRule]:
+def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`install(…)` in all its forms."""
     kind = call.texts[0] if call.words else ""
     words = call.words[1:]
@@ -74,11 +74,11 @@ def installed(call: Call) -> Iterator[InstallRule]:
         yield files_rule(call, "FILES" if kind == "FILES" else "PROGRAMS", words)
     elif kind == "DIRECTORY":
         yield directory_rule(call, words)
-    elif kind in ("CODE", "SCRIPT", "RUNTIME_DEPENDENCY_SET", HOLE, ""):
+    elif kind in ("CODE", "SCRIPT", "RUNTIME_DEPENDENCY_SET", UNKNOWN, ""):
         yield InstallRule("CODE", tuple(words), None, call)
 
 
-def targets_rule(call: Call, words: Sequence[Word]) -> InstallRule:
+def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
     """Return the rule of `install(TARGETS …)`: each kind of artifact may go to its own place."""
     destinations: dict[str, str | None] = {}
     artifact, keyword = "", "items"
@@ -106,7 +106,7 @@ def targets_rule(call: Call, words: Sequence[Word]) -> InstallRule:
     )  # fmt: skip
 
 
-def files_rule(call: Call, kind: Literal["FILES", "PROGRAMS"], words: Sequence[Word]) -> InstallRule:
+def files_rule(call: EvaluatedCommand, kind: Literal["FILES", "PROGRAMS"], words: Sequence[Word]) -> InstallRule:
     found = by_keyword(words, OPTIONS)
     destination, word = destination_of(found)
     return InstallRule(
@@ -117,7 +117,7 @@ def files_rule(call: Call, kind: Literal["FILES", "PROGRAMS"], words: Sequence[W
     )  # fmt: skip
 
 
-def directory_rule(call: Call, words: Sequence[Word]) -> InstallRule:
+def directory_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
     found = by_keyword(words, OPTIONS)
     destination, word = destination_of(found)
     kept = {w.text for w in found.get("FILE_PERMISSIONS", [])}

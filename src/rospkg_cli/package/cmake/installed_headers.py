@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call
-from ...languages.cpp.file import CppFile, Include
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cpp.file import CppFile, IncludeDirective
 from ..install_table import InstallTable
 from .cmake_package import CMakePackage
 
@@ -18,13 +18,13 @@ PLUGINS = "pluginlib_export_plugin_description_file"
 
 
 @dataclass(frozen=True)
-class Headers:
+class PublicHeaders:
     package: CMakePackage
     table: InstallTable
     sources: tuple[CppFile, ...]
 
     @cached_property
-    def exports(self) -> tuple[Call, ...]:
+    def exports(self) -> tuple[EvaluatedCommand, ...]:
         """The calls that offer headers to others; the targets of a plug-in are exported and not meant for that."""
         cmake = self.package.cmake
         names = INCLUDES if cmake.named(PLUGINS) else (*INCLUDES, *TARGETS)
@@ -47,7 +47,7 @@ class Headers:
             return False
         return not self.installed.intersection(self.offered)
 
-    def included_packages(self) -> Iterator[tuple[CppFile, Include, str]]:
+    def included_packages(self) -> Iterator[tuple[CppFile, IncludeDirective, str]]:
         """Yield what public headers include by a package's name: `<rclcpp/rclcpp.hpp>`."""
         for file in self.sources:
             if file.path in self.installed:

@@ -5,19 +5,19 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...languages.cmake.evaluated_command import Call, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
 from ...languages.cmake.values import Word
 from ..install_table import PYTHON
 from .cmake_project import CMake
 from .install_rules import below_prefix
 
-Made = tuple[str, str, Word, Call]
+MacroInstall = tuple[str, str, Word, EvaluatedCommand]
 """Destination, the file that it is a copy of ("" for none), the word that says so, and the call that it stands in."""
 
 PACKAGE = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 
 
-def made_by_macros(cmake: CMake, name: str) -> Iterator[Made]:
+def installed_by_macros(cmake: CMake, name: str) -> Iterator[MacroInstall]:
     """Yield what is installed for the package called `name`, as far as it is known."""
     yield from components(cmake, name)
     yield from interfaces(cmake, name)
@@ -30,13 +30,13 @@ def made_by_macros(cmake: CMake, name: str) -> Iterator[Made]:
             yield from config_extras(call, cmake, name)
 
 
-def components(cmake: CMake, name: str) -> Iterator[Made]:
+def components(cmake: CMake, name: str) -> Iterator[MacroInstall]:
     for component in cmake.components:
         if component.executable is not None and component.executable.known:
             yield f"lib/{name}/{component.executable.text}", "", component.executable, component.call
 
 
-def interfaces(cmake: CMake, name: str) -> Iterator[Made]:
+def interfaces(cmake: CMake, name: str) -> Iterator[MacroInstall]:
     """The interface files themselves; their .idl forms and the code made of them are left to rosidl."""
     for each in cmake.interface_targets:
         for word in each.files:
@@ -47,7 +47,7 @@ def interfaces(cmake: CMake, name: str) -> Iterator[Made]:
                 yield posixpath.normpath(place), posixpath.join(each.call.folder, path), word, each.call
 
 
-def parameters(call: Call, name: str) -> Iterator[Made]:
+def parameters(call: EvaluatedCommand, name: str) -> Iterator[MacroInstall]:
     """The code that generate_parameter_library makes, and the header that it is validated with."""
     first = call.words[0]
     if call.name == "generate_parameter_module":
@@ -58,7 +58,7 @@ def parameters(call: Call, name: str) -> Iterator[Made]:
         yield f"include/{name}/{posixpath.basename(word.text)}", located(word.text, call.folder) or "", word, call
 
 
-def version_header(call: Call, project: str) -> Iterator[Made]:
+def version_header(call: EvaluatedCommand, project: str) -> Iterator[MacroInstall]:
     """`ament_generate_version_header(target HEADER_PATH my_pkg/version.h INSTALL_PATH include/my_pkg)`"""
     flags, values, _ = flags_and_values(call.words, ("SKIP_INSTALL",), ("HEADER_PATH", "INSTALL_PATH"), ())
     header, place = (
@@ -70,7 +70,7 @@ def version_header(call: Call, project: str) -> Iterator[Made]:
         yield folder, "", call.words[0], call
 
 
-def config_extras(call: Call, cmake: CMake, name: str) -> Iterator[Made]:
+def config_extras(call: EvaluatedCommand, cmake: CMake, name: str) -> Iterator[MacroInstall]:
     """The files of CMake that `ament_package(CONFIG_EXTRAS …)` gives to those who find the package."""
     if call.name in PACKAGE:
         _, values, _ = flags_and_values(call.words, (), ("CONFIG_EXTRAS_POST",), ("CONFIG_EXTRAS", "INSTALL_TO_SHARE"))

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
-from ...languages.cmake.evaluated_command import Call, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
 from ...languages.cmake.targets import targets_of
 from ...languages.cmake.values import Word
 from .cmake_project import CMake
@@ -28,20 +28,20 @@ WRITES_FILES = frozenset({"WRITE", "APPEND", "GENERATE", "COPY", "DOWNLOAD", "TO
 
 
 @dataclass(frozen=True)
-class Named:
+class ReferencedPath:
     """A path of the package that a command needs to be there."""
 
     path: str
     word: Word
     use: Use
-    call: Call
+    call: EvaluatedCommand
 
 
 @dataclass(frozen=True)
-class NamedPaths:
+class ReferencedPaths:
     cmake: CMake
 
-    def missing(self) -> Iterator[Named]:
+    def missing(self) -> Iterator[ReferencedPath]:
         """Yield what is named and not there, each word once."""
         seen: set[tuple[str, int, str]] = set()
         for named in self.all():
@@ -50,7 +50,7 @@ class NamedPaths:
                 seen.add(key)
                 yield named
 
-    def all(self) -> Iterator[Named]:
+    def all(self) -> Iterator[ReferencedPath]:
         for target in self.cmake.targets:
             yield from self.named(target.sources, "source", target.call)
         for target in targets_of(self.cmake.idle):
@@ -62,35 +62,35 @@ class NamedPaths:
                 use: Use = "folder" if rule.kind == "DIRECTORY" else "install"
                 yield from self.named(rule.items, use, rule.call)
 
-    def named(self, words: Iterable[Word], use: Use, call: Call) -> Iterator[Named]:
+    def named(self, words: Iterable[Word], use: Use, call: EvaluatedCommand) -> Iterator[ReferencedPath]:
         for word in words:
             path = located(word.text, call.folder)
             if path is not None and word.text and not word.text.startswith("-"):
-                yield Named(path, word, use, call)
+                yield ReferencedPath(path, word, use, call)
 
-    def is_there(self, named: Named) -> bool:
+    def is_there(self, named: ReferencedPath) -> bool:
         files = self.cmake.package
         path = named.path
         if not path or files.is_there(path):
             return True
-        if named.use == "source" and begins_one(f"{path}.", files.paths):
+        if named.use == "source" and is_prefix_of_any(f"{path}.", files.paths):
             return True
         return path in self.made or posixpath.basename(path) in self.made_names
 
     @property
-    def calls(self) -> tuple[Call, ...]:
+    def calls(self) -> tuple[EvaluatedCommand, ...]:
         return self.cmake.calls + self.cmake.idle
 
     @cached_property
     def made(self) -> frozenset[str]:
         """The paths in the package that commands write."""
-        found = (located(word.text, call.folder) for call in self.calls for word in written_by(call))
+        found = (located(word.text, call.folder) for call in self.calls for word in files_written_by(call))
         return frozenset(path for path in found if path)
 
     @cached_property
     def made_names(self) -> frozenset[str]:
         """The names of all files that commands write, wherever."""
-        words = (word for call in self.calls for word in written_by(call))
+        words = (word for call in self.calls for word in files_written_by(call))
         return frozenset(posixpath.basename(word.text) for word in words if not word.text.endswith("\0"))
 
 
@@ -100,18 +100,18 @@ INSTALLERS = frozenset({
 })  # fmt: skip
 
 
-def begins_one(start: str, paths: Sequence[str]) -> bool:
+def is_prefix_of_any(start: str, paths: Sequence[str]) -> bool:
     """Return whether one of some sorted paths begins with a text."""
     at = bisect_left(paths, start)
     return at < len(paths) and paths[at].startswith(start)
 
 
-def sources_in(call: Call) -> list[Word]:
+def sources_in(call: EvaluatedCommand) -> list[Word]:
     words = call.words[1:]
     return [] if "FILE_SET" in call.texts else [w for w in words if w.text not in ("PRIVATE", "PUBLIC", "INTERFACE")]
 
 
-def written_by(call: Call) -> Iterator[Word]:
+def files_written_by(call: EvaluatedCommand) -> Iterator[Word]:
     """Yield the names of the files that a command writes when it configures or builds."""
     if call.name in WRITES and WRITES[call.name] >= 0:
         yield from call.words[WRITES[call.name] :][:1]

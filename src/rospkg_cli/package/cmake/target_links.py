@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import Word
 from .cmake_project import CMake
@@ -26,7 +26,7 @@ class Link:
     """`PUBLIC`, `PRIVATE`, `INTERFACE`; "" for the form without keywords, which is public too."""
     package: bool
     """Whether the word is a package's name (ament_target_dependencies)."""
-    call: Call
+    call: EvaluatedCommand
 
     @property
     def exported(self) -> bool:

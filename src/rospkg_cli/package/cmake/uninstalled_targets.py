@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import Call
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import HOLE, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from .cmake_project import CMake
 from .installed_headers import HEADERS
 from .target_links import Links
@@ -25,7 +25,7 @@ MAX_PARTS = 5
 
 
 @dataclass(frozen=True)
-class Forgotten:
+class UninstalledTarget:
     target: Target
     needed_by: str
     """What needs it, as a message says it; "" for an executable, which is there to be run."""
@@ -34,14 +34,14 @@ class Forgotten:
 
 
 @dataclass(frozen=True)
-class ForgottenTargets:
+class UninstalledTargets:
     cmake: CMake
 
     @cached_property
     def links(self) -> Links:
         return Links(self.cmake)
 
-    def all(self) -> Iterator[Forgotten]:
+    def all(self) -> Iterator[UninstalledTarget]:
         """Yield the targets that are not installed; nothing where an install rule can't be evaluated."""
         rules = [rule for rule in self.cmake.installs if rule.kind in ("TARGETS", "CODE")]
         unclear = any(rule.kind == "CODE" or any(not word.known for word in rule.items) for rule in rules)
@@ -54,13 +54,13 @@ class ForgottenTargets:
             if target.name in stopping:
                 continue
             if target.executable and not target.call.maybe and not self.is_used(target):
-                yield Forgotten(target, "")
+                yield UninstalledTarget(target, "")
             elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)):
-                yield Forgotten(target, needed)
+                yield UninstalledTarget(target, needed)
 
     def candidates(self) -> Iterator[Target]:
         for target in self.cmake.targets:
-            sure = HOLE not in target.name and not target.word.maybe
+            sure = UNKNOWN not in target.name and not target.word.maybe
             if target.call.name not in MADE_BY or not sure or target.call.testing or not target.built:
                 continue
             if target.name not in self.links.installed and "EXCLUDE_FROM_ALL" not in target.options:
@@ -73,9 +73,9 @@ class ForgottenTargets:
         return any(call is not target.call for call in self.users.get(target.name, ()))
 
     @cached_property
-    def users(self) -> dict[str, list[Call]]:
+    def users(self) -> dict[str, list[EvaluatedCommand]]:
         """Name → the calls that use what is built of a target of that name."""
-        found: dict[str, list[Call]] = {}
+        found: dict[str, list[EvaluatedCommand]] = {}
         for call in self.cmake.calls:
             for name in dict.fromkeys(used_by(call)):
                 found.setdefault(name, []).append(call)
@@ -111,7 +111,7 @@ class ForgottenTargets:
     def promised(self) -> frozenset[str]:
         return frozenset(text for call in self.cmake.named("ament_export_libraries") for text in call.texts)
 
-    def unexported(self) -> Iterator[Forgotten]:
+    def unexported(self) -> Iterator[UninstalledTarget]:
         """Yield what an exported target is linked with, and what no export holds: `install(EXPORT)` refuses that."""
         exports = {text for call in self.cmake.exports for text in call.texts}
         rules = [rule for rule in self.cmake.installs if rule.export is not None]
@@ -125,14 +125,14 @@ class ForgottenTargets:
                     target = self.cmake.target(name)
                     if target is not None and name not in held and name not in seen and is_refused(target):
                         seen.add(name)
-                        yield Forgotten(target, f"the exported target `{word.text}`", stops=True)
+                        yield UninstalledTarget(target, f"the exported target `{word.text}`", stops=True)
 
-    def parameters(self) -> Iterator[Forgotten]:
+    def parameters(self) -> Iterator[UninstalledTarget]:
         """Yield parameter libraries that nothing is linked with, where all their like are installed."""
         made = [target for target in self.cmake.targets if target.call.name == "generate_parameter_library"]
         idle = [target for target in made if target.name not in self.links.installed and not target.call.maybe]
         if len(idle) == 1 and len(made) > 2 and not any(link.word.text == idle[0].name for link in self.links.all):
-            yield Forgotten(idle[0], "who links it, as the other parameter libraries can be,")
+            yield UninstalledTarget(idle[0], "who links it, as the other parameter libraries can be,")
 
     def interface_of(self, word: Word) -> Iterator[str]:
         """Yield the package's targets that a target passes on to whoever links it."""
@@ -152,7 +152,7 @@ def is_aside(target: Target) -> bool:
     return bool(folders & ASIDE)
 
 
-def used_by(call: Call) -> Iterator[str]:
+def used_by(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the names of targets of which a call uses what is built, if they are targets."""
     setter = call.name.startswith(SETTERS)
     if setter and call.name != "install":

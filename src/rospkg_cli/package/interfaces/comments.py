@@ -8,20 +8,20 @@ from dataclasses import dataclass
 
 from ...source import Span
 from .escape import escape_fault
-from .interface_file import Problem
+from .interface_file import GrammarProblem
 
 UNIT = re.compile(r"\s*\[([^,\]]+)\]")
 
 
 @dataclass(frozen=True, slots=True)
-class Comment:
+class InterfaceComment:
     """The text behind the `#` characters of one line, and where it stands."""
 
     text: str
     at: int
 
 
-def comment_problems(comments: Sequence[Comment], *, of_field: bool) -> Iterator[Problem]:
+def comment_problems(comments: Sequence[InterfaceComment], *, of_field: bool) -> Iterator[GrammarProblem]:
     """Yield what stops the build in the comments that belong to one field, constant or file."""
     found = list(UNIT.finditer("\n".join(comment.text for comment in comments)))
     unit = found[0] if len(found) == 1 else None
@@ -30,7 +30,7 @@ def comment_problems(comments: Sequence[Comment], *, of_field: bool) -> Iterator
         if escape_fault(text):
             yield backslash(comment)
     if unit and of_field and "\n" in unit.group(1):
-        yield Problem(
+        yield GrammarProblem(
             span_of(comments),
             f"rosidl takes `[{unit.group(1).splitlines()[0]}` and the next line for a unit, and generates an .idl "
             "file with a broken string from it; keep what stands in brackets on one line, or use parentheses",
@@ -39,7 +39,7 @@ def comment_problems(comments: Sequence[Comment], *, of_field: bool) -> Iterator
         yield backslash(next(comment for comment in comments if unit.group(1) in comment.text))
 
 
-def backslash(comment: Comment) -> Problem:
+def backslash(comment: InterfaceComment) -> GrammarProblem:
     start, end = escape_fault(comment.text) or (0, len(comment.text))
     escape, span = comment.text[start:end], Span(comment.at + start, comment.at + end)
     message = (
@@ -49,9 +49,9 @@ def backslash(comment: Comment) -> Problem:
     mended = comment.text[:start] + "\\" + comment.text[start:]
     left = escape_fault(mended)
     if left is None or left[0] > end:
-        return Problem(span, message, "\\" + escape, span, "double the backslash")
-    return Problem(span, message)
+        return GrammarProblem(span, message, "\\" + escape, span, "double the backslash")
+    return GrammarProblem(span, message)
 
 
-def span_of(comments: Sequence[Comment]) -> Span:
+def span_of(comments: Sequence[InterfaceComment]) -> Span:
     return Span(comments[0].at, comments[-1].at + len(comments[-1].text))

@@ -42,7 +42,7 @@ class Member:
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class MessageSection:
     """A message of its own: all of a .msg, the request or the response of a .srv, one of three parts of an .action."""
 
     suffix: str
@@ -58,7 +58,7 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
+class GrammarProblem:
     """What rosidl refuses or silently takes otherwise than it is written; `repair` replaces `repair_span`."""
 
     span: Span
@@ -71,12 +71,12 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class Interface:
+class InterfaceFile:
     source: Source
     kind: str
     """`msg`, `srv` or `action`."""
-    sections: tuple[Section, ...]
-    problems: tuple[Problem, ...]
+    sections: tuple[MessageSection, ...]
+    problems: tuple[GrammarProblem, ...]
 
     @property
     def path(self) -> str:

@@ -11,11 +11,11 @@ from ...source import Source, Span
 from ...unreadable import Unreadable
 from ..file_role import role_of
 from ..manifest import Manifest
-from .interface_file import Interface, Problem
+from .interface_file import GrammarProblem, InterfaceFile
 from .text import parse_interface
 
 
-def read_interfaces(reading: Reading) -> Iterator[Interface | Unreadable]:
+def read_interfaces(reading: Reading) -> Iterator[InterfaceFile | Unreadable]:
     """Read the .msg, .srv and .action files of a package that ROS 2 builds."""
     manifest = reading.parts(Manifest).only
     if manifest is None or manifest.build_type(Targets()) == "catkin":
@@ -31,11 +31,11 @@ def interface_paths(files: PackageFiles) -> list[str]:
     ]
 
 
-def read(files: PackageFiles, source: Source) -> Interface:
+def read(files: PackageFiles, source: Source) -> InterfaceFile:
     found = parse_interface(source, source.path.rpartition(".")[2])
     if not files.tree.entry(source.path).text.bom:
         return found
-    mark = Problem(
+    mark = GrammarProblem(
         Span(0, 0), "the file begins with a byte order mark, which rosidl takes for a part of the first type"
     )
-    return Interface(source, found.kind, found.sections, (mark, *found.problems))
+    return InterfaceFile(source, found.kind, found.sections, (mark, *found.problems))

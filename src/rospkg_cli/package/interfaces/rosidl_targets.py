@@ -9,19 +9,19 @@ from functools import cached_property
 
 from ...languages.cmake.evaluated_command import located
 from ...languages.cmake.values import Word
-from ...ros.core_messages import CORE_NEEDS
+from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ..cmake.cmake_project import CMake
 from ..cmake.components import InterfaceTarget
-from ..cmake.referenced_paths import NamedPaths
+from ..cmake.referenced_paths import ReferencedPaths
 from ..package_facts import PackageFacts
 from ..workspace import Workspace
-from .interface_file import FieldType, Interface
+from .interface_file import FieldType, InterfaceFile
 
 
 @dataclass(frozen=True, slots=True)
-class Listed:
+class ListedInterface:
     """One file of a call; `path` is relative to the package, None where it is elsewhere or unknown."""
 
     word: Word
@@ -30,12 +30,12 @@ class Listed:
 
 
 @dataclass(frozen=True, slots=True)
-class UnlistedNeed:
+class UnlistedDependency:
     """A package that a call's files use and that the call does not know of."""
 
     target: InterfaceTarget
     package: str
-    interface: Interface
+    interface: InterfaceFile
     kind: FieldType
     """Its first use."""
     certain: bool
@@ -45,15 +45,15 @@ class UnlistedNeed:
 @dataclass(frozen=True)
 class GeneratedInterfaces:
     cmake: CMake
-    interfaces: tuple[Interface, ...]
+    interfaces: tuple[InterfaceFile, ...]
     package: PackageFacts
     workspace: Workspace
     targets: Targets
 
     @cached_property
-    def listed(self) -> tuple[Listed, ...]:
+    def listed(self) -> tuple[ListedInterface, ...]:
         return tuple(
-            Listed(word, target, listed_path(word, target))
+            ListedInterface(word, target, listed_path(word, target))
             for target in self.cmake.interface_targets
             for word in target.files
         )
@@ -63,16 +63,16 @@ class GeneratedInterfaces:
         """Whether every file that is generated is known."""
         return self.cmake.complete and all(each.word.known for each in self.listed) and bool(self.listed)
 
-    def left_out(self) -> Iterator[Interface]:
+    def left_out(self) -> Iterator[InterfaceFile]:
         """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""
         listed = {each.path for each in self.listed}
         for interface in self.interfaces:
             if self.is_told and interface.path not in listed and interface.folder.rpartition("/")[2] in KINDS:
                 yield interface
 
-    def absent(self) -> Iterator[Listed]:
+    def absent(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
-        named = NamedPaths(self.cmake)
+        named = ReferencedPaths(self.cmake)
         for each in self.listed:
             certain = each.word.known and not each.word.maybe and not each.target.call.maybe
             if certain and each.path and not self.cmake.package.exists(each.path):
@@ -80,17 +80,17 @@ class GeneratedInterfaces:
                 if not made:
                     yield each
 
-    def repeated(self) -> Iterator[tuple[Listed, Listed]]:
+    def repeated(self) -> Iterator[tuple[ListedInterface, ListedInterface]]:
         """Yield what one call lists again, with the first of its kind."""
         for target in self.cmake.interface_targets:
-            seen: dict[str, Listed] = {}
+            seen: dict[str, ListedInterface] = {}
             for each in self.listed:
                 if each.target is target and each.path and not each.word.maybe:
                     first = seen.setdefault(each.path, each)
                     if first is not each:
                         yield each, first
 
-    def unlisted_needs(self) -> Iterator[UnlistedNeed]:
+    def unlisted_needs(self) -> Iterator[UnlistedDependency]:
         """Yield each package whose types a call's files use and that its DEPENDENCIES neither list nor pass on."""
         by_path = {interface.path: interface for interface in self.interfaces}
         for target in self.cmake.interface_targets:
@@ -103,7 +103,7 @@ class GeneratedInterfaces:
                 for kind in interface.types if interface else ():
                     if interface and kind.package not in seen:
                         seen.add(kind.package)
-                        yield UnlistedNeed(target, kind.package, interface, kind, certain)
+                        yield UnlistedDependency(target, kind.package, interface, kind, certain)
 
     def passed_on(self, target: InterfaceTarget) -> tuple[set[str], bool]:
         """Return the packages whose interfaces a call links, and whether these are all.
@@ -122,8 +122,8 @@ class GeneratedInterfaces:
                 facts = self.workspace.named(name)
                 if facts is not None:
                     waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
-                elif name in CORE_NEEDS:
-                    waiting += CORE_NEEDS[name]
+                elif name in CORE_DEPENDENCIES:
+                    waiting += CORE_DEPENDENCIES[name]
                 else:
                     certain = False
         return found, certain

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from ...ros.interfaces import PRIMITIVES, STRINGS
 from ...source import Span
-from .comments import Comment, comment_problems
+from .comments import InterfaceComment, comment_problems
 from .escape import escape_fault
-from .interface_file import FieldType, Member, Problem
+from .interface_file import FieldType, GrammarProblem, Member
 from .type_parser import TypeProblemError, parse_type
 from .value import QUOTES, string_value, value_fault
 
@@ -19,7 +19,7 @@ NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class InterfaceLine:
     """A line without its end and the blanks before it, with blanks for tabs; its length in the file may be larger."""
 
     text: str
@@ -32,11 +32,11 @@ class Line:
 class SectionReader:
     """Reads all lines at once; `members` and `problems` are what came of it."""
 
-    def __init__(self, lines: Sequence[Line]) -> None:
+    def __init__(self, lines: Sequence[InterfaceLine]) -> None:
         self.members: list[Member] = []
-        self.problems: list[Problem] = []
-        self.waiting: list[Comment] = []
-        self.of_last: list[Comment] = []
+        self.problems: list[GrammarProblem] = []
+        self.waiting: list[InterfaceComment] = []
+        self.of_last: list[InterfaceComment] = []
         count = next((i for i, line in enumerate(lines) if not line.text.startswith("#")), len(lines))
         self.judge([comment_in(line, 0) for line in lines[:count]], of_field=False)
         for line in lines[count:]:
@@ -44,14 +44,14 @@ class SectionReader:
                 self.read(line)
         self.judge_last()
 
-    def judge(self, comments: list[Comment], *, of_field: bool) -> None:
+    def judge(self, comments: list[InterfaceComment], *, of_field: bool) -> None:
         self.problems += comment_problems(comments, of_field=of_field)
 
     def judge_last(self) -> None:
         if self.members:
             self.judge(self.of_last, of_field=not self.members[-1].constant)
 
-    def read(self, line: Line) -> None:
+    def read(self, line: InterfaceLine) -> None:
         text, sign, rest = line.text.partition("#")
         if sign:
             comment = comment_in(line, len(text))
@@ -60,20 +60,20 @@ class SectionReader:
                     self.of_last.append(comment)
                 return
             self.waiting.append(comment)
-        behind = Comment(rest, line.at + len(text) + 1)
+        behind = InterfaceComment(rest, line.at + len(text) + 1)
         text = text.rstrip()
         if not text:
             return
-        member = self.member(Line(text, line.at), behind)
+        member = self.member(InterfaceLine(text, line.at), behind)
         if member:
             self.judge_last()
             self.members.append(member)
             self.of_last, self.waiting = self.waiting, []
 
     def problem(self, span: Span, message: str, repair: str | None = None, title: str = "") -> None:
-        self.problems.append(Problem(span, message, repair, span if repair is not None else None, title))
+        self.problems.append(GrammarProblem(span, message, repair, span if repair is not None else None, title))
 
-    def member(self, line: Line, comment: Comment) -> Member | None:
+    def member(self, line: InterfaceLine, comment: InterfaceComment) -> Member | None:
         """Read a line that declares something; None, and a problem, where it does not."""
         text = line.text
         start = len(text) - len(text.lstrip(" "))
@@ -89,7 +89,7 @@ class SectionReader:
             return self.constant(line, line.span(start, start + len(kind)), rest_at, comment)
         return self.field(line, line.span(start, start + len(kind)), rest_at, comment)
 
-    def field(self, line: Line, kind_span: Span, at: int, comment: Comment) -> Member | None:
+    def field(self, line: InterfaceLine, kind_span: Span, at: int, comment: InterfaceComment) -> Member | None:
         kind = self.type_at(line, kind_span)
         name, _, value = line.text[at:].partition(" ")
         value = value.lstrip()
@@ -100,7 +100,7 @@ class SectionReader:
             self.judge_value(kind, value, value_span, comment)
         return Member(kind, name, line.span(at, at + len(name)), False, value or None, value_span)
 
-    def constant(self, line: Line, kind_span: Span, at: int, comment: Comment) -> Member | None:
+    def constant(self, line: InterfaceLine, kind_span: Span, at: int, comment: InterfaceComment) -> Member | None:
         name, _, value = line.text[at:].partition("=")
         name, value = name.rstrip(), value.lstrip()
         span = line.span(at, at + len(name))
@@ -118,14 +118,14 @@ class SectionReader:
         self.judge_value(kind, value, value_span, comment)
         return Member(kind, name, span, True, value, value_span)
 
-    def type_at(self, line: Line, span: Span) -> FieldType | None:
+    def type_at(self, line: InterfaceLine, span: Span) -> FieldType | None:
         try:
             return parse_type(line.text[span.start - line.at : span.end - line.at], span.start)
         except TypeProblemError as error:
             self.problems.append(error.problem)
             return None
 
-    def is_name(self, line: Line, at: int, name: str, value: str) -> bool:
+    def is_name(self, line: InterfaceLine, at: int, name: str, value: str) -> bool:
         if NAME.fullmatch(name):
             return True
         span = line.span(at, at + len(name))
@@ -138,7 +138,7 @@ class SectionReader:
             self.problem(span, f"`{name}` is no name of a field: lower case letters, digits and single `_`")
         return False
 
-    def judge_value(self, kind: FieldType, value: str, span: Span, comment: Comment) -> None:
+    def judge_value(self, kind: FieldType, value: str, span: Span, comment: InterfaceComment) -> None:
         fault = value_fault(kind, value)
         if kind.base in STRINGS and is_open(value) and value[0] in comment.text:
             span = Span(span.start, comment.at + comment.text.index(value[0]) + 1)
@@ -164,6 +164,6 @@ def text_fault(kind: FieldType, value: str) -> str | None:
     return None
 
 
-def comment_in(line: Line, at: int) -> Comment:
+def comment_in(line: InterfaceLine, at: int) -> InterfaceComment:
     text = line.text[at:].lstrip("#")
-    return Comment(text, line.at + len(line.text) - len(text))
+    return InterfaceComment(text, line.at + len(line.text) - len(text))

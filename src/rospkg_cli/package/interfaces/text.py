@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
-from .interface_file import Interface, Problem, Section
-from .section_parser import Line, SectionReader
+from .interface_file import GrammarProblem, InterfaceFile, MessageSection
+from .section_parser import InterfaceLine, SectionReader
 
 NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 """A separator as people write it; rosidl takes only a line that is exactly `---`."""
@@ -25,7 +25,7 @@ class Mark:
     exact: bool
 
 
-def parse_interface(source: Source, kind: str) -> Interface:
+def parse_interface(source: Source, kind: str) -> InterfaceFile:
     """Read a text of a kind (`msg`, `srv`, `action`); everything that rosidl refuses becomes a problem."""
     raw = source.text.splitlines(keepends=True)
     lines = list(numbered(raw))
@@ -42,18 +42,20 @@ def parse_interface(source: Source, kind: str) -> Interface:
         reader = SectionReader(part)
         problems += reader.problems
         suffix = SECTIONS[kind][place] if place < len(SECTIONS[kind]) else ""
-        sections.append(Section(suffix, tuple(reader.members)))
-    return Interface(source, kind, tuple(sections), tuple(sorted(problems, key=lambda p: p.span)))
+        sections.append(MessageSection(suffix, tuple(reader.members)))
+    return InterfaceFile(source, kind, tuple(sections), tuple(sorted(problems, key=lambda p: p.span)))
 
 
-def numbered(raw: Sequence[str]) -> Iterator[Line]:
+def numbered(raw: Sequence[str]) -> Iterator[InterfaceLine]:
     at = 0
     for line in raw:
-        yield Line(line.replace("\t", " ").rstrip(), at)
+        yield InterfaceLine(line.replace("\t", " ").rstrip(), at)
         at += len(line)
 
 
-def split(lines: Sequence[Line], chosen: Sequence[Mark], marks: Sequence[Mark]) -> Iterator[list[Line]]:
+def split(
+    lines: Sequence[InterfaceLine], chosen: Sequence[Mark], marks: Sequence[Mark]
+) -> Iterator[list[InterfaceLine]]:
     cuts = [-1, *(mark.index for mark in chosen), len(lines)]
     skipped = {mark.index for mark in marks}
     for before, after in pairwise(cuts):
@@ -61,17 +63,17 @@ def split(lines: Sequence[Line], chosen: Sequence[Mark], marks: Sequence[Mark]) 
 
 
 def separator_problems(
-    kind: str, marks: Sequence[Mark], chosen: Sequence[Mark], lines: Sequence[Line]
-) -> Iterator[Problem]:
+    kind: str, marks: Sequence[Mark], chosen: Sequence[Mark], lines: Sequence[InterfaceLine]
+) -> Iterator[GrammarProblem]:
     wanted = SEPARATORS[kind]
     has = {0: "no line `---`", 1: "exactly one line `---`", 2: "exactly two lines `---`"}[wanted]
     for mark in marks:
         if not mark.exact and mark in chosen[:wanted]:
             message = "rosidl takes only a line that is exactly `---` for a separator, without blanks around it"
-            yield Problem(mark.span, f"{message}: the build stops here", "---", mark.span, "write `---`")
+            yield GrammarProblem(mark.span, f"{message}: the build stops here", "---", mark.span, "write `---`")
         elif mark not in chosen[:wanted]:
-            yield Problem(mark.span, f"a .{kind} file has {has}; this one is too many, and the build stops here")
+            yield GrammarProblem(mark.span, f"a .{kind} file has {has}; this one is too many, and the build stops here")
     if len(chosen) < wanted:
         parts = " and ".join({"srv": ("request", "response"), "action": ("goal", "result", "feedback")}[kind])
         first = Span(lines[0].at, lines[0].at + len(lines[0].text)) if lines else Span(0, 0)
-        yield Problem(first, f"a .{kind} file has {has} between {parts}; here is {len(chosen) or 'none'}")
+        yield GrammarProblem(first, f"a .{kind} file has {has} between {parts}; here is {len(chosen) or 'none'}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...ros.interfaces import FOREIGN_TYPES, PACKAGE_NAME, PRIMITIVES, ROS1_TYPES, valid_interface_name
 from ...source import Span
-from .interface_file import FieldType, Problem
+from .interface_file import FieldType, GrammarProblem
 
 BOUND = "<="
 
@@ -12,7 +12,7 @@ BOUND = "<="
 class TypeProblemError(Exception):
     """The text is no type."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: GrammarProblem) -> None:
         super().__init__(problem.message)
         self.problem = problem
 
@@ -84,4 +84,4 @@ def explain(name: str) -> str:
 
 def fail(span: Span, message: str, repair: str | None = None, certain: bool = True) -> TypeProblemError:
     title = f"write `{repair}`" if repair else ""
-    return TypeProblemError(Problem(span, message, repair, span if repair else None, title, certain))
+    return TypeProblemError(GrammarProblem(span, message, repair, span if repair else None, title, certain))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ...languages.located_text import Written
+from ...languages.located_text import LocatedText
 from ...languages.xml.parser import Document, Element, read_xml
-from ...languages.yaml.aliases import unfolded
-from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.aliases import read_resolved
+from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...source import Source, Span
 from .faults import Fault
 
@@ -18,10 +18,10 @@ class Entity:
     name: str
     span: Span
     name_span: Span
-    attributes: dict[str, Written] = field(default_factory=dict)
+    attributes: dict[str, LocatedText] = field(default_factory=dict)
     attribute_spans: dict[str, Span] = field(default_factory=dict)
     """Of the names."""
-    lists: dict[str, tuple[Written, ...]] = field(default_factory=dict)
+    lists: dict[str, tuple[LocatedText, ...]] = field(default_factory=dict)
     """Attributes that are a list of plain values, which YAML knows."""
     children: tuple[Entity, ...] = ()
 
@@ -47,7 +47,7 @@ def xml_entity(document: Document, element: Element) -> Entity:
         element.span,
         Span(start, start + len(element.tag)),
         {
-            a.name: Written(a.value, a.value_span, text[a.value_span.start : a.value_span.end] == a.value)
+            a.name: LocatedText(a.value, a.value_span, text[a.value_span.start : a.value_span.end] == a.value)
             for a in element.attributes.values()
         },
         {a.name: Span(a.span.start, a.span.start + len(a.name)) for a in element.attributes.values()},
@@ -57,8 +57,8 @@ def xml_entity(document: Document, element: Element) -> Entity:
 
 def from_yaml(source: Source) -> tuple[Entity | None, list[Fault]]:
     """Read a YAML file, and what the frontend refuses of it; raises UnreadableError for what is no YAML."""
-    root = unfolded(source)
-    entries = pairs(root) if isinstance(root, Mapping) else []
+    root = read_resolved(source)
+    entries = pairs(root) if isinstance(root, MappingNode) else []
     if not entries:
         return None, []
     faults: list[Fault] = []
@@ -68,45 +68,45 @@ def from_yaml(source: Source) -> tuple[Entity | None, list[Fault]]:
     return yaml_entity(key, value, faults), faults
 
 
-def pairs(mapping: Mapping) -> list[tuple[Scalar, YamlNode]]:
+def pairs(mapping: MappingNode) -> list[tuple[ScalarNode, YamlNode]]:
     """Return the entries of a mapping whose keys are scalars."""
-    return [(key, value) for key, value in mapping.entries if isinstance(key, Scalar)]
+    return [(key, value) for key, value in mapping.entries if isinstance(key, ScalarNode)]
 
 
-def yaml_entity(name: Scalar, value: YamlNode, faults: list[Fault]) -> Entity:
+def yaml_entity(name: ScalarNode, value: YamlNode, faults: list[Fault]) -> Entity:
     """Make an entity of `name: value`."""
     place = name.written.span
     found = Entity(name.text, Span(place.start, value.span.end), place)
-    if isinstance(value, Sequence):
+    if isinstance(value, SequenceNode):
         return with_children(found, list(children_of(value.items, faults)))
     children: list[Entity] = []
-    for key, item in pairs(value) if isinstance(value, Mapping) else []:
+    for key, item in pairs(value) if isinstance(value, MappingNode) else []:
         found.attribute_spans[key.text] = key.written.span
-        if isinstance(item, Scalar):
+        if isinstance(item, ScalarNode):
             found.attributes[key.text] = item.written
         elif key.text == "children":
             children += children_of(values_of(item), faults)
-        elif isinstance(item, Sequence) and not all(isinstance(each, Scalar) for each in item.items):
+        elif isinstance(item, SequenceNode) and not all(isinstance(each, ScalarNode) for each in item.items):
             children += [yaml_entity(key, each, faults) for each in item.items]
         else:
-            found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, Scalar))
+            found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, ScalarNode))
     return with_children(found, children)
 
 
 def values_of(node: YamlNode) -> list[YamlNode]:
     """Return the items of a sequence, or the values of a mapping."""
-    if isinstance(node, Mapping):
+    if isinstance(node, MappingNode):
         return [value for _, value in pairs(node)]
-    return node.items if isinstance(node, Sequence) else []
+    return node.items if isinstance(node, SequenceNode) else []
 
 
 def children_of(items: list[YamlNode], faults: list[Fault]) -> Iterator[Entity]:
     """Yield the entities of a list in which each item is `name: value`."""
     for item in items:
-        entries = pairs(item) if isinstance(item, Mapping) else []
+        entries = pairs(item) if isinstance(item, MappingNode) else []
         if not entries:
             said = "an entry of a launch description is `- name:` with its attributes below"
-            faults.append(Fault(item.written.span if isinstance(item, Scalar) else item.span, said))
+            faults.append(Fault(item.written.span if isinstance(item, ScalarNode) else item.span, said))
             continue
         key, value = entries[0]
         yield yaml_entity(key, value, faults)

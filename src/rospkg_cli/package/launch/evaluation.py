@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.python.evaluate.sandbox_filesystem import Folder
-from ...languages.python.evaluate.state import Machine
-from ...languages.python.evaluate.values import Call, Class, Function, Joined, Scope, Value
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...languages.python.evaluate.state import EvaluationState
+from ...languages.python.evaluate.values import Call, Class, Function, Joined, Namespace, Value
 from ...languages.python.file import PythonFile
 from ...source import Span
 from .values import class_of
@@ -16,13 +16,13 @@ ENTRIES = ("generate_launch_description", "generate_test_description")
 """What launch and launch_testing call."""
 
 
-def found_path(machine: Machine, call: Call) -> Value:
+def found_path(machine: EvaluationState, call: Call) -> Value:
     """get_package_share_path: what is joined to it with `/` is a path below it."""
     machine.calls.append(call)
     return Joined(call.span, (call,), path=True)
 
 
-def as_path(machine: Machine, call: Call) -> Value | None:
+def as_path(machine: EvaluationState, call: Call) -> Value | None:
     """PathSubstitution(text): a path of one text, to be joined with `/`."""
     path = call.get("path", 0)
     return Joined(call.span, (path,), path=True) if isinstance(path, Call) else None
@@ -39,7 +39,7 @@ PATHS = {
 class LaunchEvaluator(Watching):
     """An evaluator that remembers which functions it has been in."""
 
-    def __init__(self, file: PythonFile, folder: Folder) -> None:
+    def __init__(self, file: PythonFile, folder: SandboxFilesystem) -> None:
         super().__init__(file, folder, PATHS, name="launch_file")
         self.entered: set[int] = set()
         self.active: list[int] = []
@@ -81,7 +81,7 @@ class LaunchEvaluator(Watching):
             self.results[id(function.node)] = function, self.call(function)
 
 
-def functions_in(scope: Scope, seen: set[int] | None = None) -> Iterator[Function]:
+def functions_in(scope: Namespace, seen: set[int] | None = None) -> Iterator[Function]:
     """Yield the functions of a file, and the methods of its classes; a class with several names is looked at once."""
     seen = set() if seen is None else seen
     for value in list(scope.names.values()):

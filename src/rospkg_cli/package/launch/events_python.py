@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator
 
 from ...languages.python.evaluate.values import (
-    Attribute,
+    AttributeValue,
     Call,
     Constant,
     Function,
@@ -220,7 +220,7 @@ def used(value: Value, depth: int) -> Iterator[Event]:
         case Joined():
             for part in value.parts:
                 yield from used(part, depth + 1)
-        case Attribute():
+        case AttributeValue():
             yield from used(value.of, depth + 1)
         case Unknown():
             for option in value.options:

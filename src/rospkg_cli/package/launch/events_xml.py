@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.located_text import Written
+from ...languages.located_text import LocatedText
 from ...ros.launch_entities import ACTIONS
 from .entity import Entity
 from .events import Event, file_name, passing, uses_of
@@ -87,7 +87,7 @@ def texts(entity: Entity, *names: str) -> list[LaunchText]:
     return [read(written) for written in found]
 
 
-def read(written: Written) -> LaunchText:
+def read(written: LocatedText) -> LaunchText:
     try:
         return parse_text(written)
     except SubstitutionError:

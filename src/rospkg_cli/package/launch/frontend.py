@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ...languages.located_text import Written
+from ...languages.located_text import LocatedText
 from ...ros.launch_entities import ACTIONS
 from ...source import Source, Span
 from .defaults import literal_defaults
@@ -49,7 +49,7 @@ class Walk:
     commands: list[Command] = field(default_factory=list)
     assigned: list[LaunchText] = field(default_factory=list)
 
-    def text(self, written: Written) -> LaunchText:
+    def text(self, written: LocatedText) -> LaunchText:
         """Parse a value; what the grammar refuses becomes a fault and an unknown text."""
         try:
             found = parse_text(written)

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.evaluator import Evaluator
-from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Constant, Joined, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from .defaults import literal_defaults
@@ -24,7 +24,7 @@ from .values import class_of, substitution
 MAX_DEPTH = 8
 
 
-def read_python_launch(file: PythonFile, folder: Folder) -> LaunchFile:
+def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFile:
     evaluator = LaunchEvaluator(file, folder)
     evaluator.run_all()
     calls = list(once(evaluator.calls))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles, Reading
-from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from ..python_modules import Modules
@@ -42,7 +42,7 @@ def read_launch_files(reading: Reading) -> Iterator[LaunchFile | Unreadable]:
 class Reader:
     def __init__(self, files: PackageFiles, modules: Modules) -> None:
         self.files, self.modules = files, modules
-        self.folder: Folder | None = None
+        self.folder: SandboxFilesystem | None = None
 
     def read(self, path: str) -> LaunchFile | None:
         """Return the launch file at a path; None for another file; raises UnreadableError."""
@@ -58,7 +58,7 @@ class Reader:
         if not NAMED.search(path) and not ENTRY.search(source.text):
             return None
         if self.folder is None:
-            self.folder = Folder(self.files)
+            self.folder = SandboxFilesystem(self.files)
         parsed = self.modules.read(path)
         if isinstance(parsed, Unreadable):
             raise UnreadableError(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from ...languages.located_text import Written
+from ...languages.located_text import LocatedText
 from .text import LaunchText, Literal, Substitution
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
@@ -38,13 +38,13 @@ class SubstitutionError(ValueError):
         self.at = at
 
 
-def parse_text(written: Written) -> LaunchText:
+def parse_text(written: LocatedText) -> LaunchText:
     """Parse a value; raises SubstitutionError."""
     return Parser(written).template("", 0)
 
 
 class Parser:
-    def __init__(self, written: Written) -> None:
+    def __init__(self, written: LocatedText) -> None:
         self.written, self.text, self.at = written, written.text, 0
 
     def fail(self, message: str) -> SubstitutionError:

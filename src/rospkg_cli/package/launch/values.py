@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ...languages.python.evaluate.values import Attribute, Call, Constant, Joined, Sequence, Text, Value
+from ...languages.python.evaluate.values import AttributeValue, Call, Constant, Joined, Sequence, Text, Value
 from ...source import Span
 from .text import UNKNOWN, LaunchText, Literal, Substitution, plain_text, unknown_text
 
@@ -81,7 +81,7 @@ def text_of(value: Value, depth: int = 0) -> LaunchText:
             return one_after_another(value.items, value.span, depth) if value.complete else unknown_text(value.span)
         case Joined():
             return one_after_another(list(value.parts), value.span, depth)
-        case Attribute(of=of, name="parent" | "as_posix"):
+        case AttributeValue(of=of, name="parent" | "as_posix"):
             return LaunchText(value.span, (*text_of(of, depth + 1).parts, *unknown_text(value.span).parts))
         case Call():
             return of_call(value, depth)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.known_functions import LIBRARY
-from ...languages.python.evaluate.sandbox_filesystem import Folder
-from ...languages.python.evaluate.state import Intrinsic, Machine
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...languages.python.evaluate.state import EvaluationState, Intrinsic
 from ...languages.python.evaluate.values import Call, Constant, Joined, Symbol, Text, Value
 from ...languages.python.file import PythonFile
 from ...source import Span
@@ -25,7 +25,9 @@ LATER = "its text is known only when the launch runs"
 class Watching(Evaluator):
     """An evaluator that records such misuse; `judged` holds the truth values that were made of substitutions."""
 
-    def __init__(self, file: PythonFile, folder: Folder, knows: Mapping[str, Intrinsic], *, name: str) -> None:
+    def __init__(
+        self, file: PythonFile, folder: SandboxFilesystem, knows: Mapping[str, Intrinsic], *, name: str
+    ) -> None:
         super().__init__(file, folder, knows, name=name)
         self.misused: list[Misuse] = []
         self.judged: dict[Span, str] = {}
@@ -35,7 +37,7 @@ class Watching(Evaluator):
         self.library = {**known, **watched, "isinstance": is_instance}
 
     def watched(self, name: str, known: Intrinsic | None) -> Intrinsic:
-        def function(machine: Machine, call: Call) -> Value | None:
+        def function(machine: EvaluationState, call: Call) -> Value | None:
             odd = next((given for given in call.positional if is_substitution(given)), None)
             if odd is not None:
                 better = "use PathJoinSubstitution" if name == "os.path.join" else "do it in an OpaqueFunction"
@@ -77,7 +79,7 @@ class Watching(Evaluator):
                 self.judged[span] = f"Python's `{word}` just takes the {taken} of these ({of}), whatever they are then"
 
 
-def is_instance(machine: Machine, call: Call) -> Value | None:
+def is_instance(machine: EvaluationState, call: Call) -> Value | None:
     """Tell substitutions from texts."""
     given = call.positional
     if len(given) == 2 and isinstance(given[0], Call) and is_substitution(given[0]) and isinstance(given[1], Symbol):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 
-from ...languages.cpp.call import Argument, Call
+from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.unconditional import last_word, unconditional
 from ...source import Source
@@ -69,7 +69,7 @@ def is_node(text: str) -> bool:
     return text.lower() in ("this", "*this") or NODE.search(last_word(bare)) is not None
 
 
-def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, Call]]:
+def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, CppCall]]:
     """Yield the parameters that a file gets by name."""
     for call in file.calls:
         if call.name in ("get_parameter", "get_parameter_or") and call.arguments:
@@ -78,7 +78,7 @@ def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, Call]]:
                 yield DeclaredParameter(*name, "", False, file.path), call
 
 
-def name_in(argument: Argument) -> tuple[str, bool] | None:
+def name_in(argument: CppArgument) -> tuple[str, bool] | None:
     """Return a name, and whether only its end is known; None where nothing is."""
     if len(argument.text) > MAX_LENGTH:
         return None

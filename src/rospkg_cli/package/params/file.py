@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...source import Source, Span
 
 KEY = "ros__parameters"
@@ -33,7 +33,7 @@ class Parameter:
     """One value of a node; `name` with dots."""
 
     name: str
-    key: Scalar
+    key: ScalarNode
     value: YamlNode
 
 
@@ -43,7 +43,7 @@ class NodeBlock:
 
     name: str
     """As rcl puts it together: the keys above `ros__parameters`, with `/` between them."""
-    key: Scalar
+    key: ScalarNode
     """The last of these keys."""
     value: YamlNode
     """Below `ros__parameters`."""
@@ -55,8 +55,8 @@ class NodeBlock:
 
 @dataclass(frozen=True, slots=True)
 class Repetition:
-    key: Scalar
-    first: Scalar
+    key: ScalarNode
+    first: ScalarNode
     """The key of the same name that stands before."""
     joined: bool
     """Both hold a mapping, and rcl makes one of them."""
@@ -77,26 +77,26 @@ class ParameterFile:
 
 def flatten(node: YamlNode, prefix: str, depth: int) -> Iterator[Parameter]:
     """Yield the parameters of a mapping and of those inside it."""
-    if not isinstance(node, Mapping):
+    if not isinstance(node, MappingNode):
         return
     for key, value in node.entries:
-        if not isinstance(key, Scalar):
+        if not isinstance(key, ScalarNode):
             continue
         name = prefix + key.text
-        if isinstance(value, Sequence):
+        if isinstance(value, SequenceNode):
             value = inside(value) or value
-        if isinstance(value, Mapping):
+        if isinstance(value, MappingNode):
             yield from flatten(value, name + ".", depth + 1)
         else:
             yield Parameter(name, key, value)
 
 
-def inside(items: Sequence) -> Mapping | None:
+def inside(items: SequenceNode) -> MappingNode | None:
     """Return the one mapping of a list that rcl does not see the list around: `[{interfaces: [a, b]}]`."""
     only = items.items[0] if len(items.items) == 1 else None
-    if not isinstance(only, Mapping) or not only.entries:
+    if not isinstance(only, MappingNode) or not only.entries:
         return None
-    return only if len(only.entries) == 1 or all(isinstance(value, Sequence) for _, value in only.entries) else None
+    return only if len(only.entries) == 1 or all(isinstance(value, SequenceNode) for _, value in only.entries) else None
 
 
 def below(node: YamlNode) -> Iterator[YamlNode]:
@@ -105,9 +105,9 @@ def below(node: YamlNode) -> Iterator[YamlNode]:
     while waiting:
         each = waiting.pop()
         yield each
-        if isinstance(each, Sequence):
+        if isinstance(each, SequenceNode):
             waiting += reversed(each.items)
-        elif isinstance(each, Mapping):
+        elif isinstance(each, MappingNode):
             waiting += [part for entry in reversed(each.entries) for part in reversed(entry)]
 
 

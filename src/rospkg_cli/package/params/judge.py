@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from collections.abc import Sequence as Many
+from collections.abc import SequenceNode as Many
 
-from ...languages.yaml.nodes import Alias, Mapping, Scalar, Sequence, YamlNode
+from ...languages.yaml.nodes import AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...source import Source, Span
 from .file import KEY, Fault, Kind, NodeBlock, ParameterFile, Repetition, below, inside, is_unknown
 from .names import joined, name_fault
@@ -20,7 +20,7 @@ def judge(source: Source, roots: Many[YamlNode]) -> ParameterFile:
     """Read the documents of a parameter file."""
     found = Judge(source)
     for root in roots:
-        if isinstance(root, Mapping):
+        if isinstance(root, MappingNode):
             found.nodes(root, [])
         else:
             found.fault(root.span, "a parameter file is a mapping: the name of a node, and `ros__parameters:` below")
@@ -30,16 +30,19 @@ def judge(source: Source, roots: Many[YamlNode]) -> ParameterFile:
 
 def is_key(node: YamlNode) -> bool:
     """Return whether rcl takes it for `ros__parameters`: it compares the beginning only."""
-    return isinstance(node, Scalar) and node.text.startswith(KEY)
+    return isinstance(node, ScalarNode) and node.text.startswith(KEY)
 
 
 def is_misspelt(node: YamlNode) -> bool:
-    return isinstance(node, Scalar) and not is_key(node) and MISSPELT.fullmatch(node.text) is not None
+    return isinstance(node, ScalarNode) and not is_key(node) and MISSPELT.fullmatch(node.text) is not None
 
 
 def has_block(node: YamlNode) -> bool:
     return any(
-        is_key(key) or is_misspelt(key) for each in below(node) if isinstance(each, Mapping) for key, _ in each.entries
+        is_key(key) or is_misspelt(key)
+        for each in below(node)
+        if isinstance(each, MappingNode)
+        for key, _ in each.entries
     )
 
 
@@ -53,20 +56,22 @@ class Judge:
     def fault(self, span: Span, message: str, kind: Kind = "yaml", repair: str | None = None) -> None:
         self.faults.append(Fault(kind, span, message, repair))
 
-    def nodes(self, mapping: Mapping, above: list[Scalar]) -> None:
+    def nodes(self, mapping: MappingNode, above: list[ScalarNode]) -> None:
         """Read what stands above `ros__parameters`: namespaces and names of nodes."""
         block: NodeBlock | None = None
         for key, value in mapping.entries:
-            if not isinstance(key, Scalar):
+            if not isinstance(key, ScalarNode):
                 self.fault(key.span, f"a key is the name of a node here; {REFUSES}")
-            elif is_key(key) or (is_misspelt(key) and isinstance(value, Mapping)):
+            elif is_key(key) or (is_misspelt(key) and isinstance(value, MappingNode)):
                 block = self.block(key, value, above, block)
-            elif isinstance(value, Mapping):
+            elif isinstance(value, MappingNode):
                 self.node(key, value, above, block)
             else:
                 self.stray(key, value, above)
 
-    def block(self, key: Scalar, value: YamlNode, above: list[Scalar], before: NodeBlock | None) -> NodeBlock | None:
+    def block(
+        self, key: ScalarNode, value: YamlNode, above: list[ScalarNode], before: NodeBlock | None
+    ) -> NodeBlock | None:
         if not is_key(key):
             self.fault(key.span, f"`{key.text}` is written `{KEY}`, with two `_`; {REFUSES}", "key", KEY)
         if not above:
@@ -80,24 +85,24 @@ class Judge:
             self.fault(above[-1].span, f"{why}; {REFUSES}")
         found = NodeBlock(name, above[-1], value)
         self.blocks.append(found)
-        if isinstance(value, Mapping):
+        if isinstance(value, MappingNode):
             self.values(value)
-        elif isinstance(value, Scalar) and value.plain and not value.text:
+        elif isinstance(value, ScalarNode) and value.plain and not value.text:
             self.fault(key.span, f"`{KEY}` of `{name}` is empty; {REFUSES}: write `{KEY}: {{}}`, or remove the node")
         else:
             self.fault(value.span, f"below `{KEY}` stand parameters as `name: value`, nothing else")
         return found
 
-    def node(self, key: Scalar, value: Mapping, above: list[Scalar], block: NodeBlock | None) -> None:
+    def node(self, key: ScalarNode, value: MappingNode, above: list[ScalarNode], block: NodeBlock | None) -> None:
         if block and value.entries:
             self.fault(key.span, f"`{key.text}` must stand above the `{KEY}` of `{block.key.text}`; {REFUSES}")
-        elif has_block(value) or not any(isinstance(each, Scalar) for each in below(value)):
+        elif has_block(value) or not any(isinstance(each, ScalarNode) for each in below(value)):
             self.nodes(value, [*above, key])
         else:
             message = f"the block of `{key.text}` has no `{KEY}:` above its values; {REFUSES}"
             self.faults.append(Fault("key", key.span, message, *self.indented(key, value)))
 
-    def indented(self, key: Scalar, value: Mapping) -> tuple[str, Span] | tuple[None, None]:
+    def indented(self, key: ScalarNode, value: MappingNode) -> tuple[str, Span] | tuple[None, None]:
         """Return the block with `ros__parameters:` above it, and its span; nothing where it is in braces."""
         text, first = self.source.text, value.entries[0][0].span.start
         start = text.rfind("\n", 0, first) + 1
@@ -110,32 +115,32 @@ class Judge:
             start, end
         )
 
-    def stray(self, key: Scalar, value: YamlNode, above: list[Scalar]) -> None:
-        if isinstance(value, Alias):
+    def stray(self, key: ScalarNode, value: YamlNode, above: list[ScalarNode]) -> None:
+        if isinstance(value, AliasNode):
             self.fault(value.span, alias(value))
-        elif isinstance(value, Scalar) and value.plain and not value.text:
+        elif isinstance(value, ScalarNode) and value.plain and not value.text:
             self.fault(key.span, f"nothing stands below `{key.text}`; {REFUSES}: remove it")
         else:
             where = f"the `{KEY}:` of `{above[-1].text}`" if above else f"a node and its `{KEY}:`"
             self.fault(key.span, f"the value of `{key.text}` stands outside of {where}; {REFUSES}")
 
-    def values(self, mapping: Mapping) -> None:
+    def values(self, mapping: MappingNode) -> None:
         for number, (key, value) in enumerate(mapping.entries):
-            if not isinstance(key, Scalar) or not key.text:
+            if not isinstance(key, ScalarNode) or not key.text:
                 self.fault(key.span, f"a parameter needs a name; {REFUSES}")
-            elif isinstance(value, Alias):
+            elif isinstance(value, AliasNode):
                 self.fault(value.span, alias(value))
-            elif isinstance(value, Sequence):
+            elif isinstance(value, SequenceNode):
                 self.items(key, value)
-            elif isinstance(value, Mapping) and value.entries:
+            elif isinstance(value, MappingNode) and value.entries:
                 self.values(value)
-            elif isinstance(value, Mapping) and number + 1 < len(mapping.entries):
+            elif isinstance(value, MappingNode) and number + 1 < len(mapping.entries):
                 message = f"rcl loses its place behind the empty mapping of `{key.text}`: what follows is refused"
                 self.fault(value.span, f"{message} or gets a wrong name; remove it")
-            elif isinstance(value, Scalar) and not value.text and not value.quoted:
+            elif isinstance(value, ScalarNode) and not value.text and not value.quoted:
                 self.fault(key.span, f'`{key.text}` has no value; {REFUSES}: write one (`""` for an empty text)')
 
-    def items(self, key: Scalar, value: Sequence) -> None:
+    def items(self, key: ScalarNode, value: SequenceNode) -> None:
         name = key.text
         if not value.items:
             message = f"rcl can't tell the type of the empty list `{name}`: a C++ node that declares parameters stops"
@@ -143,13 +148,13 @@ class Judge:
             return None
         if only := inside(value):
             return self.values(only)
-        types: dict[str, Scalar] = {}
+        types: dict[str, ScalarNode] = {}
         for item in value.items:
-            if isinstance(item, Alias):
+            if isinstance(item, AliasNode):
                 return self.fault(item.span, alias(item))
-            if isinstance(item, Sequence):
+            if isinstance(item, SequenceNode):
                 return self.fault(item.span, f"a list inside the list `{name}`: rcl knows no such parameter")
-            if isinstance(item, Mapping):
+            if isinstance(item, MappingNode):
                 return self.fault(item.span, f"a mapping inside the list `{name}`: rcl knows no such parameter")
             if not item.text and not item.quoted:
                 return self.fault(item.span, f"an entry of `{name}` has no value; {REFUSES}")
@@ -160,7 +165,7 @@ class Judge:
             self.mixed(name, list(types.items()))
         return None
 
-    def mixed(self, name: str, types: list[tuple[str, Scalar]]) -> None:
+    def mixed(self, name: str, types: list[tuple[str, ScalarNode]]) -> None:
         (first, one), (second, other) = types[:2]
         message = f"`{name}` mixes {first} (`{one.text}`) and {second} (`{other.text}`)"
         hint = "; write the whole numbers with `.0`" if {first, second} == {"int", "double"} else ""
@@ -171,25 +176,25 @@ class Judge:
         """Find names that stand twice: in one mapping, or once with dots and once without."""
         for root in roots:
             for each in below(root):
-                if isinstance(each, Mapping):
+                if isinstance(each, MappingNode):
                     self.repeated += in_mapping(each)
         again = {each.key.span for each in self.repeated}
         for block in self.blocks:
-            named: dict[str, Scalar] = {}
+            named: dict[str, ScalarNode] = {}
             for parameter in block.parameters:
                 first = named.setdefault(parameter.name, parameter.key)
                 if first is not parameter.key and parameter.key.span not in again:
                     self.repeated.append(Repetition(parameter.key, first, False))
 
 
-def in_mapping(mapping: Mapping) -> Iterator[Repetition]:
-    seen: dict[str, tuple[Scalar, YamlNode]] = {}
+def in_mapping(mapping: MappingNode) -> Iterator[Repetition]:
+    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
     for key, value in mapping.entries:
-        if isinstance(key, Scalar) and not is_key(key):
+        if isinstance(key, ScalarNode) and not is_key(key):
             first, before = seen.setdefault(key.text, (key, value))
             if first is not key:
-                yield Repetition(key, first, isinstance(value, Mapping) and isinstance(before, Mapping))
+                yield Repetition(key, first, isinstance(value, MappingNode) and isinstance(before, MappingNode))
 
 
-def alias(node: Alias) -> str:
+def alias(node: AliasNode) -> str:
     return f"rcl knows no aliases (`*{node.name}`): {REFUSES}; write the value out"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from ...files import Reading
 from ...languages.cmake.evaluated_command import located
-from ...languages.yaml.nodes import Mapping, Scalar, Sequence, YamlNode, documents
+from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 from ...source import Source, Span
 from ...suggest import did_you_mean
 from ...unreadable import Unreadable, UnreadableError
@@ -39,16 +39,16 @@ class Definition:
     """One parameter: its keys without the first, and what stands below the last."""
 
     keys: tuple[str, ...]
-    key: Scalar
-    fields: Mapping
+    key: ScalarNode
+    fields: MappingNode
 
     def field(self, name: str) -> YamlNode | None:
-        return next((v for k, v in self.fields.entries if isinstance(k, Scalar) and k.text == name), None)
+        return next((v for k, v in self.fields.entries if isinstance(k, ScalarNode) and k.text == name), None)
 
     @property
     def type(self) -> str:
         found = self.field("type")
-        return found.text if isinstance(found, Scalar) else ""
+        return found.text if isinstance(found, ScalarNode) else ""
 
 
 @dataclass(frozen=True)
@@ -90,22 +90,22 @@ def library_files(reading: Reading) -> Iterator[tuple[str, bool]]:
 
 def library(source: Source, roots: list[YamlNode], custom: bool) -> ParameterLibrary:
     root = roots[0] if roots else None
-    if not isinstance(root, Mapping) or len(root.entries) != 1:
+    if not isinstance(root, MappingNode) or len(root.entries) != 1:
         message = "a file of parameter definitions has one key at its top: the name of the namespace"
-        span = root.entries[1][0].span if isinstance(root, Mapping) and len(root.entries) > 1 else Span(0, 0)
+        span = root.entries[1][0].span if isinstance(root, MappingNode) and len(root.entries) > 1 else Span(0, 0)
         return ParameterLibrary(source, (), (Fault("yaml", span, f"{message}; the build stops"),))
     definitions = tuple(leaves(root.entries[0][1], (), None))
     faults = [fault for each in definitions for fault in judge(each, custom)]
     return ParameterLibrary(source, definitions, tuple(faults))
 
 
-def leaves(node: YamlNode, keys: tuple[str, ...], key: Scalar | None) -> Iterator[Definition]:
+def leaves(node: YamlNode, keys: tuple[str, ...], key: ScalarNode | None) -> Iterator[Definition]:
     """Yield the parameters: mappings whose first value is none."""
-    if not isinstance(node, Mapping) or not node.entries:
+    if not isinstance(node, MappingNode) or not node.entries:
         return
-    if isinstance(node.entries[0][1], Mapping):
+    if isinstance(node.entries[0][1], MappingNode):
         for each, value in node.entries:
-            if isinstance(each, Scalar):
+            if isinstance(each, ScalarNode):
                 yield from leaves(value, (*keys, each.text), each)
     elif key is not None:
         yield Definition(keys, key, node)
@@ -118,7 +118,7 @@ def judge(each: Definition, custom: bool) -> Iterator[Fault]:
         yield Fault("yaml", each.key.span, f"`{name}` has no `type`; the build stops")
         return
     for key, _ in each.fields.entries:
-        if isinstance(key, Scalar) and key.text not in FIELDS:
+        if isinstance(key, ScalarNode) and key.text not in FIELDS:
             hint = did_you_mean(key.text, FIELDS)
             yield Fault("yaml", key.span, f"`{key.text}` is no field of a parameter{hint}; the build stops")
     base = base_of(kind)
@@ -131,8 +131,8 @@ def judge(each: Definition, custom: bool) -> Iterator[Fault]:
     if base and default is not None and (fault := default_fault(base, default)):
         yield Fault("yaml", default.span, f"the default of `{name}` {fault}; the build stops")
     validation = each.field("validation")
-    for key, _ in validation.entries if isinstance(validation, Mapping) else ():
-        if isinstance(key, Scalar):
+    for key, _ in validation.entries if isinstance(validation, MappingNode) else ():
+        if isinstance(key, ScalarNode):
             yield from validator(key, custom)
 
 
@@ -143,7 +143,7 @@ def base_of(kind: str) -> str | None:
     return kind if kind.removesuffix("_array") in BASES or kind == "none" else None
 
 
-def validator(key: Scalar, custom: bool) -> Iterator[Fault]:
+def validator(key: ScalarNode, custom: bool) -> Iterator[Fault]:
     name = key.text.removesuffix("<>")
     hint = did_you_mean(name, VALIDATORS)
     if name not in VALIDATORS and "::" not in name and (hint or not custom):
@@ -155,7 +155,7 @@ def default_fault(base: str, value: YamlNode) -> str | None:
     """Return why a default does not fit, as PyYAML reads it: an int will do for a double."""
     inside = base.removesuffix("_array")
     if inside != base:
-        if isinstance(value, Sequence):
+        if isinstance(value, SequenceNode):
             wrong = next((item for item in value.items if not fits(inside, item)), None)
             return f"holds `{shown(wrong)}`, which is no `{inside}`" if wrong is not None else None
         return f"is no list, and its type is `{base}`" if not is_null(value) else None
@@ -163,11 +163,11 @@ def default_fault(base: str, value: YamlNode) -> str | None:
 
 
 def is_null(value: YamlNode) -> bool:
-    return isinstance(value, Scalar) and value.plain and value.text in ("", "~", "null", "Null", "NULL")
+    return isinstance(value, ScalarNode) and value.plain and value.text in ("", "~", "null", "Null", "NULL")
 
 
 def fits(base: str, value: YamlNode) -> bool:
-    if not isinstance(value, Scalar):
+    if not isinstance(value, ScalarNode):
         return False
     text = value.text
     plain = value.plain and value.tag is None
@@ -180,7 +180,7 @@ def fits(base: str, value: YamlNode) -> bool:
 
 
 def shown(value: YamlNode | None) -> str:
-    return value.text if isinstance(value, Scalar) else "…"
+    return value.text if isinstance(value, ScalarNode) else "…"
 
 
 def defined_parameters(reading: Reading) -> Iterator[DeclaredParameter]:

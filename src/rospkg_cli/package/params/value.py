@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import Literal
 
-from ...languages.yaml.nodes import Scalar
+from ...languages.yaml.nodes import ScalarNode
 
 ValueType = Literal["bool", "int", "double", "string"]
 
@@ -35,7 +35,7 @@ YAML_DOUBLE = re.compile(
 )
 
 
-def type_of(scalar: Scalar) -> ValueType:
+def type_of(scalar: ScalarNode) -> ValueType:
     """Return the type of the parameter that rcl makes of a scalar."""
     text = scalar.text
     if scalar.quoted or scalar.tag == STRING_TAG:

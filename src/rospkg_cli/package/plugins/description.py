@@ -18,7 +18,7 @@ from ...source import Source, Span
 
 
 @dataclass(frozen=True, slots=True)
-class Exported:
+class DescriptionExport:
     """Where a file is exported, and to which package."""
 
     base: str
@@ -61,7 +61,7 @@ class PluginClass:
 @dataclass(frozen=True)
 class PluginDescription:
     document: Document
-    exported: tuple[Exported, ...]
+    exported: tuple[DescriptionExport, ...]
 
     @property
     def source(self) -> Source:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ...files import Reading
 from ..cmake.cmake_project import CMake
-from ..package_facts import Plugin, PluginUse, Unknown
+from ..package_facts import Plugin, PluginUse, UnknownField
 from .description import PluginDescription
 from .loaders import PluginLoaders
 from .plugin_uses import plugin_uses
@@ -17,11 +17,11 @@ class PluginFacts(NamedTuple):
     plugins: tuple[Plugin, ...]
     uses: tuple[PluginUse, ...]
     loaders: frozenset[tuple[str, str]]
-    unknown: frozenset[Unknown]
+    unknown: frozenset[UnknownField]
 
 
 def plugin_facts(reading: Reading) -> PluginFacts:
-    unknown: set[Unknown] = set()
+    unknown: set[UnknownField] = set()
     loaders = reading.parts(PluginLoaders).only or PluginLoaders()
     unknown |= set() if loaders.complete else {"loaders"}
     unknown |= set() if are_complete(reading) else {"plugins"}

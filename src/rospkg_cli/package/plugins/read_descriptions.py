@@ -12,7 +12,7 @@ from ...source import Span
 from ...unreadable import Unreadable, UnreadableError
 from ..cmake.cmake_project import CMake
 from ..manifest import Manifest
-from .description import Exported, PluginDescription
+from .description import DescriptionExport, PluginDescription
 
 PREFIX = "${prefix}/"
 EXPORT = "pluginlib_export_plugin_description_file"
@@ -23,7 +23,7 @@ def read_plugin_descriptions(reading: Reading) -> Iterator[PluginDescription | U
 
     A file that nobody exports counts where it looks like one; whether it can be read is nobody's business then.
     """
-    found: dict[str, list[Exported]] = {}
+    found: dict[str, list[DescriptionExport]] = {}
     for path, exported in (*by_cmake(reading), *by_manifest(reading)):
         if reading.files.exists(path):
             found.setdefault(path, []).append(exported)
@@ -46,22 +46,22 @@ def is_like_one(files: PackageFiles, path: str) -> bool:
     return "base_class_type" in text and "<library" in text
 
 
-def by_cmake(reading: Reading) -> Iterator[tuple[str, Exported]]:
+def by_cmake(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
     for cmake in reading.parts(CMake).good:
         for call in cmake.named(EXPORT):
             if len(call.words) > 1 and call.words[0].known and call.words[1].known:
                 base, file = call.words[:2]
                 path = located(file.text, call.folder)
                 if path:
-                    exported = Exported(base.text, base.span, call.path, file.span, True, call.testing)
+                    exported = DescriptionExport(base.text, base.span, call.path, file.span, True, call.testing)
                     yield path, exported
 
 
-def by_manifest(reading: Reading) -> Iterator[tuple[str, Exported]]:
+def by_manifest(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
     for manifest in reading.parts(Manifest).good:
         for element in manifest.exports:
             plugin = element.attributes.get("plugin")
             if plugin is not None and plugin.value.startswith(PREFIX):
                 tag = Span(element.open.start + 1, element.open.start + 1 + len(element.tag))
-                exported = Exported(element.tag, tag, manifest.path, plugin.value_span, False)
+                exported = DescriptionExport(element.tag, tag, manifest.path, plugin.value_span, False)
                 yield posixpath.normpath(plugin.value[len(PREFIX) :]), exported

@@ -35,7 +35,7 @@ class PythonImports:
 
 
 @dataclass(frozen=True)
-class PythonUse:
+class PackageImports:
     """Every Python file of a package that can be read; `complete` says whether all of them could."""
 
     files: tuple[PythonImports, ...] = ()
@@ -72,7 +72,7 @@ class OwnModules:
         return top in self.everywhere or top in self._beside.get(str(PurePosixPath(importer).parent), ())
 
 
-def read_python_use(reading: Reading) -> Iterator[PythonUse]:
+def read_package_imports(reading: Reading) -> Iterator[PackageImports]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
     own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
     modules = reading.parts(Modules).only
@@ -91,7 +91,7 @@ def read_python_use(reading: Reading) -> Iterator[PythonUse]:
         elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
             file = read_template(reading.files, path)
             found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
-    yield PythonUse(tuple(found), complete)
+    yield PackageImports(tuple(found), complete)
 
 
 def read_template(files: PackageFiles, path: str) -> PythonFile | None:

@@ -31,7 +31,7 @@ class Verdict:
 VALID = Verdict(True)
 
 
-def judge(document: Document, format: int) -> Verdict:
+def validate(document: Document, format: int) -> Verdict:
     """Return what the schema of a format (1, 2, 3) says; children in a wrong order are no violation by themselves."""
     if accepts(document.source.text, format):
         return VALID

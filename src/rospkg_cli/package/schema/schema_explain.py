@@ -12,7 +12,7 @@ import xmlschema
 from ...languages.xml.elements import Document, Element
 from ...resources import resources
 from ...ros.manifest import ONCE, REQUIRED, place_of
-from .violation import Kind, Violation
+from .violation import Violation, ViolationKind
 
 STAND_INS = {
     "name": "<name>stand_in</name>",
@@ -37,7 +37,7 @@ def explain(document: Document, format: int) -> tuple[Violation, ...]:
     """Return everything that the schema forbids once the children stand in order, by place in the document."""
     found = list(Explanation(document, format).violations())
     unique = {(v.kind, id(v.element), v.name): v for v in found}
-    return tuple(sorted(unique.values(), key=lambda v: (v.element.span.start, v.kind is Kind.MISSING, v.name)))
+    return tuple(sorted(unique.values(), key=lambda v: (v.element.span.start, v.kind is ViolationKind.MISSING, v.name)))
 
 
 @cache
@@ -75,11 +75,11 @@ class Explanation:
         """Say which tags are missing or repeated, and mend the copy so that xmlschema sees what else is wrong."""
         for tag in ONCE:
             for again in self.root.findall(tag)[1:]:
-                yield Violation(Kind.REPEATED, self.mine[again], tag)
+                yield Violation(ViolationKind.REPEATED, self.mine[again], tag)
                 self.root.remove(again)
         for tag in REQUIRED:
             if self.root.find(tag) is None:
-                yield Violation(Kind.MISSING, self.mine[self.root], tag)
+                yield Violation(ViolationKind.MISSING, self.mine[self.root], tag)
                 self.root.append(ElementTree.fromstring(STAND_INS[tag]))
         self.root[:] = sorted(self.root, key=lambda child: place_of(child.tag))
 
@@ -96,7 +96,7 @@ class Explanation:
         if isinstance(error, xmlschema.XMLSchemaChildrenValidationError):
             # A tag that is known stands in order here: its error is a consequence of one that is not known.
             if child is not None and child.tag not in self.types and child in list(self.root):
-                yield Violation(Kind.CHILD, self.mine[child], self.mine[child].tag)
+                yield Violation(ViolationKind.CHILD, self.mine[child], self.mine[child].tag)
                 self.root.remove(child)
         elif element is self.root:
             yield from self.attributes(element, self.package)
@@ -108,11 +108,11 @@ class Explanation:
         yield from self.attributes(element, xsd)
         if xsd.type.has_simple_content():
             for child in list(element):
-                yield Violation(Kind.CHILD, self.mine[child], self.mine[child].tag)
+                yield Violation(ViolationKind.CHILD, self.mine[child], self.mine[child].tag)
                 element.remove(child)
             simple = xsd.type.content if xsd.type.is_complex() else xsd.type
             if not simple.is_valid(element.text or ""):
-                yield Violation(Kind.VALUE, self.mine[element], "")
+                yield Violation(ViolationKind.VALUE, self.mine[element], "")
                 self.replace_text(element)
 
     def attributes(self, element: ElementTree.Element, xsd: Any) -> Iterator[Violation]:
@@ -120,16 +120,16 @@ class Explanation:
             if name.startswith(INSTANCE):
                 continue
             if name not in xsd.attributes:
-                yield Violation(Kind.ATTRIBUTE, self.mine[element], plain(name, self.mine[element]))
+                yield Violation(ViolationKind.ATTRIBUTE, self.mine[element], plain(name, self.mine[element]))
             elif not xsd.attributes[name].type.is_valid(value):
-                yield Violation(Kind.VALUE, self.mine[element], name)
+                yield Violation(ViolationKind.VALUE, self.mine[element], name)
             else:
                 continue
             del element.attrib[name]
         for name, attribute in xsd.attributes.items():
             if attribute.use == "required" and name not in element.attrib:
                 if name not in self.mine[element].attributes:
-                    yield Violation(Kind.MISSING_ATTRIBUTE, self.mine[element], name)
+                    yield Violation(ViolationKind.MISSING_ATTRIBUTE, self.mine[element], name)
                 element.attrib[name] = ElementTree.fromstring(STAND_INS[element.tag]).attrib[name]
 
     def replace_text(self, element: ElementTree.Element) -> None:
@@ -141,7 +141,7 @@ class Explanation:
     def text(self, element: ElementTree.Element) -> Iterator[Violation]:
         """Take the text out that stands between the children."""
         if any((each or "").strip(BLANKS) for each in (element.text, *(child.tail for child in element))):
-            yield Violation(Kind.TEXT, self.mine[element], "")
+            yield Violation(ViolationKind.TEXT, self.mine[element], "")
         element.text = None
         for child in element:
             child.tail = None

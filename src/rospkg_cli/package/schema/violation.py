@@ -8,7 +8,7 @@ from enum import Enum
 from ...languages.xml.elements import Element
 
 
-class Kind(Enum):
+class ViolationKind(Enum):
     """What a schema can forbid."""
 
     CHILD = "an element that may not stand here"
@@ -24,7 +24,7 @@ class Kind(Enum):
 class Violation:
     """One thing that the schema forbids."""
 
-    kind: Kind
+    kind: ViolationKind
     element: Element
     """Where it stands; for MISSING the parent, for TEXT the element that holds the text."""
     name: str

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from ...languages.python.evaluate.sandbox_filesystem import ROOT, Folder, OutsideError
+from ...languages.python.evaluate.sandbox_filesystem import ROOT, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.values import Constant, Globbed, Sequence, Text, Unknown, Value
 from ...source import Span
-from .located_text import Said
+from .setup_text import SetupText
 
 Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
 
@@ -23,7 +23,7 @@ Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
 class DataFile:
     """One source of an entry."""
 
-    said: Said
+    said: SetupText
     place: Span
     """Where it stands in its list."""
     source: str | None
@@ -44,7 +44,7 @@ class DataEntry:
     span: Span
     place: Span
     """Where it stands in the list."""
-    destination: Said | None
+    destination: SetupText | None
     """None where it can't be told, or where the entry is a bare file name."""
     sources: Sequence | None
     files: tuple[DataFile, ...] = ()
@@ -59,7 +59,7 @@ class DataEntry:
         return posixpath.normpath(self.destination.text) if self.destination and self.destination.text else ""
 
 
-def from_value(path: str, value: Value, folder: Folder, cwd: str = ROOT) -> Iterator[DataEntry | Unknown]:
+def from_value(path: str, value: Value, folder: SandboxFilesystem, cwd: str = ROOT) -> Iterator[DataEntry | Unknown]:
     """Yield the entries that setup(data_files=…) is given, and what of them can't be told."""
     if isinstance(value, Constant) and not value.value:
         return
@@ -70,20 +70,20 @@ def from_value(path: str, value: Value, folder: Folder, cwd: str = ROOT) -> Iter
         if isinstance(item, Sequence):
             yield entry(path, item, place, index, folder, cwd)
         elif isinstance(item, Text):
-            said = Said.of(path, item)
+            said = SetupText.of(path, item)
             file = DataFile(said, place, inside(item.text, folder, cwd), posixpath.basename(item.text), index)
             yield DataEntry(path, item.span, place, None, None, (file,))
         else:
             yield item if isinstance(item, Unknown) else Unknown(item.span, "it can't be evaluated")
 
 
-def entry(path: str, item: Sequence, place: Span, index: int, folder: Folder, cwd: str) -> DataEntry:
+def entry(path: str, item: Sequence, place: Span, index: int, folder: SandboxFilesystem, cwd: str) -> DataEntry:
     shape: Shape = "list-entry" if item.kind == "list" else ""
     if len(item.items) != 2:
         unknown = tuple(each for each in item.items if isinstance(each, Unknown))
         return DataEntry(path, item.span, place, None, None, unknown=unknown, shape="" if unknown else "length")
     target, sources = item.items
-    destination = Said.of(path, target) if isinstance(target, Text) else None
+    destination = SetupText.of(path, target) if isinstance(target, Text) else None
     unknown = () if destination else (doubt(target),)
     if isinstance(sources, Text):
         texts, places, shape = [sources], [sources.span], "text-sources"
@@ -102,19 +102,21 @@ def entry(path: str, item: Sequence, place: Span, index: int, folder: Folder, cw
     return DataEntry(path, item.span, place, destination, sequence, tuple(files), unknown, shape, glob)
 
 
-def file(path: str, source: Text, place: Span, into: Said | None, index: int, folder: Folder, cwd: str) -> DataFile:
+def file(
+    path: str, source: Text, place: Span, into: SetupText | None, index: int, folder: SandboxFilesystem, cwd: str
+) -> DataFile:
     name = posixpath.basename(source.text)
     target = posixpath.normpath(posixpath.join(into.text, name)) if into else ""
     own = inside(source.text, folder, cwd)
     absolute = source.text.startswith("/") and own is None
-    return DataFile(Said.of(path, source), place, own, target, index, absolute)
+    return DataFile(SetupText.of(path, source), place, own, target, index, absolute)
 
 
 def doubt(value: Value) -> Unknown:
     return value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
 
 
-def inside(text: str, folder: Folder, cwd: str) -> str | None:
+def inside(text: str, folder: SandboxFilesystem, cwd: str) -> str | None:
     try:
         return folder.inside(text, cwd)
     except OutsideError:

@@ -15,7 +15,7 @@ from ...languages.python.evaluate.conversion import known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
 from ...source import Span
 from ..package_facts import NOWHERE
-from .located_text import Said
+from .setup_text import SetupText
 
 WHOLE = re.compile(
     r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"
@@ -25,13 +25,13 @@ GROUP = re.compile(r"\[(?P<name>[^\]]+)\]")
 
 SCRIPTS = ("console_scripts", "gui_scripts")
 
-Fault = Literal["", "no-equals", "no-attribute", "joined", "file-name", "unreadable"]
+EntryPointFault = Literal["", "no-equals", "no-attribute", "joined", "file-name", "unreadable"]
 
 
 @dataclass(frozen=True)
 class EntryPoint:
     group: str
-    said: Said
+    said: SetupText
     name: str
     """"" where the text can't be taken apart."""
     module: str = ""
@@ -39,7 +39,7 @@ class EntryPoint:
     name_span: Span = NOWHERE
     module_span: Span = NOWHERE
     attribute_span: Span = NOWHERE
-    fault: Fault = ""
+    fault: EntryPointFault = ""
     within: Sequence | None = None
     """The list of setup.py that it is an item of."""
     place: Span = NOWHERE
@@ -63,14 +63,16 @@ class EntryPoint:
         return self.group in SCRIPTS
 
 
-def parse_entry_point(group: str, said: Said, within: Sequence | None = None, place: Span | None = None) -> EntryPoint:
+def parse_entry_point(
+    group: str, said: SetupText, within: Sequence | None = None, place: Span | None = None
+) -> EntryPoint:
     """Take one entry point apart; what does not fit the grammar gets a `fault`."""
     said = said.stripped()
     place = place or said.span
     match = WHOLE.fullmatch(said.text)
     if match is None:
         return EntryPoint(group, said, loose_name(said.text), fault=fault_of(said.text), within=within, place=place)
-    fault: Fault = ""
+    fault: EntryPointFault = ""
     if match["attribute"] is None and group in SCRIPTS:
         fault = "no-attribute"
     elif match["module"].endswith(".py") and match["attribute"] is not None:
@@ -95,7 +97,7 @@ def loose_name(text: str) -> str:
     return head.strip() if sign else ""
 
 
-def fault_of(text: str) -> Fault:
+def fault_of(text: str) -> EntryPointFault:
     if "=" not in text:
         return "no-equals"
     return "joined" if text.count("=") > 1 and text.count(":") > 1 else "unreadable"
@@ -104,7 +106,7 @@ def fault_of(text: str) -> Fault:
 def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
     """Yield the entry points that setup(entry_points=…) is given, and what of them can't be told."""
     if isinstance(value, Text):
-        yield from from_ini(Said.of(path, value))
+        yield from from_ini(SetupText.of(path, value))
         return
     if not isinstance(value, Mapping):
         if not (known(value) and not getattr(value, "value", value)):
@@ -118,19 +120,19 @@ def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
 def from_group(path: str, group: str, entries: Value) -> Iterator[EntryPoint | Unknown]:
     """Yield the entries of a group: one a line of a text, or of the texts in a list, however deep (setuptools does)."""
     if isinstance(entries, Text):
-        yield from (parse_entry_point(group, line) for line in Said.of(path, entries).lines())
+        yield from (parse_entry_point(group, line) for line in SetupText.of(path, entries).lines())
         return
     if not isinstance(entries, Sequence):
         yield entries if isinstance(entries, Unknown) else Unknown(entries.span, "it can't be evaluated")
         return
     for item, place in zip(entries.items, entries.places, strict=True):
         if isinstance(item, Text):
-            yield from (parse_entry_point(group, line, entries, place) for line in Said.of(path, item).lines())
+            yield from (parse_entry_point(group, line, entries, place) for line in SetupText.of(path, item).lines())
         else:
             yield from from_group(path, group, item)
 
 
-def from_ini(said: Said) -> Iterator[EntryPoint]:
+def from_ini(said: SetupText) -> Iterator[EntryPoint]:
     """Yield the entry points of a text with `[group]` lines."""
     group = ""
     for line in said.lines():

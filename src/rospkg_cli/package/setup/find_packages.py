@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from ...languages.python.evaluate.conversion import NotPlainError, plain
-from ...languages.python.evaluate.sandbox_filesystem import MAX_DEPTH, Folder, OutsideError
-from ...languages.python.evaluate.state import Intrinsic, Machine
+from ...languages.python.evaluate.sandbox_filesystem import MAX_DEPTH, OutsideError, SandboxFilesystem
+from ...languages.python.evaluate.state import EvaluationState, Intrinsic
 from ...languages.python.evaluate.values import Call, Text, Value
 from ...source import Span
 
@@ -21,7 +21,7 @@ ALWAYS_EXCLUDED = ("ez_setup", "*__pycache__")
 
 
 @dataclass(frozen=True, slots=True)
-class Search:
+class PackageSearch:
     """One find_packages(): what was asked, and what was found."""
 
     path: str
@@ -40,10 +40,10 @@ class Search:
         return any(fnmatchcase(name, pattern) for pattern in (*ALWAYS_EXCLUDED, *self.exclude))
 
 
-def finder(searches: list[Search], *, namespace: bool) -> Intrinsic:
+def finder(searches: list[PackageSearch], *, namespace: bool) -> Intrinsic:
     """Return find_packages for the evaluator; each call is added to `searches`."""
 
-    def intrinsic(machine: Machine, call: Call) -> Value | None:
+    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
         try:
             where = as_text(call, "where", 0, ".")
             exclude, include = as_texts(call, "exclude", 1, ()), as_texts(call, "include", 2, ("*",))
@@ -51,7 +51,7 @@ def finder(searches: list[Search], *, namespace: bool) -> Intrinsic:
             found = tuple(find(machine.folder, inside, include, exclude, namespace=namespace))
         except (NotPlainError, OutsideError, TypeError):
             return None
-        searches.append(Search("setup.py", call.span, inside, include, exclude, namespace, found, call))
+        searches.append(PackageSearch("setup.py", call.span, inside, include, exclude, namespace, found, call))
         return machine.new_list(call.span, [Text(call.span, name) for name in found])
 
     return intrinsic
@@ -74,14 +74,14 @@ def as_texts(call: Call, name: str, position: int, default: tuple[str, ...]) -> 
 
 
 def find(
-    folder: Folder, where: str, include: tuple[str, ...], exclude: tuple[str, ...], *, namespace: bool
+    folder: SandboxFilesystem, where: str, include: tuple[str, ...], exclude: tuple[str, ...], *, namespace: bool
 ) -> Iterator[str]:
     """Yield the names that setuptools finds below a folder, sorted at each level; raises OutsideError."""
     yield from below(folder, where, "", include, (*ALWAYS_EXCLUDED, *exclude), namespace)
 
 
 def below(
-    folder: Folder, at: str, dotted: str, include: tuple[str, ...], exclude: tuple[str, ...], namespace: bool
+    folder: SandboxFilesystem, at: str, dotted: str, include: tuple[str, ...], exclude: tuple[str, ...], namespace: bool
 ) -> Iterator[str]:
     if dotted.count(".") > MAX_DEPTH:
         raise OutsideError(f"`{at[:80]}…` lies too deep")
@@ -111,7 +111,7 @@ def package_folder(package: str, places: Mapping[str, str]) -> str:
     return posixpath.normpath(posixpath.join(places.get("", ""), tail)) if tail else places.get("", "")
 
 
-def knows(searches: list[Search]) -> Mapping[str, Intrinsic]:
+def knows(searches: list[PackageSearch]) -> Mapping[str, Intrinsic]:
     """Return the functions of setuptools that the evaluator needs; what they find is added to `searches`."""
     ordinary, namespace = finder(searches, namespace=False), finder(searches, namespace=True)
     return {

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 
 from ...languages.python.evaluate.sandbox_filesystem import OutsideError
 from ...source import Span
-from ..install_table import PYTHON, Installed, InstallTable, NotKnown, What
+from ..install_table import PYTHON, InstalledFile, InstallKind, InstallTable, UnknownPart
 from ..package_facts import NOWHERE
 from .setup_py import SetupPy
 
 BASE = re.compile(r"\$(?:base|\{base\}|prefix)/*(?P<rest>.*)")
-GENERATED: tuple[What, ...] = ("share", "module")
+GENERATED: tuple[InstallKind, ...] = ("share", "module")
 
-ARGUMENTS: dict[str, tuple[What, ...]] = {
+ARGUMENTS: dict[str, tuple[InstallKind, ...]] = {
     "data_files": ("share", "executable"),
     "entry_points": ("executable",),
     "scripts": ("executable",),
@@ -32,20 +32,20 @@ MARKERS = "share/ament_index/resource_index/packages"
 def python_table(setup: SetupPy, name: str) -> InstallTable:
     """Return what colcon installs for a package of that name."""
     unknown = [
-        NotKnown(what, why.why, setup.path, why.span)
+        UnknownPart(what, why.why, setup.path, why.span)
         for argument, whats in ARGUMENTS.items()
         if (why := setup.unknown.get(argument)) is not None
         for what in whats
     ]
     folder = script_folder(setup)
     if folder is None:
-        unknown.append(NotKnown("executable", "where setup.cfg puts scripts can't be told", "setup.cfg", NOWHERE))
+        unknown.append(UnknownPart("executable", "where setup.cfg puts scripts can't be told", "setup.cfg", NOWHERE))
     if setup.makes_files:
         writes = "setup.py calls what may write files"
-        unknown += [NotKnown(what, writes, setup.path, setup.span) for what in GENERATED]
+        unknown += [UnknownPart(what, writes, setup.path, setup.span) for what in GENERATED]
     if setup.value("include_package_data") and setup.folder.kind("MANIFEST.in"):
         unknown.append(
-            NotKnown("other", "what MANIFEST.in adds beside modules is not followed", "MANIFEST.in", NOWHERE)
+            UnknownPart("other", "what MANIFEST.in adds beside modules is not followed", "MANIFEST.in", NOWHERE)
         )
     rows = [
         *data_rows(setup),
@@ -65,50 +65,52 @@ def script_folder(setup: SetupPy) -> str | None:
     return posixpath.normpath(match["rest"] or ".") if match and "$" not in match["rest"] else None
 
 
-def data_rows(setup: SetupPy) -> Iterator[Installed]:
+def data_rows(setup: SetupPy) -> Iterator[InstalledFile]:
     for file in setup.data_files:
         if file.source is None or not file.destination or setup.kind(file.source) != "file":
             continue
-        what: What = "share" if file.destination.startswith("share/") else "other"
+        what: InstallKind = "share" if file.destination.startswith("share/") else "other"
         if re.fullmatch(r"lib/[^/]+/[^/]+|bin/[^/]+", file.destination):
             what = "executable"
-        yield Installed(what, file.destination, file.source, "", file.said.path, file.said.shown)
+        yield InstalledFile(what, file.destination, file.source, "", file.said.path, file.said.shown)
 
 
-def implied_rows(setup: SetupPy, name: str) -> Iterator[Installed]:
+def implied_rows(setup: SetupPy, name: str) -> Iterator[InstalledFile]:
     """What colcon installs, with a warning, where data_files does not."""
     wanted = {f"{MARKERS}/{name}": "", f"share/{name}/package.xml": "package.xml"}
     there = {file.destination for file in setup.data_files}
     for destination, source in wanted.items():
         if destination not in there and setup.knows("data_files"):
-            yield Installed("share", destination, source, "", setup.path, setup.span)
+            yield InstalledFile("share", destination, source, "", setup.path, setup.span)
 
 
-def script_rows(setup: SetupPy, folder: str) -> Iterator[Installed]:
+def script_rows(setup: SetupPy, folder: str) -> Iterator[InstalledFile]:
     for entry in setup.entry_points:
         if entry.script and entry.name and not entry.fault:
             destination = posixpath.join(folder, entry.name)
-            yield Installed("executable", destination, "", f"{entry.module}:{entry.attribute}", entry.path, entry.span)
+            yield InstalledFile(
+                "executable", destination, "", f"{entry.module}:{entry.attribute}", entry.path, entry.span
+            )
     for script in setup.scripts:
         destination = posixpath.join(folder, posixpath.basename(script.text))
-        yield Installed("executable", destination, script.text, "", script.path, script.shown)
+        yield InstalledFile("executable", destination, script.text, "", script.path, script.shown)
 
 
-def module_rows(setup: SetupPy, package: str) -> Iterator[Installed]:
+def module_rows(setup: SetupPy, package: str) -> Iterator[InstalledFile]:
     argument = setup.argument("packages")
     at = argument.span if argument else setup.span
     for module, path in setup.modules.items():
         name = "__init__.py" if path.endswith("/__init__.py") else posixpath.basename(path)
         folder = module.replace(".", "/") if name == "__init__.py" else posixpath.dirname(module.replace(".", "/"))
-        yield Installed("module", posixpath.join(PYTHON, folder, name), path, "", setup.path, at)
+        yield InstalledFile("module", posixpath.join(PYTHON, folder, name), path, "", setup.path, at)
     for name in setup.generated:
-        yield Installed("module", posixpath.join(PYTHON, package, f"{name}.py"), "", "", setup.path, at)
+        yield InstalledFile("module", posixpath.join(PYTHON, package, f"{name}.py"), "", "", setup.path, at)
     for key, patterns in setup.package_data.items():
         for each in [said.text for said in setup.packages] if key in ("", "*") else [key]:
             yield from package_data(setup, each, patterns, at)
 
 
-def package_data(setup: SetupPy, package: str, patterns: tuple[str, ...], at: Span) -> Iterator[Installed]:
+def package_data(setup: SetupPy, package: str, patterns: tuple[str, ...], at: Span) -> Iterator[InstalledFile]:
     folder = setup.folder_of(package)
     for pattern in patterns:
         try:
@@ -119,4 +121,4 @@ def package_data(setup: SetupPy, package: str, patterns: tuple[str, ...], at: Sp
             if setup.kind(path) == "file" and not path.endswith(".py"):
                 inside = posixpath.relpath(path, folder or ".")
                 destination = posixpath.join(PYTHON, package.replace(".", "/"), inside)
-                yield Installed("module", destination, path, "", setup.path, at)
+                yield InstalledFile("module", destination, path, "", setup.path, at)

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from ...files import Reading
 from ...languages.python.evaluate.evaluator import Evaluator
-from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Unknown
 from ...languages.python.file import parse_python
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..manifest import Manifest
-from .find_packages import Search, knows
+from .find_packages import PackageSearch, knows
 from .setup_cfg import SetupCfg
 from .setup_py import SetupPy
 
@@ -22,8 +22,8 @@ def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
     if not reading.files.exists("setup.py") or not runs_setup_py(reading):
         return
     file = parse_python(reading.files.source("setup.py"))
-    searches: list[Search] = []
-    folder = Folder(reading.files)
+    searches: list[PackageSearch] = []
+    folder = SandboxFilesystem(reading.files)
     evaluator = Evaluator(file, folder, knows(searches))
     evaluator.run_file()
     cfg = reading.parts(SetupCfg)

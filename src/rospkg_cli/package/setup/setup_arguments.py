@@ -5,19 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.python.evaluate.sandbox_filesystem import Folder
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Argument, Call, Constant, Sequence, Text, Unknown, Value
 from ...languages.python.file import PythonFile
 from ...source import Source, Span
-from .located_text import Said
 from .setup_cfg import SetupCfg
-from .setup_cfg_arguments import FromCfg
+from .setup_cfg_arguments import SetupCfgArguments
+from .setup_text import SetupText
 
 
 @dataclass(frozen=True)
-class Told:
+class SetupArguments:
     file: PythonFile
-    folder: Folder
+    folder: SandboxFilesystem
     call: Call | None
     """The call of setup(); None where it can't be told."""
     doubt: Unknown | None
@@ -73,23 +73,23 @@ class Told:
             return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
         return None
 
-    def said(self, name: str) -> Said | None:
+    def said(self, name: str) -> SetupText | None:
         """Return a text of the metadata, as setup.py or setup.cfg gives it; None where it isn't known."""
         value = self.value(name)
         if value is None and self.cfg is not None:
             return self.from_cfg.text(name)
-        return Said.of(self.path, value) if isinstance(value, Text) else None
+        return SetupText.of(self.path, value) if isinstance(value, Text) else None
 
     @cached_property
-    def from_cfg(self) -> FromCfg:
-        return FromCfg(self.cfg, self.folder)
+    def from_cfg(self) -> SetupCfgArguments:
+        return SetupCfgArguments(self.cfg, self.folder)
 
-    def texts(self, name: str) -> tuple[Said, ...]:
+    def texts(self, name: str) -> tuple[SetupText, ...]:
         """Return the texts of a list: those that are known."""
         value = self.value(name)
         if value is None:
             return self.from_cfg.texts(name)
         if isinstance(value, Text):
-            return (Said.of(self.path, value),)
+            return (SetupText.of(self.path, value),)
         items = value.items if isinstance(value, Sequence) else []
-        return tuple(Said.of(self.path, item) for item in items if isinstance(item, Text))
+        return tuple(SetupText.of(self.path, item) for item in items if isinstance(item, Text))

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from ...files import Reading
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from .located_text import Said
+from .setup_text import SetupText
 
 SECTION = re.compile(r"\[(?P<name>.+)\]")
 OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
@@ -31,12 +31,12 @@ FREE_KEYS = frozenset({"options.extras_require", "options.data_files", "options.
 
 
 @dataclass(frozen=True)
-class Option:
+class CfgOption:
     """One option, with a key in the spelling of the file."""
 
     key: str
     key_span: Span
-    value: Said
+    value: SetupText
     """All lines of it, blanks at both ends left out."""
     span: Span
     """From the first character of the key to the end of the last line of the value."""
@@ -48,11 +48,11 @@ class Option:
 
 
 @dataclass(frozen=True)
-class Section:
+class CfgSection:
     name: str
     span: Span
     """Of `[name]`."""
-    options: dict[str, Option] = field(default_factory=dict)
+    options: dict[str, CfgOption] = field(default_factory=dict)
     """By key as it is spelled, in order."""
 
     @property
@@ -64,7 +64,7 @@ class Section:
 @dataclass(frozen=True)
 class SetupCfg:
     source: Source
-    sections: dict[str, Section]
+    sections: dict[str, CfgSection]
 
     @property
     def path(self) -> str:
@@ -75,11 +75,11 @@ class SetupCfg:
         """Of the first section's name: the place for what is missing."""
         return next((section.span for section in self.sections.values()), Span(0, 0))
 
-    def get(self, section: str, option: str) -> Option | None:
+    def get(self, section: str, option: str) -> CfgOption | None:
         """Return an option by its name; of several spellings the last, as setuptools takes it."""
         return next((each for each in reversed(self.options(section)) if each.name == option), None)
 
-    def options(self, section: str) -> tuple[Option, ...]:
+    def options(self, section: str) -> tuple[CfgOption, ...]:
         found = self.sections.get(section)
         return tuple(found.options.values()) if found else ()
 
@@ -122,9 +122,9 @@ def fail(source: Source, line: int, why: str) -> None:
     raise UnreadableError(source.path, span, f"`{source.path}` can't be read: {why}; setuptools stops there")
 
 
-def sections(source: Source) -> Iterator[Section]:
+def sections(source: Source) -> Iterator[CfgSection]:
     """Yield the sections of a file that configparser accepts."""
-    section: Section | None = None
+    section: CfgSection | None = None
     key: tuple[str, Span] | None = None
     value: list[Span] = []
     indent = 0
@@ -144,7 +144,7 @@ def sections(source: Source) -> Iterator[Section]:
         if (header := SECTION.match(text)) is not None:
             if section is not None:
                 yield section
-            section = Section(header["name"], Span(line.start, line.start + header.end()))
+            section = CfgSection(header["name"], Span(line.start, line.start + header.end()))
         elif section is not None and (match := OPTION.match(text)) is not None:
             key = match["key"], Span(line.start, line.start + match.end("key"))
             at = line.start + (match.start("value") if match["sign"] else len(text))
@@ -161,11 +161,11 @@ def strip(source: Source, span: Span) -> Span:
     return Span(start, max(start, span.start + len(text.rstrip())))
 
 
-def add(source: Source, section: Section, key: tuple[str, Span], lines: list[Span]) -> None:
+def add(source: Source, section: CfgSection, key: tuple[str, Span], lines: list[Span]) -> None:
     """Put an option into its section; the value is taken as it stands, from its first line to its last."""
     name, span = key
     held = [line for line in lines if line.start < line.end] or lines[:1]
     whole = Span(held[0].start, held[-1].end)
-    value = Said(source.path, source.slice(whole), whole, whole)
-    option = Option(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
+    value = SetupText(source.path, source.slice(whole), whole, whole)
+    option = CfgOption(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
     section.options[option.key] = option

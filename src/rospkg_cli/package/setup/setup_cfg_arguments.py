@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.python.evaluate.sandbox_filesystem import MAGIC, Folder, OutsideError
+from ...languages.python.evaluate.sandbox_filesystem import MAGIC, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.values import Unknown
 from ...source import Span
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint, parse_entry_point
 from .find_packages import find
-from .located_text import Said
-from .setup_cfg import Option, SetupCfg
+from .setup_cfg import CfgOption, SetupCfg
+from .setup_text import SetupText
 
 METADATA = {
     "home_page": "url", "summary": "description", "classifier": "classifiers", "platform": "platforms",
@@ -25,11 +25,11 @@ FIND = {"find:": False, "find_namespace:": True}
 
 
 @dataclass(frozen=True)
-class FromCfg:
+class SetupCfgArguments:
     cfg: SetupCfg | None
-    folder: Folder
+    folder: SandboxFilesystem
 
-    def option(self, name: str) -> Option | None:
+    def option(self, name: str) -> CfgOption | None:
         """Return the option that gives an argument of setup()."""
         if self.cfg is None:
             return None
@@ -39,20 +39,20 @@ class FromCfg:
                     return option
         return None
 
-    def text(self, name: str) -> Said | None:
+    def text(self, name: str) -> SetupText | None:
         option = self.option(name)
         if option is None or option.value.text.startswith(("attr:", "file:")):
             return None
         return option.value
 
-    def texts(self, name: str) -> tuple[Said, ...]:
+    def texts(self, name: str) -> tuple[SetupText, ...]:
         """Return the items of a list: one a line, or separated by commas."""
         option = self.option(name)
         if option is None or option.value.text.startswith(("attr:", "file:")):
             return ()
         if name == "packages" and option.value.text.strip() in FIND:
             found = self.found_packages
-            return tuple(Said("setup.cfg", package, option.value.span) for package in found or ())
+            return tuple(SetupText("setup.cfg", package, option.value.span) for package in found or ())
         return tuple(items_of(option.value))
 
     @cached_property
@@ -111,20 +111,20 @@ class FromCfg:
         options = self.cfg.options("options.data_files") if self.cfg else ()
         return tuple(self.data_entry(option, index) for index, option in enumerate(options))
 
-    def data_entry(self, option: Option, index: int) -> DataEntry:
-        into = Said("setup.cfg", option.key, option.key_span, option.key_span)
+    def data_entry(self, option: CfgOption, index: int) -> DataEntry:
+        into = SetupText("setup.cfg", option.key, option.key_span, option.key_span)
         files = [
             self.data_file(said, source, into, index) for said in items_of(option.value) for source in self.glob(said)
         ]
         return DataEntry("setup.cfg", option.span, option.span, into, None, tuple(files))
 
-    def glob(self, said: Said) -> list[str]:
+    def glob(self, said: SetupText) -> list[str]:
         try:
             return self.folder.glob(said.text, recursive=True) if MAGIC.search(said.text) else [said.text]
         except OutsideError:
             return []
 
-    def data_file(self, said: Said, source: str, into: Said, index: int) -> DataFile:
+    def data_file(self, said: SetupText, source: str, into: SetupText, index: int) -> DataFile:
         try:
             inside: str | None = self.folder.inside(source)
         except OutsideError:
@@ -133,7 +133,7 @@ class FromCfg:
         return DataFile(said, said.span, inside, target, index, absolute=source.startswith("/"))
 
 
-def items_of(value: Said) -> list[Said]:
+def items_of(value: SetupText) -> list[SetupText]:
     """Return the items of a list value: one a line where there are lines, else separated by commas."""
     if "\n" in value.text:
         return value.lines()

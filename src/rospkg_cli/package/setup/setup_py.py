@@ -15,9 +15,9 @@ from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint
 from .file_writing_calls import GENERATORS, may_write
-from .find_packages import Search, package_folder
-from .located_text import Said
-from .setup_arguments import Told
+from .find_packages import PackageSearch, package_folder
+from .setup_arguments import SetupArguments
+from .setup_text import SetupText
 
 ARGUMENTS = (
     "name version packages py_modules package_dir package_data scripts data_files entry_points extras_require"
@@ -27,18 +27,18 @@ ARGUMENTS = (
 
 
 @dataclass(frozen=True)
-class SetupPy(Told):
+class SetupPy(SetupArguments):
     calls: tuple[Call, ...]
     """Every call of setup.py that was left alone."""
     globs: tuple[Globbed, ...]
-    searches: tuple[Search, ...]
+    searches: tuple[PackageSearch, ...]
     """Every find_packages()."""
     names: Mapping[str, Value]
     """What the names of setup.py are bound to in the end."""
     cwd: str
     """The folder that relative paths start from, when setup() is called."""
 
-    def used_elsewhere(self, said: Said) -> bool:
+    def used_elsewhere(self, said: SetupText) -> bool:
         """Return whether a text stands outside of the call of setup(), in a variable that others may use."""
         return self.call is None or not self.call.span.start < said.span.start < self.call.span.end
 
@@ -72,15 +72,15 @@ class SetupPy(Told):
         return found
 
     @cached_property
-    def packages(self) -> tuple[Said, ...]:
+    def packages(self) -> tuple[SetupText, ...]:
         return self.texts("packages")
 
     @cached_property
-    def py_modules(self) -> tuple[Said, ...]:
+    def py_modules(self) -> tuple[SetupText, ...]:
         return self.texts("py_modules")
 
     @cached_property
-    def scripts(self) -> tuple[Said, ...]:
+    def scripts(self) -> tuple[SetupText, ...]:
         return self.texts("scripts")
 
     @cached_property

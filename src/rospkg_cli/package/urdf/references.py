@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from ...languages.xml.parser import Document, Element
 from ...source import Source, Span
-from .robot_file import LocalInclude, Reference, Use
+from .robot_file import LocalInclude, ResourceReference, Use
 
 NAMED = re.compile(
     r"package://(?P<package>[A-Za-z][A-Za-z0-9_-]*)(?P<rest>/[^\s<>\"']*)?"
@@ -18,7 +18,7 @@ PROPERTY = re.compile(r"\$\{ *([A-Za-z_][A-Za-z0-9_]*) *\}")
 GLOB = re.compile(r"[*?\[]")
 
 
-def references(document: Document) -> Iterator[Reference]:
+def references(document: Document) -> Iterator[ResourceReference]:
     """Yield every reference to a file of a package, in order."""
     properties = literal_properties(document.root)
     for element in document.root.walk():
@@ -39,7 +39,7 @@ def text_spans(element: Element) -> Iterator[Span]:
     yield Span(at, element.inner.end)
 
 
-def named_in(source: Source, span: Span, use: Use, properties: Mapping[str, str]) -> Iterator[Reference]:
+def named_in(source: Source, span: Span, use: Use, properties: Mapping[str, str]) -> Iterator[ResourceReference]:
     text = source.slice(span)
     for match in NAMED.finditer(text):
         package = match.group("package") or match.group("found")
@@ -47,7 +47,9 @@ def named_in(source: Source, span: Span, use: Use, properties: Mapping[str, str]
         rest = match.group(group) or ""
         start, end = match.span(group) if match.group(group) else (match.end(), match.end())
         where = Span(span.start + start, span.start + end)
-        yield Reference(Span(span.start + match.start(), where.end), where, package, path_of(rest, properties), use)
+        yield ResourceReference(
+            Span(span.start + match.start(), where.end), where, package, path_of(rest, properties), use
+        )
 
 
 def path_of(rest: str, properties: Mapping[str, str]) -> str | None:

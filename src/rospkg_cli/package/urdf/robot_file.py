@@ -12,7 +12,7 @@ Use = Literal["include", "resource"]
 
 
 @dataclass(frozen=True, slots=True)
-class Reference:
+class ResourceReference:
     """A file that is named by its package: `package://pkg/path`, `$(find pkg)/path`."""
 
     span: Span
@@ -39,7 +39,7 @@ class RobotFile:
     """Whether xacro makes something else of it first."""
     links: tuple[Element, ...] = ()
     joints: tuple[Element, ...] = ()
-    references: tuple[Reference, ...] = ()
+    references: tuple[ResourceReference, ...] = ()
     includes: tuple[LocalInclude, ...] = ()
 
     @property

@@ -44,7 +44,7 @@ VERSION = re.compile(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
 def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `cmake_minimum_required()` with a version below 3.10 (for a range: with such an upper end).
+    Finds `cmake_minimum_required()` with a version, or an upper end of a range, below 3.10.
 
     ## Why is this bad?
     CMake 4, which Lyrical and later have, prints a deprecation warning for each below 3.10 and stops at one below 3.5.

@@ -40,8 +40,8 @@ ament_package()
 def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages of build type `ament_cmake` whose CMakeLists.txt never calls `ament_package()` (or
-    `ament_auto_package()`). A package that holds nothing but tests may do without.
+    Finds ament_cmake packages whose CMakeLists.txt never calls `ament_package()`.
+    `ament_auto_package()` counts as well. A package that holds nothing but tests is left alone.
 
     ## Why is this bad?
     colcon builds them, but nothing registers them: no package.xml in share/, no entry in the resource index, no

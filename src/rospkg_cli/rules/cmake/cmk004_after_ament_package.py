@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.after_ament_package import Late, late_calls
+from ...checks.cmake.after_ament_package import MisplacedCommand, commands_after_ament_package
 from ...edits.cmake_commands import add_at_end, remove
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -33,18 +33,16 @@ EXPORT = "ament_export_include_directories(include/${PROJECT_NAME})\n"
 def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds calls behind `ament_package()` or `ament_auto_package()` that it would have had to know of: exports, generated
-    interfaces, components, plug-ins, linters, targets of `ament_auto_add_*`.
+    Finds calls after `ament_package()` or `ament_auto_package()` that have to come before it.
+    These are exports, generated interfaces, components, plugins, linters, and targets of `ament_auto_add_*`.
 
     ## Why is this bad?
-    Some of them stop CMake. The others do nothing, without a word: the component is not registered, the linters don't
-    run.
+    Some of them stop CMake. The others silently do nothing: the component is not registered, the linters don't run.
 
     ## Fix safety
-    The call of `ament_package()` goes to the end of the file, past everything that may have been put behind it on
-    purpose.
+    The call of `ament_package()` goes to the end of the file, past everything that may be there on purpose.
     """
-    for late in late_calls(package.cmake):
+    for late in commands_after_ament_package(package.cmake):
         end = late.end.name
         message = f"`{late.call.name}` comes after `{end}()`: {late.consequence}; call `{end}()` last"
         place = Related(late.end.path, late.end.command.span, f"`{end}()` is called here")
@@ -53,7 +51,7 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(late.call.path, late.call.command.span, message, level, related=(place,), fix=fix)
 
 
-def move_to_end(package: CMakePackage, late: Late) -> Fix | None:
+def move_to_end(package: CMakePackage, late: MisplacedCommand) -> Fix | None:
     """Return the fix, where the call stands alone in its lines and outside of any block."""
     file = package.cmake.root
     command = late.end.command

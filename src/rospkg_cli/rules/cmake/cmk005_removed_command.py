@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.ament_target_dependencies import LinkedPackages, Removed, Replacement
+from ...checks.cmake.ament_target_dependencies import AmentTargetDependencies, RemovedCommand, Replacement
 from ...edits.cmake_link import link_instead
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -27,7 +27,7 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
 @rule(
     "CMK005",
     "removed-command",
-    over=LinkedPackages,
+    over=AmentTargetDependencies,
     severity=Severity.INFO,
     levels={
         Severity.WARNING: "Kilted is a named target: it warns",
@@ -57,10 +57,10 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
         ),
     ),
 )
-def removed_command(linked: LinkedPackages) -> Iterator[Hit]:
+def removed_command(linked: AmentTargetDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `ament_target_dependencies()`, which Kilted warns about and Lyrical has no more.
+    Finds `ament_target_dependencies()`, which is deprecated in Kilted and removed in Lyrical.
 
     ## Why is this bad?
     The configuration stops with "Unknown CMake command". Linking targets (`rclcpp::rclcpp`, `${std_msgs_TARGETS}`)
@@ -68,9 +68,8 @@ def removed_command(linked: LinkedPackages) -> Iterator[Hit]:
 
     ## Fix safety
     The packages are replaced by the targets that are known to be theirs, a package of messages by its variable
-    `${std_msgs_TARGETS}`. Of a package that is not known here nobody can tell whether it exports targets at all. The
-    target is linked as it was: PUBLIC and INTERFACE stay, and where it is linked without a keyword elsewhere, there is
-    none.
+    `${std_msgs_TARGETS}`. Whether an unknown package exports targets is unknown, so its call is left. The target is
+    linked as it was: PUBLIC and INTERFACE stay, and where it is linked without a keyword elsewhere, there is none.
 
     ## References
     - https://docs.ros.org/en/rolling/Releases/Release-Kilted-Kaiju.html
@@ -99,7 +98,7 @@ def advice(replacement: Replacement | None) -> str:
     return f"link the targets of its packages with `target_link_libraries`{doubt}"
 
 
-def fix(removed: Removed, replacement: Replacement | None) -> Fix | None:
+def fix(removed: RemovedCommand, replacement: Replacement | None) -> Fix | None:
     if replacement is None:
         return None
     new = " ".join(text for part in replacement.parts for text in part.texts or ()) or "nothing"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.duplicate_targets import Clash, clashes
+from ...checks.cmake.duplicate_targets import DuplicateTarget, duplicate_targets
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
@@ -67,19 +67,20 @@ BODY = INTERFACES_BODY.replace(
 def target_name_clash(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds targets that are made twice: above all `rosidl_generate_interfaces(${PROJECT_NAME})` beside an executable, a
-    library or a Python package of the project's name.
+    Finds targets that are created twice under one name.
+    Mostly it is `rosidl_generate_interfaces(${PROJECT_NAME})` together with an executable, a library or a Python
+    package of the project's name.
 
     ## Why is this bad?
     CMake stops with "cannot create target … because another target with the same name already exists". Interfaces
-    belong into a package of their own, which nodes in other packages then depend on.
+    belong in a package of their own, which nodes in other packages then depend on.
     """
-    for clash in clashes(package.cmake):
+    for clash in duplicate_targets(package.cmake):
         first = Related(clash.first.path, clash.first.span, f"`{clash.first_command}` makes it here")
         yield Hit(clash.second.path, clash.second.span, message(package, clash), related=(first,))
 
 
-def message(package: CMakePackage, clash: Clash) -> str:
+def message(package: CMakePackage, clash: DuplicateTarget) -> str:
     start = (
         f"`{clash.second_command}` makes `{clash.name}`, which `{clash.first_command}` makes already: CMake stops with "
     )

@@ -43,7 +43,8 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
 def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     """
     ## What it does
-    Finds folders of launch files, parameters, robot descriptions, meshes, worlds or maps of which nothing is installed.
+    Finds folders of launch files, parameters, robots, worlds or maps that CMake does not install.
+    A folder counts (meshes too) if nothing in it is installed.
 
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package

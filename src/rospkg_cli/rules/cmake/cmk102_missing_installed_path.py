@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.referenced_paths import Named, NamedPaths
+from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...rule import rule
 from ...suggest import did_you_mean
 
@@ -42,14 +42,14 @@ SOURCE = CMAKE.replace(
 def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds files and folders that `install()`, `add_executable()` or `add_library()` names and that the package does not
-    have. What CMake or the build writes itself is left alone.
+    Finds files and folders that CMake installs or compiles and that do not exist.
+    It reads `install()`, `add_executable()` and `add_library()`. What CMake or the build writes itself is left alone.
 
     ## Why is this bad?
     CMake stops: at once for a missing source, and only after everything was compiled for a missing folder ("file
     INSTALL cannot find …"). It is what is left when a file was renamed, or when git did not keep an empty folder.
     """
-    for named in NamedPaths(package.cmake).missing():
+    for named in ReferencedPaths(package.cmake).missing():
         near = did_you_mean(named.path, package.cmake.package.paths)
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
         perhaps = named.call.maybe or named.word.maybe
@@ -57,7 +57,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
             yield Hit(named.word.path, named.word.span, message, Severity.WARNING if perhaps else None)
 
 
-def consequence(named: Named) -> str:
+def consequence(named: ReferencedPath) -> str:
     match named.use:
         case "source":
             return 'CMake stops with "Cannot find source file"; name the file that is meant, or take it out'

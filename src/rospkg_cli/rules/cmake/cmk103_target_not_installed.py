@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.target_references import References
+from ...checks.cmake.target_references import TargetReferences
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.uninstalled_targets import Forgotten, ForgottenTargets
+from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
 from ...rule import rule
 from ...suggest import near
 
@@ -72,8 +72,9 @@ def cmake(lines: str) -> str:
 def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds executables that are built and not installed, and shared libraries that something installed needs: a
-    component, another target, those who use the package. What serves the build or the tests is left alone.
+    Finds executables, and shared libraries needed at run time, that are built and not installed.
+    A shared library is needed where a component, another installed target, or users of the package need it. What serves
+    the build or the tests is left alone.
 
     ## Why is this bad?
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries".
@@ -81,8 +82,8 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     """
     if not package.ament:
         return
-    misspelt = {each.word.text for each in References(package.cmake).broken() if each.call.name == "install"}
-    for forgotten in ForgottenTargets(package.cmake).all():
+    misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
+    for forgotten in UninstalledTargets(package.cmake).all():
         word = forgotten.target.word
         if near(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
@@ -91,7 +92,7 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
 
 
-def message(package: CMakePackage, forgotten: Forgotten) -> str:
+def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
     name = package.cmake.shown(forgotten.target.word)
     if forgotten.stops:
         return (
@@ -106,7 +107,7 @@ def message(package: CMakePackage, forgotten: Forgotten) -> str:
     return f"the library {name} is built and not installed: {forgotten.needed_by} can't load it; install it into lib"
 
 
-def edit(package: CMakePackage, forgotten: Forgotten) -> Edit:
+def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:
     cmake, target = package.cmake, forgotten.target
     if target.executable:
         return install_executable(cmake, target)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.misplaced_executables import Astray, AstrayExecutables
+from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -38,7 +38,7 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK104",
     "wrong-executable-destination",
-    over=AstrayExecutables,
+    over=MisplacedExecutables,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it goes to bin/, and neither a launch file nor the README starts it",
@@ -64,11 +64,11 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
+def wrong_executable_destination(astray: MisplacedExecutables) -> Iterator[Hit]:
     """
     ## What it does
-    Finds executables and scripts that are installed anywhere but in `lib/${PROJECT_NAME}`. A tool that is no node may
-    stand in bin/ on purpose, and a node there too if it is in both.
+    Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
+    A tool that is no node may be in bin/ on purpose, and a node may be there if it is in both.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -92,7 +92,7 @@ def wrong_executable_destination(astray: AstrayExecutables) -> Iterator[Hit]:
         yield Hit(each.word.path, each.word.span, message, level(each), fix=fix)
 
 
-def level(astray: Astray) -> Severity | None:
+def level(astray: MisplacedExecutable) -> Severity | None:
     if astray.started or astray.place != "bin":
         return None
     return Severity.WARNING if astray.ros else Severity.INFO

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.installed_scripts import Script, Scripts
+from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -25,7 +25,7 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK105",
     "script-not-executable",
-    over=Scripts,
+    over=InstalledScripts,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`"
@@ -51,11 +51,12 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def script_not_executable(scripts: Scripts) -> Iterator[Hit]:
+def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     ## What it does
-    Finds scripts in `lib/${PROJECT_NAME}` that can't be executed there: installed with FILES instead of PROGRAMS, with
-    a DIRECTORY that does not keep permissions, without `#!` in their first line, or without an executable bit.
+    Finds scripts in `lib/${PROJECT_NAME}` that can't be executed there.
+    They are installed with FILES instead of PROGRAMS, with a DIRECTORY that does not keep permissions, without `#!` in
+    their first line, or without an executable bit.
 
     ## Why is this bad?
     `ros2 run` says "No executable found", or the script ends with "Exec format error". PROGRAMS sets the bit on a copy;
@@ -71,7 +72,7 @@ def script_not_executable(scripts: Scripts) -> Iterator[Hit]:
         yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script), level, fix=fix)
 
 
-def message(scripts: Scripts, script: Script) -> str:
+def message(scripts: InstalledScripts, script: BrokenScript) -> str:
     path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
     run = f"`ros2 run {scripts.package.facts.name} {name}`"
     match script.wrong:

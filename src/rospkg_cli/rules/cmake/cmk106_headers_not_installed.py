@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.installed_headers import INCLUDES, Headers
+from ...package.cmake.installed_headers import INCLUDES, PublicHeaders
 from ...rule import rule
 
 LINES = """\
@@ -40,7 +40,7 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
 @rule(
     "CMK106",
     "headers-not-installed",
-    over=Headers,
+    over=PublicHeaders,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -51,10 +51,11 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
         ),
     ),
 )
-def headers_not_installed(headers: Headers) -> Iterator[Hit]:
+def headers_not_installed(headers: PublicHeaders) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that export a library or include directories, have headers in `include/`, and install none of them.
+    Finds packages that export a library or include directories and install no headers.
+    Only packages that have headers in `include/` are checked.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "No such file or directory" at the first

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.unguarded_tests import Unguarded, unguarded
+from ...checks.cmake.unguarded_tests import UnguardedTest, unguarded
 from ...edits.cmake_commands import guard
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -39,8 +39,8 @@ GUARDED = (
 def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds test frameworks and linters that CMake looks for, and tests that it makes, outside of `if(BUILD_TESTING)`. A
-    package that is more than a `<test_depend>` is left alone.
+    Finds test frameworks, linters and tests outside of `if(BUILD_TESTING)` in CMakeLists.txt.
+    A package that is more than a `<test_depend>` is left alone.
 
     ## Why is this bad?
     Where packages are built for release, tests are off and their dependencies are not there: "Could not find a package
@@ -60,7 +60,7 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(each.call.path, each.call.command.span, message(each), fix=fix)
 
 
-def message(each: Unguarded) -> str:
+def message(each: UnguardedTest) -> str:
     verb = f"`find_package({each.what})`" if each.call.name == "find_package" else f"`{each.what}`"
     return (
         f"{verb} is for tests and stands outside of `if(BUILD_TESTING)`: a build without tests, as for a release, "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.component_registration import MACRO, Components
+from ...checks.cmake.component_registration import MACRO, ComponentRegistration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.components import Component
@@ -52,7 +52,7 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
 @rule(
     "CMK108",
     "unregistered-component",
-    over=Components,
+    over=ComponentRegistration,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "a source registers a class, and no call of CMake does"},
     examples=(
@@ -84,15 +84,16 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
         ),
     ),
 )
-def unregistered_component(components: Components) -> Iterator[Hit]:
+def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     """
     ## What it does
-    Compares the components that CMake registers (`rclcpp_components_register_node(s)`) with the classes that the
-    sources register (`RCLCPP_COMPONENTS_REGISTER_NODE`), and with the targets that are made.
+    Finds components that CMake and the C++ sources register differently.
+    It compares `rclcpp_components_register_node(s)` with the classes in `RCLCPP_COMPONENTS_REGISTER_NODE`, and with the
+    targets that exist.
 
     ## Why is this bad?
     Both have to say the same, to the letter. The build is green, and loading the component ends with "Failed to find
-    class with the requested plugin name"; its executable starts and ends without a word.
+    class with the requested plugin name"; its executable starts and ends without a message.
     """
     cmake = components.package.cmake
     if not components.package.ament:
@@ -109,7 +110,7 @@ def unregistered_component(components: Components) -> Iterator[Hit]:
         yield Hit(source.path, source.span, message, Severity.WARNING)
 
 
-def unknown(components: Components, component: Component) -> str:
+def unknown(components: ComponentRegistration, component: Component) -> str:
     names = [each.name for each in components.in_sources]
     name = component.plugin.text
     there = f"it is `{names[0]}` that is registered" if len(set(names)) == 1 else "they register others"
@@ -118,7 +119,7 @@ def unknown(components: Components, component: Component) -> str:
     return f'{fails} with the requested plugin name"; write `{MACRO}({name})`, or the name that is meant'
 
 
-def meant(components: Components, component: Component) -> tuple[Related, ...]:
+def meant(components: ComponentRegistration, component: Component) -> tuple[Related, ...]:
     found = nearest(component.plugin.text, [each.name for each in components.in_sources])
     return tuple(
         Related(each.path, each.span, "this one is registered") for each in components.in_sources if each.name == found

@@ -47,8 +47,8 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
 def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python packages in a package that CMake builds which an installed script or launch file imports, and which no
-    `ament_python_install_package()` installs.
+    Finds Python packages of a CMake package that are imported at run time and not installed.
+    An installed script or launch file imports them, and no `ament_python_install_package()` installs them.
 
     ## Why is this bad?
     The build is green, and the script ends with ModuleNotFoundError.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.target_references import Reference, References
+from ...checks.cmake.target_references import TargetReference, TargetReferences
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
@@ -49,14 +49,14 @@ def cmake(lines: str) -> str:
 def unknown_target(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds targets that `install(TARGETS)`, `target_link_libraries()` and the like name and that nothing makes, and
-    exports (`ament_export_targets()`) that no `install(… EXPORT …)` fills. In lists of packages it finds two names
-    without a blank between them.
+    Finds targets and exports that CMake names and that nothing creates.
+    It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
+    `install(… EXPORT …)` fills. In lists of packages it finds two names without a space between them.
 
     ## Why is this bad?
     CMake stops. This is what is left when a target was renamed or removed.
     """
-    references = References(package.cmake)
+    references = TargetReferences(package.cmake)
     for reference in references.broken():
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
@@ -69,14 +69,14 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(reference.word.path, reference.word.span, message)
 
 
-def said(package: CMakePackage, reference: Reference) -> str:
+def said(package: CMakePackage, reference: TargetReference) -> str:
     name = package.cmake.shown(reference.word)
     if reference.kind == "export":
         return f"no `install(… EXPORT …)` fills {name}, which `{reference.call.name}` exports"
     return f"`{reference.call.name}` names the target {name}, which nothing makes"
 
 
-def stops(reference: Reference) -> str:
+def stops(reference: TargetReference) -> str:
     if reference.kind == "export":
         return f'"INSTALL(EXPORT) given unknown export"; add `EXPORT {reference.word.text}` to the `install(TARGETS …)`'
     return '"… which does not exist"; name a target of this package, or take it out'

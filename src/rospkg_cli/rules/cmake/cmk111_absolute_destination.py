@@ -43,12 +43,12 @@ STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*
 def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `install(… DESTINATION …)` with an absolute path: a home folder, a folder of the system, or only a slash too
-    many.
+    Finds `install(… DESTINATION …)` with an absolute path.
+    It is a home folder, a system folder, or only has a slash too many.
 
     ## Why is this bad?
     The files don't go to colcon's install folder: the build fails for lack of permission, or it writes into a folder
-    that nobody else has. No Debian package can be made of it.
+    that exists only on one machine. No Debian package can be made of it.
     """
     seen = set()
     for install in package.cmake.installs:

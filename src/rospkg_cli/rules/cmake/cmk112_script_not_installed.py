@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.installed_scripts import Scripts
+from ...checks.cmake.installed_scripts import InstalledScripts
 from ...edits.cmake_install import install_script
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example
@@ -21,7 +21,7 @@ ONE = CMAKE.replace(
 @rule(
     "CMK112",
     "script-not-installed",
-    over=Scripts,
+    over=InstalledScripts,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -32,10 +32,11 @@ ONE = CMAKE.replace(
         ),
     ),
 )
-def script_not_installed(scripts: Scripts) -> Iterator[Hit]:
+def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     ## What it does
-    Finds executable scripts that lie beside scripts installed with `install(PROGRAMS)` and that no rule installs.
+    Finds executable scripts that are not installed although scripts in the same folder are.
+    The others are installed with `install(PROGRAMS)`.
 
     ## Why is this bad?
     The build is green, and `ros2 run` finds the one and not the other.

@@ -62,13 +62,14 @@ def cmake(lines: str) -> str:
 def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that an exported library is linked with in public (PUBLIC, INTERFACE, or without a keyword), that one
-    of its installed headers includes, and that `ament_export_dependencies()` does not name. What comes with a package
-    that it does name is left alone. A plug-in or a component that no package around builds against may only be loaded.
+    Finds public dependencies of an exported library that `ament_export_dependencies()` does not name.
+    A dependency is public if the library is linked with it (PUBLIC, INTERFACE, or without a keyword) and one of its
+    installed headers includes it. What comes with a package that is named is left alone. A plugin or a component that
+    no package of the workspace builds against may only be loaded.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
-    `#include` where no target is exported, unless it happens to look for the package itself.
+    `#include` where no target is exported, unless it happens to find the package itself.
 
     ## Fix safety
     The package is added. Where the library needs it only inside, linking it as PRIVATE is better.

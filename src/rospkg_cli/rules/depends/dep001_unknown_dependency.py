@@ -41,18 +41,19 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
 def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
-    Finds dependencies whose name is no ROS package of the target, none of the workspace or of an installed prefix, and
-    no rosdep key: names of PyPI, Ubuntu or CMake for what rosdep calls otherwise, modules of Python itself, packages
-    that were renamed, and names that are one letter away from a package of every distribution. Any other unknown name
-    is reported only where `rospkg index update` has fetched the names, and so is one that a named target lacks (but for
-    packages of other distributions that Rolling lacks: they come and go there, as they are rebuilt). Where a `.repos`
-    file or an empty submodule says that more packages belong to the workspace, it can't be told.
+    Finds dependencies whose name is neither a known ROS package nor a rosdep key.
+    Packages of the target, of the workspace and of an installed prefix are known. Always reported are names of PyPI,
+    Ubuntu or CMake that rosdep calls otherwise, modules of Python itself, renamed packages, and names that are one
+    letter away from a package of every distribution. Any other unknown name is reported only where `rospkg index
+    update` has fetched the names, and so is one that a named target lacks (but for packages of other distributions that
+    Rolling lacks: they come and go there, as they are rebuilt). Unknown names are not checked where a `.repos` file or
+    an empty submodule says that more packages belong to the workspace.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
 
     ## Fix safety
-    The name that is meant is put in its place; where only a letter differs, another one may have been meant.
+    The name is replaced by the suggested one; where only a letter differs, another one may be right.
     """
     manifest = names.declared.manifest
     for each in names.strange():

@@ -42,14 +42,14 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
 def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds imports of ROS packages, and of Python libraries that have a rosdep key, which package.xml does not declare;
-    what setup.py imports is needed to build.
-    Imports that a file does without are left out: those under `try` … `except ImportError`, under `TYPE_CHECKING`, and
-    under conditions on the machine. So are tests and launch files, which have rules of their own.
+    Finds imports of ROS packages and Python libraries that package.xml does not declare.
+    A library counts if it has a rosdep key. What setup.py imports is needed to build. Optional imports are left out:
+    those under `try` … `except ImportError`, under `TYPE_CHECKING`, and under conditions on the machine. So are tests
+    and launch files, which have rules of their own.
 
     ## Why is this bad?
     It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
-    not name, and the node ends with ModuleNotFoundError; a released package breaks for everybody who installs it.
+    not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
 
     ## References
     - REP-149, exec_depend

@@ -28,8 +28,9 @@ from ...rule import rule
 def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds imports in the files of `test/` and `tests/` that package.xml does not declare: ROS packages, and Python
-    libraries that have a rosdep key. Any tag will do; what only tests use belongs in test_depend.
+    Finds imports in `test/` and `tests/` that package.xml does not declare.
+    ROS packages are checked, and Python libraries that have a rosdep key. Any tag will do; what only tests use belongs
+    in test_depend.
 
     ## Why is this bad?
     `colcon test` passes on the machine where the module happens to be installed and fails on a clean one: rosdep and

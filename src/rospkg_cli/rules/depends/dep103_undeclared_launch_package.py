@@ -57,15 +57,16 @@ BAD_XML = """\
 def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that launch files need and package.xml does not declare: those whose nodes and components they
-    start, whose files they look for or include, whose programs (`xacro`) they run, and whose modules they import.
-    Names that are computed when the file runs are left alone. A dependency on `ros2launch` stands for launch,
-    launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files of tests ask for a test_depend. Other
-    installed code that describes nodes (`Node(package='…', executable='…')`) counts too, mildly.
+    Finds packages that launch files need and package.xml does not declare.
+    Launch files need packages whose nodes and components they start, whose files they find or include, whose programs
+    (`xacro`) they run, and whose modules they import. Names that are computed when the file runs are left alone. A
+    dependency on `ros2launch` implies launch, launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files
+    of tests require a test_depend. Other installed code that describes nodes (`Node(package='…', executable='…')`)
+    counts too, at info level.
 
     ## Why is this bad?
-    It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml
-    does not name, and the launch ends with "package 'robot_state_publisher' not found".
+    It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
+    not name, and the launch stops with "package 'robot_state_publisher' not found".
 
     ## References
     - REP-149, exec_depend

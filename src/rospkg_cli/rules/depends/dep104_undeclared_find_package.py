@@ -51,10 +51,10 @@ FOUND_IN_TESTS = CMAKE.replace(
 def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `find_package(… REQUIRED)` for ROS packages, and for libraries that have a rosdep key (`Eigen3` is `eigen`),
-    which package.xml does not declare; without REQUIRED where a target or an export uses the package all the same. What
-    is optional or stands under a condition that depends on the machine is left alone, and so is what comes with the
-    build tools.
+    Finds required `find_package()` calls for packages that package.xml does not declare.
+    ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
+    counts where a target or an export uses the package all the same. What is optional or under a condition that depends
+    on the machine is left alone, and so is what comes with the build tools.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm

@@ -34,8 +34,9 @@ NODE = CMAKE.replace(
 def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds C++ includes of headers of another ROS package, or of a library that has a rosdep key, which package.xml does
-    not declare. Files that no target is made of, and includes under `#if`, are left alone.
+    Finds C++ includes of other packages and libraries that package.xml does not declare.
+    ROS packages are checked, and libraries that have a rosdep key. Files that no target compiles, and includes under
+    `#if`, are left alone.
 
     ## Why is this bad?
     The header is found only as long as another dependency brings it. The day that one changes, or on a machine where

@@ -51,14 +51,14 @@ Visualization Manager:
 def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that installed robots, worlds, layouts of RViz and parameter files need and package.xml does not
-    declare: those whose files they name (`package://…`, `$(find …)`) and those whose plug-ins they name
-    (`nav2_navfn_planner::NavfnPlanner`). What comes with RViz itself is left alone, and so are plug-ins that come with
-    a declared package, such as those of `navigation2`.
+    Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
+    Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
+    (`nav2_navfn_planner::NavfnPlanner`). What comes with RViz itself is left alone, and so are plugins that come with a
+    declared package, such as those of `navigation2`.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
-    not name: xacro stops, meshes are missing, and nodes end because their plug-in can't be loaded.
+    not name: xacro stops, meshes are missing, and nodes stop because their plugin can't be loaded.
 
     ## References
     - REP-149, exec_depend

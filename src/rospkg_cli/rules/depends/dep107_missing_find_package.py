@@ -39,16 +39,17 @@ GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_pac
 def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     """
     ## What it does
-    Finds ROS packages that package.xml declares for the build, that targets are linked with or whose headers are
-    included, and that no `find_package()` looks for. Packages that come with one that is found are left alone, and so
-    is everything where a command such as `ament_auto_find_build_dependencies()` finds what is declared.
+    Finds declared build dependencies that CMake uses without a `find_package()`.
+    Targets are linked with the ROS package, or its headers are included. Packages that come with one that is found are
+    left alone, and so is everything where a command such as `ament_auto_find_build_dependencies()` finds what is
+    declared.
 
     ## Why is this bad?
     CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds
-    only as long as another package happens to look for this one.
+    only as long as another package happens to find this one.
 
     ## Fix safety
-    The call is put behind the others of its kind. A target may have to be linked with the package as well.
+    The call is added after the other `find_package()` calls. A target may have to be linked with the package as well.
     """
     cmake = missing.includes.cmake
     for each in missing.packages():

@@ -52,8 +52,8 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
 def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds messages, services and actions that use a type of another package (`geometry_msgs/Pose2D`) which package.xml
-    does not declare.
+    Finds types of other packages in interface files that package.xml does not declare.
+    Such a type is `geometry_msgs/Pose2D` in a message, service or action.
 
     ## Why is this bad?
     The generated code includes the other package's headers and imports its modules, here and in every package that

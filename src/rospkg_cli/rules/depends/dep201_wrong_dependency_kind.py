@@ -30,9 +30,9 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
 def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that are used when this one runs (imported by what is installed, needed by its launch files) and
-    declared for building or testing alone; and packages whose headers are included, declared for running or testing
-    alone.
+    Finds dependencies that are declared, but not for the time when they are used.
+    A package that is used at run time (imported by what is installed, needed by launch files) is declared for building
+    or testing alone; or a package whose headers are included is declared for running or testing alone.
 
     ## Why is this bad?
     A dependency for tests is not installed with a released package, one for running is not there when it is built.

@@ -48,17 +48,18 @@ NODE = "import rclpy\nfrom std_msgs.msg import String\n"
 def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds dependencies that nothing in the package names, be it an import, a launch file, parameters or a robot: in a
-    Python package `<depend>`, `<build_depend>`, and `<exec_depend>` of interfaces and Python libraries; in a package
-    that CMake builds `<depend>` and `<build_depend>` on ROS packages, and tools for launch tests. Any other
-    `<exec_depend>` may be a node that is started by name, or a plug-in, and is left alone. Where only what runs names a
-    package that is declared for the build, `<exec_depend>` is enough.
+    Finds dependencies that nothing in the package uses.
+    No import, launch file, parameter file or robot names them. In a Python package `<depend>`, `<build_depend>`, and
+    `<exec_depend>` of interfaces and Python libraries are checked; in a CMake package `<depend>` and `<build_depend>`
+    on ROS packages, and tools for launch tests. Any other `<exec_depend>` may be a node that is started by name, or a
+    plugin, and is left alone. Where a package that is declared for the build is used at run time only, `<exec_depend>`
+    is enough.
 
     ## Why is this bad?
-    Everybody who installs the package installs it too, and `colcon build` waits for it.
+    All users of the package install it too, and `colcon build` waits for it.
 
     ## Fix safety
-    Something outside of the package may rely on its being installed along.
+    Something outside of the package may rely on the dependency being installed.
     """
     manifest = unused.declared.manifest
     for each in unused.dependencies():

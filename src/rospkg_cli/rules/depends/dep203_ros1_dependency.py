@@ -31,8 +31,8 @@ from ...rule import rule
 def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
-    Finds dependencies that only ROS 1 has (`rospy`, `roscpp`, `catkin`, `message_generation` …) in a package of ROS 2.
-    Those whose condition leaves ROS 2 out are left alone.
+    Finds dependencies that exist only in ROS 1, such as `rospy`, `catkin`, `message_generation`.
+    Those whose condition excludes ROS 2 are left alone.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [rospy]".

@@ -43,14 +43,15 @@ FOUND = CMAKE.replace(
 def test_only_dependency(used: TestOnlyDependencies) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages that tests alone import, or that CMake looks for only where it builds tests, and that are declared as
-    `<depend>`, `<build_depend>` or `<exec_depend>`.
+    Finds dependencies that only tests use and that are declared for building or running.
+    Only tests import the package, or CMake looks for it only where it builds tests, and it is declared as `<depend>`,
+    `<build_depend>` or `<exec_depend>`.
 
     ## Why is this bad?
-    Everybody who installs the package installs it too, and who builds it without tests waits for it.
+    All users of the package install it too, and builds without tests wait for it.
 
     ## Fix safety
-    Something outside of the package may rely on its being installed along.
+    Something outside of the package may rely on the dependency being installed.
     """
     manifest = used.unused.declared.manifest
     for each in used.dependencies():

@@ -46,11 +46,13 @@ def metapackage(*parts: str) -> str:
 def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     """
     ## What it does
-    Finds metapackages that name nearly all packages of their repository and leave one out that none of the others
-    needs. Tests, examples, demos and other metapackages are left alone, and so are packages that need the metapackage.
+    Finds metapackages that name nearly all packages of their repository and leave one out.
+    None of the others needs that package. Tests, examples, demos and other metapackages are left alone, and so are
+    packages that need the metapackage.
 
     ## Why is this bad?
-    Who installs the metapackage to have everything lacks a part; it was forgotten when that package was made.
+    Users who install the metapackage to have everything lack a package; mostly it was forgotten when that package was
+    added.
 
     ## Fix safety
     The package may be left out on purpose.

@@ -61,16 +61,17 @@ from ...rule import rule
 def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     """
     ## What it does
-    Reads .msg, .srv and .action files by rosidl's own grammar: types and their bounds, arrays, default values,
-    constants, the separator lines `---` (one in a .srv, two in an .action), `package/Name` without `msg` in between.
-    It also finds what rosidl takes silently and otherwise than it is written: a `#` inside quotes cuts the value.
+    Finds .msg, .srv and .action files that rosidl's grammar refuses.
+    It reads types and their bounds, arrays, default values, constants, the separator lines `---` (one in a .srv, two in
+    an .action), `package/Name` without `msg` in between. It also finds what rosidl accepts and reads otherwise than it
+    is written: a `#` inside quotes cuts the value.
 
     ## Why is this bad?
     rosidl stops the build at the first of them, often with no more than a Python traceback of its own.
 
     ## Fix safety
-    What can be meant in one way only is repaired safely. A type of C or Python is replaced under `--unsafe-fixes`,
-    because its width was never said.
+    The fix is safe where there is only one way to read the line. A type of C or Python is replaced under
+    `--unsafe-fixes`, because its width is not known.
 
     ## References
     rosidl_adapter/parser.py; https://docs.ros.org/en/rolling/Concepts/Basic/About-Interfaces.html

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.interfaces.interface_file import Interface
+from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.interfaces import KINDS, valid_interface_name
 from ...rule import rule
 from ...source import Span
@@ -15,7 +15,7 @@ from ...source import Span
 @rule(
     "IDL002",
     "invalid-interface-name",
-    over=Interface,
+    over=InterfaceFile,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the file is in a folder that is none of `msg`, `srv`, `action`"},
     examples=(
@@ -47,14 +47,14 @@ from ...source import Span
         ),
     ),
 )
-def invalid_interface_name(interface: Interface) -> Iterator[Hit]:
+def invalid_interface_name(interface: InterfaceFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds interface files whose name is not CamelCase (a capital letter, then letters and digits), and files that are
-    not in the folder of their kind: `msg/`, `srv/`, `action/`.
+    Finds interface files whose name is not CamelCase, or that are in the wrong folder.
+    CamelCase is an uppercase letter, then letters and digits; the folder is `msg/`, `srv/` or `action/`.
 
     ## Why is this bad?
-    rosidl makes the name of a type from the file's name and refuses all others: the build stops. It decides by the
+    rosidl makes the name of a type from the file's name and refuses any other form: the build stops. It decides by the
     folder, not by the suffix, what a file is installed and indexed as, and whether it needs `action_msgs`.
     """
     name, kind, top = interface.name, interface.kind, Span(0, 0)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.interfaces.member_names import is_valid, language_of, repeated, suggestion
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.interface_file import Interface, Member
+from ...package.interfaces.interface_file import InterfaceFile, Member
 from ...rule import rule
 
 HARM = {
@@ -20,7 +20,7 @@ HARM = {
 @rule(
     "IDL003",
     "invalid-field-name",
-    over=Interface,
+    over=InterfaceFile,
     severity=Severity.ERROR,
     levels={Severity.INFO: "the name is a keyword of OMG IDL only"},
     examples=(
@@ -53,11 +53,12 @@ HARM = {
         ),
     ),
 )
-def invalid_field_name(interface: Interface) -> Iterator[Hit]:
+def invalid_field_name(interface: InterfaceFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds fields that are not lower case with single `_` between words, constants that are not upper case, two of one
-    name, and fields that are keywords of Python, C++ or OMG IDL.
+    Finds fields and constants whose names are malformed, duplicate or keywords.
+    Fields are lowercase with single `_` between words, constants are uppercase. Keywords of Python, C++ and OMG IDL
+    count.
 
     ## Why is this bad?
     rosidl refuses the names and stops the build. Keywords it takes: then the generated Python module can't be

@@ -48,8 +48,9 @@ WITH_SENSORS = {
 def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     """
     ## What it does
-    Finds types that neither this package nor the named package of the workspace has as a .msg file, and names of
-    the core packages that are written wrongly. A package that is not at hand is believed.
+    Finds types in interface files that no .msg file defines.
+    Neither this package nor the named package of the workspace has the file, or the name of a core package is misspelt.
+    A package that is not available is believed.
 
     ## Why is this bad?
     The build stops in the generated code, at an `#include` of a header that does not exist.

@@ -44,10 +44,11 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
 def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
     """
     ## What it does
-    Finds files in `msg/`, `srv/` and `action/` that no `rosidl_generate_interfaces` of the package lists.
+    Finds interface files that no `rosidl_generate_interfaces` of the package lists.
+    It looks in `msg/`, `srv/` and `action/`.
 
     ## Why is this bad?
-    The build succeeds, and the type does not exist: whoever includes or imports it gets an error that does not say
+    The build succeeds, and the type does not exist: code that includes or imports it gets an error that does not say
     why.
     """
     for interface in generated.left_out():

@@ -46,12 +46,12 @@ FILES = {
 def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages whose types an interface file uses, and that the `DEPENDENCIES` of its
-    `rosidl_generate_interfaces` neither list nor pass on.
+    Finds packages whose types are used and that are missing in `DEPENDENCIES` of the interfaces.
+    The `DEPENDENCIES` of `rosidl_generate_interfaces` neither list them nor pass them on.
 
     ## Why is this bad?
-    The generated code includes headers of that package, and nothing tells the compiler where they are. A package that
-    is listed must have been found before: the fix looks for it where nothing does.
+    The generated code includes headers of that package, and the compiler does not find them. A listed package must be
+    found first: the fix adds `find_package()` where it is missing.
     """
     offered: set[int] = set()
     for need in generated.unlisted_needs():

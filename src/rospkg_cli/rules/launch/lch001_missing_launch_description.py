@@ -41,8 +41,9 @@ def generate_launch_description():
 def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python launch files (`*.launch.py`, `*_launch.py`) without a function `generate_launch_description`. One that
-    is imported or assigned counts as well; tests, and files that are programs of their own, are left alone.
+    Finds Python launch files without a function `generate_launch_description`.
+    Checked are `*.launch.py` and `*_launch.py`. A function that is imported or assigned counts as well; tests, and
+    files that are programs of their own, are left alone.
 
     ## Why is this bad?
     `ros2 launch` loads the file and ends with "module has no attribute 'generate_launch_description'".

@@ -41,15 +41,16 @@ FILES = {
 def unknown_executable(started: Started) -> Iterator[Hit]:
     """
     ## What it does
-    Finds nodes of this package, or of another package of the workspace, whose executable nothing installs: it is
-    neither a console_script nor a target or script that CMake installs. Packages whose executables can't all be told
-    are left alone, and launch files of tests that CMake does not run.
+    Finds nodes in launch files whose executable nothing installs.
+    The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
+    script that CMake installs. Packages whose executables are not all known are left alone, and launch files of tests
+    that CMake does not run.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
 
     ## Fix safety
-    The one name that is near is put in its place; it may be another program than the one that was meant.
+    The name is replaced by the only similar one; another program may be right.
     """
     for node in started.unknown_executables():
         meant = node.meant

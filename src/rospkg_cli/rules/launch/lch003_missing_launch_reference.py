@@ -69,11 +69,11 @@ HARM: dict[Use, str] = {
 def missing_launch_reference(scope: LaunchScope) -> Iterator[Hit]:
     """
     ## What it does
-    Follows the files that a launch file names in the share directory of this package or of another one of the
-    workspace (`$(find-pkg-share x)/…`, `FindPackageShare`, `get_package_share_directory`), and those that it names
-    beside itself. It speaks of a file that is not there at all. Files that are asked for first (`os.path.exists`,
-    `try`), that the build writes, and packages whose files can't all be told are left alone; so are launch files of
-    tests that CMake does not run.
+    Finds files that a launch file names and that do not exist.
+    It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
+    `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file. Files that are checked
+    first (`os.path.exists`, `try`), that the build writes, and packages whose files are not all known are left alone;
+    so are launch files of tests that CMake does not run.
 
     ## Why is this bad?
     The build is green, and the launch stops with "No such file or directory", or a node starts without its parameters.

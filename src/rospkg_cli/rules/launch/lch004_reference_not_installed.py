@@ -46,8 +46,9 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
 def reference_not_installed(files: LaunchedFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds files that a launch file names in a share directory, and that are there in the source, but that the package
-    does not install, or installs elsewhere. Where nothing of the folder is installed, SET206 or CMK101 says so.
+    Finds files that a launch file names in a share directory and that are not installed there.
+    They exist in the source, but the package does not install them, or installs them elsewhere. Where nothing of the
+    folder is installed, SET206 or CMK101 reports it.
 
     ## Why is this bad?
     The build is green, and the launch stops with "No such file or directory": only what is installed is found.

@@ -53,8 +53,9 @@ FILES = {
 def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds nodes that are given `node_executable`, `node_name`, `node_namespace` or `node_plugin`, which launch_ros had
-    up to Foxy, and `type=` of XML nodes, which is ROS 1's. Files that ask which distro they run on are left alone.
+    Finds arguments of nodes that launch_ros removed, such as `node_executable`.
+    They are `node_executable`, `node_name`, `node_namespace` and `node_plugin`, which launch_ros had up to Foxy, and
+    `type=` of XML nodes, which is ROS 1's. Files that check which distro they run on are left alone.
 
     ## Why is this bad?
     The launch stops with "__init__() got an unexpected keyword argument 'node_executable'" or "missing 1 required

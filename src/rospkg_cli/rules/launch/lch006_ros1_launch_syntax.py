@@ -60,9 +60,9 @@ FILES = {
 def ros1_launch_syntax(scope: LaunchScope) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what only ROS 1 understands in launch files of the XML and YAML frontends: `$(find x)`, `$(arg x)`, and
-    `<param>`, `<rosparam>`, `<remap>`, `<env>` or `<machine>` among the actions. A file that is for ROS 1 altogether
-    is named once, where this package installs it.
+    Finds ROS 1 syntax in XML and YAML launch files.
+    It is `$(find x)`, `$(arg x)`, and `<param>`, `<rosparam>`, `<remap>`, `<env>` or `<machine>` among the actions. A
+    file that is for ROS 1 altogether is reported once, where this package installs it.
 
     ## Why is this bad?
     `ros2 launch` stops with "Unknown substitution: find" or "Unrecognized entity of the type: param".

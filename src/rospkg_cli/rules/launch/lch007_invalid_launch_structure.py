@@ -61,16 +61,16 @@ def generate_launch_description():
 def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what launch refuses in an XML or YAML launch file: attributes that an action does not have, attributes that
-    are missing, entities that can't stand where they stand, and substitutions that are malformed or take another
-    number of arguments. Actions and substitutions that nobody knows are left alone, since packages may add their own,
-    unless one letter makes a known one of them. In every format it finds Python expressions (`PythonExpression`,
-    `$(eval …)`) that are none, whatever the arguments are, and those that ask for a name which Python does not know:
-    `true` and `false`, mostly, which the default of an argument brings in.
+    Finds what launch refuses in an XML or YAML launch file, and invalid Python expressions.
+    In XML and YAML: unknown or missing attributes, misplaced entities, and substitutions that are malformed or take
+    another number of arguments. Unknown actions and substitutions are left alone, since packages may add their own,
+    unless one letter makes a known one of them. In every format: Python expressions (`PythonExpression`, `$(eval …)`)
+    that are invalid whatever the arguments are, and those with a name that Python does not know: `true` and `false`,
+    mostly, from the default of an argument.
 
     ## Why is this bad?
-    launch reads an XML or YAML file as a whole before it starts anything: one such place, and nothing is started. An
-    expression that Python can't evaluate stops the launch when it comes there.
+    launch reads an XML or YAML file as a whole before it starts anything: one error, and nothing is started. An
+    expression that Python can't evaluate stops the launch when it is evaluated.
     """
     for fault in file.faults:
         yield Hit(file.path, fault.span, fault.message)

@@ -51,10 +51,10 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 def undeclared_launch_argument(configurations: Configurations) -> Iterator[Hit]:
     """
     ## What it does
-    Finds launch configurations that a file asks for (`LaunchConfiguration('x')`, `$(var x)`), without a default, and
-    that nothing sets by then: no argument of that name is declared in it, by the files that it includes, or by those
-    of the workspace that include it. Arguments that are declared and never added to the launch description count as
-    not declared. Where that can't be told, the rule keeps quiet.
+    Finds launch configurations that are used without a default and that nothing sets.
+    They are used as `LaunchConfiguration('x')` or `$(var x)`, and no argument of that name is declared in the file, in
+    the files that it includes, or in those of the workspace that include it. Arguments that are declared and never
+    added to the launch description count as not declared. Where that can't be determined, nothing is reported.
 
     ## Why is this bad?
     The launch stops with "launch configuration 'x' does not exist".

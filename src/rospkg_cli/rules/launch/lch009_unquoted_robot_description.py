@@ -59,16 +59,17 @@ BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description
 def unquoted_robot_description(robots: Robots) -> Iterator[Hit]:
     """
     ## What it does
-    Finds parameters of nodes that are the output of a command which prints a robot (`xacro …`, `cat x.urdf`) and are
-    not wrapped in `ParameterValue(…, value_type=str)`. It is a warning where a file of that robot, in this package,
-    holds what YAML can't read; elsewhere it goes well so far, and is an information.
+    Finds robot descriptions from a command that are not wrapped in `ParameterValue`.
+    A command (`xacro …`, `cat x.urdf`) prints the robot, and its output is a parameter without `ParameterValue(…,
+    value_type=str)`. It is a warning where a file of that robot, in this package, holds what YAML can't read; elsewhere
+    it works so far, and is reported at info level.
 
     ## Why is this bad?
-    launch_ros reads the output as YAML. A colon and a blank in any comment of the robot, and the launch stops with
+    launch_ros reads the output as YAML. A colon and a space in any comment of the robot, and the launch stops with
     "Unable to parse the value of parameter robot_description as yaml".
 
     ## Fix safety
-    The value is wrapped, and ParameterValue is imported: the parameter is the same text.
+    The value is wrapped, and ParameterValue is imported: the parameter is the same string.
     """
     for each, robot in robots.unquoted():
         ends = f'the launch stops with "Unable to parse the value of parameter {each.parameter} as yaml"'

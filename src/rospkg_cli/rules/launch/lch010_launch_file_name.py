@@ -43,11 +43,11 @@ def generate_launch_description():
 def launch_file_name(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds installed launch files in Python whose names do not end in `launch.py`. Those of tests, and those that others
-    include by their paths, are left alone.
+    Finds installed launch files in Python whose names do not end in `launch.py`.
+    Those of tests, and those that others include by their paths, are left alone.
 
     ## Why is this bad?
-    `ros2 launch` starts them, but does not complete their names, and who reads the folder does not know them.
+    `ros2 launch` starts them, but does not complete their names, and readers of the folder do not recognize them.
     """
     for file, better in launch.oddly_named():
         name = file.path.rpartition("/")[2]

@@ -56,15 +56,16 @@ FILES = {
 def unknown_component(loaded: Loaded) -> Iterator[Hit]:
     """
     ## What it does
-    Finds components (composable nodes) of this package, or of another package of the workspace, that its CMakeLists.txt
-    registers nowhere with `rclcpp_components_register_node`. Packages whose components can't all be told are left
-    alone. Of a package that nobody knows, the component is named where another package registers its class.
+    Finds components in launch files that the CMakeLists.txt of their package does not register.
+    Composable nodes of this package, or of another one of the workspace, have to be in
+    `rclcpp_components_register_node`. Packages whose components are not all known are left alone. A component of an
+    unknown package is reported where another package registers its class.
 
     ## Why is this bad?
     The container starts, and says "Could not find requested resource in ament index"; the node is missing.
 
     ## Fix safety
-    The one class that is near is put in its place; it may be another one than was meant.
+    The name is replaced by the only similar class; another one may be right.
     """
     for each in loaded.unknown():
         yield Hit(loaded.file.path, each.plugin.span, told(each), fix=rename(loaded, each))

@@ -29,8 +29,8 @@ BAD = CMAKE.replace("ament_package", "install(DIRECTORY «launch» DESTINATION s
 def duplicate_launch_file(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds launch files that are installed under one name in several folders of a package's share directory. Where all
-    of them are included by their paths, nobody needs to start them by name.
+    Finds launch files that are installed under one name in several folders of a share directory.
+    Where all of them are included by their paths, no one has to start them by name, and they are left alone.
 
     ## Why is this bad?
     `ros2 launch my_pkg robot.launch.xml` looks through all folders and stops with "file 'robot.launch.xml' was found

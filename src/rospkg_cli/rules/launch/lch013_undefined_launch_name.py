@@ -58,12 +58,12 @@ def generate_launch_description():
 def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds names that a Python launch file uses and that it neither defines nor imports, and names of launch and
-    launch_ros that it imports from a module that does not have them. Files that import `*`, or run text as code, are
-    left alone.
+    Finds undefined names and wrong launch imports in Python launch files.
+    A name is neither defined nor imported, or a name of launch or launch_ros is imported from a module that does not
+    have it. Files that import `*`, or run strings as code, are left alone.
 
     ## Why is this bad?
-    The launch stops with a NameError as soon as it comes there (often only for one value of an argument), or with an
+    The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
     ImportError at once.
     """
     if file.python is None or not file.entry:

@@ -57,17 +57,17 @@ def generate_launch_description():
 def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds calls in Python launch files that launch can't carry out: numbers where it takes texts, a set where a
-    parameter dict is meant, `launch_arguments` without `.items()`, arguments that a class does not have or that are
-    missing; and places that treat a substitution as if its text were known while the file is read: `not x`, `a and b`,
-    `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`.
+    Finds calls in Python launch files that raise when the file is launched.
+    These are numbers where launch takes strings, a set where a parameter dict is expected, `launch_arguments` without
+    `.items()`, arguments that a class does not have or that are missing; and places that treat a substitution as if its
+    value were known while the file is read: `not x`, `a and b`, `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`.
 
     ## Why is this bad?
-    Most of these end the launch with a TypeError from deep inside of launch. The others are worse: a condition that
-    always holds, a path that holds the name of a Python object.
+    Most of these end the launch with a TypeError from deep inside of launch. The others are worse: a condition that is
+    always true, a path with the name of a Python object in it.
 
     ## Fix safety
-    Quoting a number, adding `.items()`: this is what launch would need to go on.
+    A number is quoted, `.items()` is added: what launch requires.
     """
     for misuse in file.misuses if file.entry else ():
         yield Hit(file.path, misuse.span, misuse.message, fix=mended(file, misuse))

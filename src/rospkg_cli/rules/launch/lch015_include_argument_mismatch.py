@@ -43,13 +43,13 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value
 def include_argument_mismatch(including: Including) -> Iterator[Hit]:
     """
     ## What it does
-    Compares what a launch file gives to one that it includes, of this package or another one of the workspace, with
-    what that file declares: an argument that neither it nor anything it includes declares or uses, and an argument
-    without a default that is not given.
+    Finds arguments of an included launch file that it does not declare, or that are missing.
+    The file is of this package or of another one of the workspace. An argument is unknown if neither it nor anything it
+    includes declares or uses it, and missing if it has no default and is not given.
 
     ## Why is this bad?
-    What is given under a name that nobody takes has no effect, and nothing says so. What is lacking stops the launch:
-    "Included launch description missing required argument 'speed'".
+    An unknown argument has no effect, without a warning. A missing one stops the launch: "Included launch description
+    missing required argument 'speed'".
     """
     for each in including.mismatches():
         yield Hit(including.scope.file.path, each.span, message(each))

@@ -41,8 +41,7 @@ GOOD = """\
 def late_argument(configurations: Configurations) -> Iterator[Hit]:
     """
     ## What it does
-    Finds launch arguments that are asked for by an action which comes before their declaration in the launch
-    description.
+    Finds launch arguments that an action uses before they are declared in the launch description.
 
     ## Why is this bad?
     launch visits the actions in order: the launch stops with "launch configuration 'x' does not exist", unless the

@@ -37,11 +37,11 @@ BAD = """\
 def unused_argument(configurations: Configurations) -> Iterator[Hit]:
     """
     ## What it does
-    Finds launch arguments that a file declares and never asks for. Files that include others are left alone, since
-    these see the arguments as well.
+    Finds launch arguments that a file declares and never uses.
+    Files that include others are left alone, since these see the arguments as well.
 
     ## Why is this bad?
-    Whoever sets the argument on the command line believes that it does something.
+    Setting the argument on the command line has no effect, without a warning.
     """
     for argument in configurations.unused():
         name = argument.name.literal

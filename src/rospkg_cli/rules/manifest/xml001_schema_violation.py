@@ -8,7 +8,7 @@ from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
-from ...package.schema.violation import Kind, Violation
+from ...package.schema.violation import Violation, ViolationKind
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED
 from ...rule import rule
 from ...source import Span
@@ -50,9 +50,10 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
 def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what the schema of the manifest's own format (1, 2 or 3; they ship with rospkg) forbids: tags and attributes
-    that it does not know, children where text belongs, required tags that are missing or stand twice. Values, such as
-    a version or an e-mail address, have rules of their own.
+    Finds what the schema of the manifest's own format (1, 2 or 3) forbids.
+    The schemas are included in rospkg. Forbidden are unknown tags and attributes, children where only text is allowed,
+    required tags that are missing, and tags that occur too often. Values, such as a version or an e-mail address, have
+    rules of their own.
 
     ## Why is this bad?
     colcon, rosdep and bloom refuse such a package.xml. colcon does not stop at it: it takes the folder for a plain
@@ -65,7 +66,9 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     newer = {each for each, _ in manifest.features_of_3} if manifest.schema_format < 3 else set()
     for violation in manifest.verdict.violations:
         told = describe(manifest, violation)
-        if told is not None and not (violation.element in newer and violation.kind in (Kind.CHILD, Kind.ATTRIBUTE)):
+        if told is not None and not (
+            violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
+        ):
             span, what, lost = told
             level = None if lost else Severity.WARNING
             harm = LOST if lost else "" if is_group(violation) else ONLY_THE_SCHEMA
@@ -76,23 +79,23 @@ def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool]
     """Return where a violation stands, what is wrong, and whether colcon refuses it too; None where others tell it."""
     element, name = violation.element, violation.name
     match violation.kind:
-        case Kind.MISSING:
+        case ViolationKind.MISSING:
             return element.open, f"`<{name}>` is missing; add it below `<{before(name)}>`", True
-        case Kind.REPEATED:
+        case ViolationKind.REPEATED:
             return element.span, f"`<{name}>` stands here again, and may stand only once; remove one", True
-        case Kind.CHILD:
+        case ViolationKind.CHILD:
             return element.span, stranger(manifest, element.tag, element in manifest.root.children), True
-        case Kind.ATTRIBUTE:
+        case ViolationKind.ATTRIBUTE:
             span = element.attributes[name].span if name in element.attributes else element.open
             what = f"`<{element.tag}>` has no attribute `{name}` in format {manifest.schema_format}; remove it"
             return span, what, ":" not in name and name != "xmlns"
-        case Kind.TEXT:
+        case ViolationKind.TEXT:
             return (
                 element.open,
                 f"`<{element.tag}>` holds text between its elements; remove it or comment it out",
                 False,
             )
-        case Kind.VALUE if not name and (element.tag, name) not in ELSEWHERE and not empty_group(element):
+        case ViolationKind.VALUE if not name and (element.tag, name) not in ELSEWHERE and not empty_group(element):
             return manifest.span(element), *value(manifest, element.tag, element.text)
         case _:
             return None
@@ -112,7 +115,7 @@ def empty_group(element: Element) -> bool:
 
 def is_group(violation: Violation) -> bool:
     """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
-    return violation.kind is Kind.VALUE and violation.element.tag in NEW_IN[3]
+    return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]
 
 
 def stranger(manifest: Manifest, tag: str, top: bool) -> str:

@@ -33,8 +33,9 @@ BAD = (
 def element_order(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds children of `<package>` that stand out of the schema's order: name, version, description, maintainer,
-    license, url, author, dependencies (in any order), group_depend, member_of_group, export.
+    Finds children of `<package>` that are not in the schema's order.
+    The order is name, version, description, maintainer, license, url, author, dependencies (in any order),
+    group_depend, member_of_group, export.
 
     ## Why is this bad?
     colcon does not mind. `ament_xmllint`, which the tests of every package made by `ros2 pkg create` run, fails on it,

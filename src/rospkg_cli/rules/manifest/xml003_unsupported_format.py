@@ -37,8 +37,8 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
 def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a `format` that is none of 1, 2 and 3, and a `<package>` without a format that uses tags of format 2 or 3:
-    without one it is format 1.
+    Finds a `format` other than 1, 2 and 3, and tags of format 2 or 3 without a `format`.
+    A `<package>` without one is format 1.
 
     ## Why is this bad?
     colcon can't read the manifest: it takes the folder for a plain package, forgets its dependencies, and `ros2 run`

@@ -31,8 +31,9 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
 def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what came with format 3 in a manifest of format 1 or 2: `condition` on a dependency, `group_depend` and
-    `member_of_group`, `compatibility` of a version, `file` of a license.
+    Finds features of format 3 in a manifest of format 1 or 2.
+    They are `condition` on a dependency, `group_depend` and `member_of_group`, `compatibility` of a version, `file` of
+    a license.
 
     ## Why is this bad?
     colcon refuses the manifest: it takes the folder for a plain package, without its dependencies. A package with

@@ -40,8 +40,9 @@ ONE_AS_3 = manifest(
 def outdated_format(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a manifest of format 1 or 2. Its fix makes it one of format 3: `run_depend` becomes `depend` where there is a
-    `build_depend` of the same name, else `build_export_depend` and `exec_depend`.
+    Finds a manifest of format 1 or 2.
+    The fix makes it one of format 3: `run_depend` becomes `depend` where there is a `build_depend` of the same name,
+    else `build_export_depend` and `exec_depend`.
 
     ## Why is this bad?
     It is not wrong: every tool reads the old formats. Conditions, groups and the files of licenses need format 3.

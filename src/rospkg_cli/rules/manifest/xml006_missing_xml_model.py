@@ -40,10 +40,10 @@ GOOD = manifest()
 def missing_xml_model(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a package.xml without the `<?xml-model …?>` line that names its schema, or with the line of another format.
+    Finds a package.xml without the `<?xml-model …?>` line of its format, which names the schema.
 
     ## Why is this bad?
-    Without the line colcon keeps quiet when it can't read the manifest (with it there is a warning), and
+    Without the line colcon says nothing when it can't read the manifest (with it there is a warning), and
     `ament_xmllint` and editors check nothing. With the schema of another format they complain about what is right.
 
     ## References

@@ -38,13 +38,14 @@ def named(name: str) -> dict[str, str]:
 def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds names that are not made of lower case letters, digits and single underscores, begun with a letter, not ended
-    with an underscore, of two characters or more.
+    Finds package names that the schema, colcon, bloom, Python or rosidl refuse.
+    Names are made of lowercase letters, digits and single underscores, begin with a letter, do not end with an
+    underscore, and have two characters or more.
 
     ## Why is this bad?
-    Other names are refused by the schema, and most by colcon or bloom: a `__` parts the names in generated code, Debian
-    has no underscores at the end. A dash or an upper case letter builds, but can't be the name of a Python package,
-    and rosidl refuses it: no interfaces can be generated.
+    Other names are refused by the schema, and most by colcon or bloom: `__` separates the names in generated code,
+    Debian has no underscores at the end. A name with a hyphen or an uppercase letter builds, but rosidl refuses it: no
+    interfaces can be generated. Python can't import a package whose name has a hyphen.
 
     ## References
     - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)

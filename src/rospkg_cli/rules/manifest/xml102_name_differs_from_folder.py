@@ -40,12 +40,11 @@ GOOD = manifest(build_type="ament_cmake")
 def name_differs_from_folder(package: ManifestInFolder) -> Iterator[Hit]:
     """
     ## What it does
-    Compares the name in package.xml with the folder that the package lies in. The folder that is the root of the run is
-    left out: a repository may be cloned under any name.
+    Finds a name in package.xml that differs from the name of the package's folder.
+    The folder that is the root of the run is left out: a repository may be cloned under any name.
 
     ## Why is this bad?
-    It is allowed, and people look in vain: `ros2 run` and `colcon build --packages-select` want the name, `cd` the
-    folder.
+    It is allowed, but confusing: `ros2 run` and `colcon build --packages-select` take the name, `cd` the folder.
 
     ## References
     - [REP-149, name](https://ros.org/reps/rep-0149.html): "It may differ from the folder name into which it is checked

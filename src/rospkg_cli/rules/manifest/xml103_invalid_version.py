@@ -38,8 +38,9 @@ CMAKE = manifest(build_type="ament_cmake")
 def invalid_version(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds versions that are not three numbers, MAJOR.MINOR.PATCH, without leading zeros; and a `compatibility` that is
-    no such version, or a later one than the package itself.
+    Finds versions that are not MAJOR.MINOR.PATCH.
+    They are three numbers without leading zeros. A `compatibility` must be such a version, and not a later one than the
+    package's own.
 
     ## Why is this bad?
     colcon refuses a manifest with `1.0` or `1.2.3-rc1`, and builds the folder as a plain package. bloom and

@@ -47,12 +47,13 @@ WANTED = "say in one sentence what the package does"
 def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what a template left in package.xml: a `TODO` description or license, an e-mail address at `todo.todo`, a
-    description that is empty or only repeats the name.
+    Finds placeholders that a template left in package.xml.
+    They are a `TODO` description or license, an e-mail address at `todo.todo`, a description that is empty or only
+    repeats the name.
 
     ## Why is this bad?
-    `ros2 pkg list`, the package index and lawyers read these lines. A release with them is refused in review. An empty
-    description is refused by colcon itself.
+    The package index and lawyers read these lines. A release with them is refused in review. An empty description is
+    refused by colcon itself.
     """
     for element in manifest.all("description"):
         shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()

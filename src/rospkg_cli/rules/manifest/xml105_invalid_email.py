@@ -32,8 +32,9 @@ GOOD = manifest()
 def invalid_email(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds maintainers without an e-mail address, and addresses of maintainers and authors that release tools can't
-    read: words of letters, digits and `-_%+` joined by dots, an `@`, a domain that ends in letters.
+    Finds maintainers without an e-mail address, and addresses that release tools refuse.
+    Addresses of maintainers and authors are words of letters, digits and `-_%+` joined by dots, an `@`, and a domain
+    that ends in letters.
 
     ## Why is this bad?
     colcon refuses the manifest and builds the folder as a plain package, without its dependencies; `ros2 run` does not

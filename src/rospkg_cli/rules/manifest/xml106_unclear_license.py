@@ -35,12 +35,13 @@ TWO = CMAKE.replace("<license>Apache-2.0</license>", "<license>BSD-3-Clause</lic
 def unclear_license(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a `<license>` that names several licenses, or that tells a story instead of naming one. Expressions of SPDX
-    that leave a choice or make an exception (`MIT OR Apache-2.0`, `GPL-2.0-only WITH …`) are left alone.
+    Finds a `<license>` that names several licenses, or describes one instead of naming it.
+    Expressions of SPDX that leave a choice or make an exception (`MIT OR Apache-2.0`, `GPL-2.0-only WITH …`) are left
+    alone.
 
     ## Why is this bad?
-    Tools that collect licenses read one name a tag: what stands there is no license that they know, and the package
-    counts as unlicensed.
+    Tools that collect licenses read one name for each tag: they do not know this one, and the package counts as
+    unlicensed.
 
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "only include the license name in this tag. For multiple

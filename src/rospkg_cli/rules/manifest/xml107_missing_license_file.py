@@ -33,10 +33,10 @@ GOOD = manifest().replace("<license>", '<license file="LICENSE">')
 def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a license whose `file` is not there, is an absolute path, or lies outside of the package.
+    Finds a license whose `file` does not exist, is an absolute path, or is outside of the package.
 
     ## Why is this bad?
-    bloom refuses to release the package: what it packs is the package's folder, and the license text is not in it.
+    bloom refuses to release the package: it packs the package's folder, and the license text is not in it.
 
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "A path relative to the package.xml file"

@@ -37,8 +37,8 @@ GOOD = manifest().replace("</license>", URL.format("bugtracker"))
 def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a `type` of a `<url>` that is none of website, bugtracker and repository. What is meant is put in its place
-    where that can be told; else the attribute goes, which means a website.
+    Finds a `type` of a `<url>` that is none of website, bugtracker and repository.
+    The fix writes the type that is nearly so, if there is one; else it removes the attribute, which means website.
 
     ## Why is this bad?
     The schema refuses it (`ament_xmllint` fails), and the package index shows no link.

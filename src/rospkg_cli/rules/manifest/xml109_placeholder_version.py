@@ -31,8 +31,7 @@ def placeholder_version(manifest: Manifest) -> Iterator[Hit]:
     Finds the version 0.0.0, which every template begins with.
 
     ## Why is this bad?
-    It can't be released: catkin_prepare_release and bloom count up from the version that is there, and nobody can say
-    "newer than".
+    It can't be released: catkin_prepare_release and bloom increase the version that is there.
     """
     element = manifest.first("version")
     if element is not None and element.text == "0.0.0":

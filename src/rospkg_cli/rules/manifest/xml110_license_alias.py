@@ -38,13 +38,13 @@ GOOD = manifest(build_type="ament_cmake")
 def license_alias(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds licenses that are named by something else than their SPDX id, where the id is known.
+    Finds licenses that are not named by their SPDX id, where the id is known.
 
     ## Why is this bad?
     People know what `Apache License 2.0` means. Tools that collect the licenses of a product read `Apache-2.0`.
 
     ## Fix safety
-    `GPLv3` may mean "version 3 only" or "or later": that fix is unsafe, and writes `-only`, which promises less.
+    `GPLv3` may mean "version 3 only" or "or later": that fix is unsafe, and writes `-only`, which grants less.
 
     ## References
     - [SPDX license list](https://spdx.org/licenses/)

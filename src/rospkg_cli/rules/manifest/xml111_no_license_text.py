@@ -36,11 +36,12 @@ MANIFEST = manifest()
 def no_license_text(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages with neither a license text of their own (LICENSE, LICENCE, COPYING, a folder LICENSES) nor one in a
-    folder above them, up to the root of the run.
+    Finds packages without a license text in their folder or in one above.
+    It is LICENSE, LICENCE, COPYING or a folder LICENSES, in the package or in a folder above it, up to the root of the
+    run.
 
     ## Why is this bad?
-    Most licenses want their text to go with the software. The review for a ROS distribution asks for it.
+    Most licenses require their text to be distributed with the software. The review for a ROS distribution asks for it.
 
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "Many licenses require including the license text"

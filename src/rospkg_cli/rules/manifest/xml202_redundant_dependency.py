@@ -8,7 +8,7 @@ from ...checks.manifest.manifest_inputs import ManifestForTargets
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...languages.rep149_condition import together
+from ...languages.rep149_condition import can_hold_together
 from ...package.manifest import Dependency, Manifest
 from ...ros.manifest import PART_OF_DEPEND
 from ...rule import rule
@@ -42,12 +42,14 @@ GOOD = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
 def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a `build_depend`, `build_export_depend` or `exec_depend` of a name that a `depend` names as well, unless their
+    Finds dependencies that another tag of the same name includes.
+    It is a `build_depend`, `build_export_depend` or `exec_depend` of a name that has a `depend` as well, unless their
     conditions exclude each other; in format 1 a `test_depend` of a name that is built or run with anyway.
 
     ## Why is this bad?
     `<depend>` means all three. Where the attributes are equal too, colcon refuses the manifest and builds the folder as
-    a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten.
+    a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten when the
+    dependency changes.
 
     ## References
     - [REP-149, depend](https://ros.org/reps/rep-0149.html): "cannot be used in combination with any of the three
@@ -64,7 +66,9 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
             continue
         for whole in wholes.get(each.name, ()):
             refused = whole.key == each.key
-            if refused or (newer and together(each.condition, whole.condition, package.targets.environments())):
+            if refused or (
+                newer and can_hold_together(each.condition, whole.condition, package.targets.environments())
+            ):
                 yield hit(manifest, each, whole, refused)
                 break
 

@@ -41,14 +41,15 @@ GOOD = manifest('  <exec_depend condition="$ROS_DISTRO == jazzy">tf2_ros</exec_d
 def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Reads each `condition` by the grammar of REP-149: comparisons (`==`, `!=`, `<`, `<=`, `>`, `>=`) of `$VARIABLE`s and
-    values, `and`, `or`, parentheses. Warns of a variable without `$`, of variables that no ROS environment has, and of
-    numbers compared by size.
+    Finds invalid or misleading `condition` attributes (REP-149).
+    A condition is made of comparisons (`==`, `!=`, `<`, `<=`, `>`, `>=`) of `$VARIABLE`s and values, `and`, `or`, and
+    parentheses. Misleading are a variable without `$`, variables that no ROS environment has, and numbers compared by
+    size.
 
     ## Why is this bad?
     colcon prints a traceback for a condition that it can't read, then builds the folder as a plain package and ends
-    with success. A name without `$` is a text like any other and never equal to `jazzy`; all comparisons are of texts,
-    so that `10` is less than `9`.
+    with success. A name without `$` is a string like any other and never equal to `jazzy`; all values are compared as
+    strings, so that `10` is less than `9`.
 
     ## References
     - [REP-149, condition](https://ros.org/reps/rep-0149.html)

@@ -47,12 +47,13 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
 def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds version limits that are no version (`1`, `1.2`, `1.2.3`), that no version can meet, or of which some say
-    nothing: three and more, or others beside `version_eq`.
+    Finds version limits that are invalid, contradictory or redundant.
+    Valid are versions such as `1`, `1.2` and `1.2.3`. Limits are contradictory if no version can meet them, and
+    redundant if there are three or more, or others in addition to `version_eq`.
 
     ## Why is this bad?
-    colcon reads over them. The schema refuses the first kind, and a Debian package made by bloom can't be installed
-    where no version fits.
+    colcon ignores them. The schema refuses the first kind, and a Debian package made by bloom can't be installed where
+    no version fits.
 
     ## References
     - [REP-149, build_depend](https://ros.org/reps/rep-0149.html): "Two of these attributes can be used together to

@@ -27,11 +27,11 @@ BAD = manifest("  <!-- frames -->\n  <exec_depend>tf2_ros</exec_depend>\n  <exec
 def unsorted_dependencies(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds dependencies of one tag that do not stand in the order of the alphabet. The fix sorts each tag in the places
-    that it has; `rospkg format` also brings the tags together.
+    Finds dependencies of one tag that are not sorted alphabetically.
+    The fix sorts each tag in the places that it has; `rospkg format` also brings the tags together.
 
     ## Why is this bad?
-    It is a matter of taste: in a sorted list duplicates are seen, and two people's additions rarely conflict.
+    It is a matter of taste: in a sorted list duplicates are easy to see, and additions rarely conflict.
     """
     for tag in DEPENDENCY_TAGS:
         found = manifest.all(tag)

@@ -27,7 +27,8 @@ from ...rule import rule
 def ament_python_dependency(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a dependency on `ament_python`. The build type of that name is right; a package of that name does not exist.
+    Finds a dependency on `ament_python`.
+    The build type of that name is right; a package of that name does not exist.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]", and bloom refuses to release.

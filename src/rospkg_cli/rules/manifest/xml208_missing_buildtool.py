@@ -36,12 +36,12 @@ NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
 def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages of build type ament_cmake that declare no dependency on ament_cmake, on one of its parts
-    (ament_cmake_auto, ament_cmake_ros, …) or on a package that wraps it.
+    Finds ament_cmake packages that declare no dependency on ament_cmake.
+    One of its parts (ament_cmake_auto, ament_cmake_ros, …), or a package that wraps it, will do.
 
     ## Why is this bad?
-    It builds where ament_cmake happens to be sourced. In a workspace that builds ament_cmake itself the order is left
-    to chance, and on the build farm CMake ends with `Could not find a package configuration file provided by
+    It builds where ament_cmake happens to be sourced. In a workspace that builds ament_cmake itself the order is
+    undefined, and on the build farm CMake ends with `Could not find a package configuration file provided by
     "ament_cmake"`.
 
     ## References

@@ -31,7 +31,7 @@ def empty_dependency(manifest: Manifest) -> Iterator[Hit]:
     Finds dependencies and groups without a name.
 
     ## Why is this bad?
-    colcon reads over them. `rosdep install` asks for a key without a name and fails, and bloom writes a Debian control
+    colcon ignores them. `rosdep install` looks up a key without a name and fails, and bloom writes a Debian control
     file that can't be read.
     """
     for element in [*(each.element for each in manifest.dependencies), *manifest.all(*NEW_IN[3])]:

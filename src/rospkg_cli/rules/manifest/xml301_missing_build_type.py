@@ -44,8 +44,8 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
 def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     """
     ## What it does
-    Finds manifests without a `<build_type>` (in `<export>`) that holds in ROS 2. Packages that depend on catkin and on
-    no ament_cmake are ROS 1's, and left alone.
+    Finds manifests without a `<build_type>` (in `<export>`) that holds in ROS 2.
+    Packages that depend on catkin and on no ament_cmake are ROS 1's, and left alone.
 
     ## Why is this bad?
     Without one the package counts as a catkin package: colcon looks for a CMakeLists.txt with catkin in it, and a

@@ -35,8 +35,8 @@ GOOD = manifest()
 def unknown_build_type(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds build types that neither ROS 2 nor an extension of colcon that we know of has (ament_cargo, ament_gradle,
-    bazel, …). More are named in the config: `build-types = ["ours"]`.
+    Finds build types that neither ROS 2 nor a known extension of colcon has.
+    Known are ament_cargo, ament_gradle, bazel and others. More are named in the config: `build-types = ["ours"]`.
 
     ## Why is this bad?
     colcon warns in one line that it doesn't know how to build the package, builds nothing, and ends with success.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestForTargets
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...languages.rep149_condition import together
+from ...languages.rep149_condition import can_hold_together
 from ...rule import rule
 
 GOOD = manifest()
@@ -32,7 +32,8 @@ GOOD = manifest()
 def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a second `<build_type>` that holds at the same time as the first, once the conditions are evaluated.
+    Finds a second `<build_type>` that holds at the same time as the first.
+    Conditions are evaluated.
 
     ## Why is this bad?
     REP-149 says that the last one counts. colcon does not think so: it warns, builds the folder as a plain package,
@@ -46,7 +47,7 @@ def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
     found = list(manifest.build_types(package.targets))
     for index, element in enumerate(found):
         for other in found[:index]:
-            if together(other.get("condition"), element.get("condition"), environments):
+            if can_hold_together(other.get("condition"), element.get("condition"), environments):
                 message = (
                     f"`{element.text}` is a second build type that holds beside `{other.text}`: colcon builds "
                     f"the folder as a plain package; keep one, or give each a condition such as `$ROS_VERSION == 2`"

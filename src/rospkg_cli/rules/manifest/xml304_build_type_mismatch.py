@@ -40,7 +40,8 @@ GOOD = manifest(build_type="ament_cmake")
 def build_type_mismatch(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages of build type ament_python without a setup.py, and of ament_cmake or cmake without a CMakeLists.txt.
+    Finds packages whose setup.py or CMakeLists.txt is missing for their build type.
+    ament_python needs a setup.py, ament_cmake and cmake a CMakeLists.txt.
 
     ## Why is this bad?
     `colcon build` fails: "setup.py not found", or CMake's "does not appear to contain CMakeLists.txt".

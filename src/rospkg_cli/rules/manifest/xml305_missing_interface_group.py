@@ -51,14 +51,14 @@ def without(line: str) -> Example:
 def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages whose CMakeLists.txt calls `rosidl_generate_interfaces` and whose package.xml lacks one of the three
-    things that go with it: the membership in the group `rosidl_interface_packages`, the generators to build with, the
-    runtime to run with.
+    Finds interface packages whose package.xml lacks a group, a generator or a runtime.
+    Their CMakeLists.txt calls `rosidl_generate_interfaces`. It needs the membership in the group
+    `rosidl_interface_packages`, the generators to build with, and the runtime to run with.
 
     ## Why is this bad?
     Without the group, CMake stops: "Packages installing interfaces must include `<member_of_group>…` in their
-    package.xml". Without the generators the build fails on a clean machine, without the runtime whoever installs the
-    package can't import its messages.
+    package.xml". Without the generators the build fails on a clean machine, without the runtime users of the package
+    can't import its messages.
 
     ## References
     - [Interfaces, package.xml](https://docs.ros.org/en/rolling/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html)

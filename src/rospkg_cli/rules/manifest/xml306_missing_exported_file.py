@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestAndInstalls
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...languages.rep149_condition import possible
+from ...languages.rep149_condition import may_hold
 from ...ros.plugins import RQT
 from ...rule import rule
 from ...suggest import nearest
@@ -54,13 +54,13 @@ CORE = GOOD.replace("rqt_gui", "nav2_core")
 def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
     """
     ## What it does
-    Finds `<export>` entries whose `plugin="${prefix}/…"` names a file that is not there, and those of rqt whose file
-    is there and not installed.
+    Finds `<export>` entries whose plugin description does not exist or is not installed.
+    They are named by `plugin="${prefix}/…"`; that the file is installed is checked for rqt.
 
     ## Why is this bad?
-    `${prefix}` is the package's share directory. rqt reads that file, doesn't find it, and the plug-in is not offered;
-    nothing fails at build time. For others (pluginlib, rviz) ROS 2 goes by `pluginlib_export_plugin_description_file`
-    in CMakeLists.txt: there the line is a left-over that misleads.
+    `${prefix}` is the package's share directory. rqt reads that file, doesn't find it, and the plugin is not in its
+    menu; nothing fails at build time. For others (pluginlib, rviz) ROS 2 uses
+    `pluginlib_export_plugin_description_file` in CMakeLists.txt: there the line is stale and misleading.
 
     ## References
     - [REP-149, export](https://ros.org/reps/rep-0149.html)
@@ -73,7 +73,7 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         path = posixpath.normpath(attribute.value.strip().replace("${prefix}", "").lstrip("/"))
         rqt = element.tag in RQT
         what = f"`{path}`, exported to `{element.tag}`,"
-        if "$" in path or not possible(element.get("condition"), package.targets.environments()):
+        if "$" in path or not may_hold(element.get("condition"), package.targets.environments()):
             continue
         if not package.files.exists(path):
             meant = suggested(package, path)

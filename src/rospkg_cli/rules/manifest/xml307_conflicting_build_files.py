@@ -26,12 +26,12 @@ MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<
 def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a CMakeLists.txt in a package of build type ament_python, and a setup.py in one of ament_cmake that uses
-    nothing of ament_cmake_python. Packages for ROS 1 and 2 (catkin, conditions) are left alone.
+    Finds a CMakeLists.txt in an ament_python package, and an unused setup.py in an ament_cmake one.
+    A setup.py is used by ament_cmake_python. Packages for ROS 1 and 2 (catkin, conditions) are left alone.
 
     ## Why is this bad?
-    colcon reads one of the two and ignores the other. What the ignored one would install is not there, and everybody
-    who reads the package believes that it is.
+    colcon reads one of the two and ignores the other. What the ignored one would install is missing, although the
+    package seems to install it.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)

@@ -42,16 +42,16 @@ listener:
 def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds blocks of nodes in a parameter file whose values do not stand below `ros__parameters:`, and wrong spellings
-    of that word: it has two `_` in the middle and an `s` at the end.
+    Finds parameter files with a missing or misspelt `ros__parameters:` below a node.
+    It has two `_` in the middle and an `s` at the end.
 
     ## Why is this bad?
     rcl refuses the whole file: "Cannot have a value before ros__parameters". Every node that is given the file stops
     when it starts.
 
     ## Fix safety
-    The spelling is repaired safely. A missing `ros__parameters:` is put above all that the block holds, which is
-    right unless a namespace was meant.
+    The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
+    wrong if the block is a namespace.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c

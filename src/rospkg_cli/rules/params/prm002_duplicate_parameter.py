@@ -44,12 +44,12 @@ talker:
 def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds names that stand twice in one mapping of a parameter file: parameters, groups of them, nodes. `a.b: 1` and
-    `a: {b: 2}` are one name.
+    Finds duplicate names in one mapping of a parameter file.
+    They are parameters, groups of parameters or nodes. `a.b: 1` and `a: {b: 2}` are one name.
 
     ## Why is this bad?
-    Nobody complains. rcl takes the last value and joins blocks; what reads YAML in Python (composable nodes in launch
-    files, nav2's RewrittenYaml) keeps only the last block, and all parameters of the first are gone.
+    There is no warning. rcl takes the last value and joins blocks; what reads YAML in Python (composable nodes in
+    launch files, nav2's RewrittenYaml) keeps only the last block, and all parameters of the first are gone.
 
     ## References
     ros2/rclcpp#2166

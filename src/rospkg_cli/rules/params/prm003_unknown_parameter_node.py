@@ -47,15 +47,16 @@ sim_node:
 def unknown_parameter_node(launched: LaunchedParameters) -> Iterator[Hit]:
     """
     ## What it does
-    Finds blocks of a parameter file that belong to no node that the launch files here start, where a node that is
-    given the file, and that has no block in it, has a near name.
+    Finds parameters for a node that no launch file starts, where a similar node lacks them.
+    The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
+    in it, has a similar name.
 
     ## Why is this bad?
-    rcl goes by the node's name, the one that the launch file gives it, and passes over all other blocks without a
-    word: the node runs with its defaults.
+    rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
+    runs with its defaults.
 
     ## Fix safety
-    The file may be meant for another node as well, one that is started elsewhere.
+    The file may be for another node as well, one that is started elsewhere.
     """
     for file, block, given in launched.misnamed():
         key = block.key.text

@@ -47,12 +47,13 @@ filter:
 def ambiguous_number(launched: LaunchedParameters) -> Iterator[Hit]:
     """
     ## What it does
-    Finds numbers that rcl and YAML 1.1 read differently: `1e-9` is a number for rcl and a text for PyYAML, `10_000`
-    the other way round, and `010` is 8 for both. In a list the first of a kind stands for all.
+    Finds numbers that rcl and YAML 1.1 read differently.
+    `1e-9` is a number for rcl and a string for PyYAML, `10_000` the other way round, and `010` is 8 for both. In a list
+    only the first of a kind is reported.
 
     ## Why is this bad?
     A node reads its file through rcl. Launch files read the same file through PyYAML when they pass it to a composable
-    node or rewrite it: the parameter arrives as a text, and the node stops with an invalid type.
+    node or rewrite it: the parameter arrives as a string, and the node stops with an invalid type.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...checks.params.owners import PackageParameters, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...languages.yaml.nodes import Scalar, Sequence
+from ...languages.yaml.nodes import ScalarNode, SequenceNode
 from ...package.params.file import Parameter
 from ...rule import rule
 
@@ -49,9 +49,10 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
 def parameter_type_mismatch(scope: PackageParameters) -> Iterator[Hit]:
     """
     ## What it does
-    Compares the values in a parameter file with the types that the code declares: `declare_parameter` and its like in
-    C++ and Python, and definitions for generate_parameter_library. Whose parameters a block holds is told by their
-    names: a package that declares most of them. Where declarations differ, nothing is said.
+    Finds values in a parameter file whose type differs from the declared type.
+    Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
+    generate_parameter_library. A block belongs to the package that declares most of its names. Where declarations
+    differ, nothing is reported.
 
     ## Why is this bad?
     A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
@@ -74,8 +75,8 @@ DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)")
 def as_double(path: str, parameter: Parameter) -> Fix | None:
     """Put `.0` behind whole numbers that are written in decimal."""
     value = parameter.value
-    items = value.items if isinstance(value, Sequence) else [value]
-    numbers = [item for item in items if isinstance(item, Scalar) and DECIMAL.fullmatch(item.text)]
+    items = value.items if isinstance(value, SequenceNode) else [value]
+    numbers = [item for item in items if isinstance(item, ScalarNode) and DECIMAL.fullmatch(item.text)]
     if len(numbers) != len(items):
         return None
     edits = tuple(Edit(path, number.span, f"{number.text}.0") for number in numbers)

@@ -56,18 +56,17 @@ talker:
 def unknown_parameter(scope: PackageParameters) -> Iterator[Hit]:
     """
     ## What it does
-    Finds values for parameters that no code declares, where the package that declares the others of the block has one
-    of a near name that the block does not give.
-
-    In C++ the same is asked of `get_parameter`: a name that nobody declares, in a file that declares a near one which
-    nobody gets.
+    Finds values for parameters that no code declares, where a similar name is declared.
+    The package that declares the other parameters of the block declares the similar one, and the block does not give
+    it. In C++ `get_parameter` is checked likewise: a name that is not declared, in a file that declares a similar one
+    without getting it.
 
     ## Why is this bad?
-    Nobody complains: the value is dropped, and the node runs with its default; or it stops at a
+    There is no warning: the value is dropped, and the node runs with its default; or it stops with a
     ParameterNotDeclaredException, or goes on with a variable that was never set.
 
     ## Fix safety
-    The name that is near may not be the one that was meant.
+    The similar name may not be the right one.
     """
     for group in scope.groups():
         for parameter, meant in group.unknown():

@@ -79,10 +79,10 @@ FILES = {
 def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     """
     ## What it does
-    Finds parameters that a node's code declares without a default value (`declare_parameter<double>("rate")`), and
-    that a launch file which starts the node gives neither itself nor in a parameter file. Also copies of a package's
-    own parameter file that lack such a parameter, and names in a list of plug-ins that have no group of their own,
-    while another group has no name in the list.
+    Finds parameters without a default that neither the launch file nor a parameter file sets.
+    A node's code declares them (`declare_parameter<double>("rate")`), and a launch file starts the node. It also finds
+    copies of a package's own parameter file that lack such a parameter, and names in a list of plugins that have no
+    group of their own, while another group has no name in the list.
 
     ## Why is this bad?
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".

@@ -54,9 +54,9 @@ def example(bad: str, good: str) -> Example:
 def invalid_parameter_library(library: ParameterLibrary) -> Iterator[Hit]:
     """
     ## What it does
-    Reads the definitions that are given to `generate_parameter_library` or `generate_parameter_module`: every
-    parameter has a type that exists, a default of that type (as PyYAML reads it: `1e-3` is a text, `1.0e-3` a number),
-    fields and validators that exist.
+    Finds invalid definitions for `generate_parameter_library`.
+    Every parameter has a type that exists, a default of that type (as PyYAML reads it: `1e-3` is a string, `1.0e-3` a
+    number), fields and validators that exist. The same holds for `generate_parameter_module`.
 
     ## Why is this bad?
     The generator stops the build with a traceback, or writes a header that does not compile.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.plugins.exported_classes import ExportedClass
-from ...checks.plugins.plugin_package import Entry, PluginPackage
+from ...checks.plugins.plugin_package import DescribedPlugin, PluginPackage
 from ...edits.cmake_commands import add_before
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
@@ -79,20 +79,18 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
     """
     ## What it does
-    Compares both sides of a plug-in: what the descriptions (`<class type="…">`) name, and what sources export with
-    PLUGINLIB_EXPORT_CLASS. Finds classes of a description that no source exports, exported classes without a
-    description, and descriptions that CMake does not export with `pluginlib_export_plugin_description_file`.
-
-    Only sources that certainly become part of a library count; what a macro of another package may register, or what
-    is compiled conditionally, is left alone.
+    Finds plugins that are exported in C++ and not described, or described and not exported.
+    It compares the descriptions (`<class type="…">`) with PLUGINLIB_EXPORT_CLASS in the sources, and finds descriptions
+    that CMake does not export with `pluginlib_export_plugin_description_file`. Only sources that certainly become part
+    of a library count; what a macro of another package may register, or is compiled conditionally, is left alone.
 
     ## Why is this bad?
-    pluginlib finds a plug-in by its description, and in the library by exactly the text that the macro was given. A
+    pluginlib finds a plugin by its description, and in the library by exactly the string that the macro was given. A
     class that has one without the other is not offered, or can't be created; nothing fails at build time.
 
     ## Fix safety
-    The type of a description is set to what the source exports. That an export of the description is missing in CMake
-    is mended only with `--unsafe-fixes`: the package that it goes to is taken from the base class.
+    The type of a description is set to what the source exports. A missing export of the description in CMake is added
+    only with `--unsafe-fixes`: its package is taken from the base class.
     """
     for entry in package.unmade():
         yield unmade(package, entry)
@@ -106,7 +104,7 @@ def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
         yield Hit(exported.path, exported.span, message, Severity.WARNING)
 
 
-def unmade(package: PluginPackage, entry: Entry) -> Hit:
+def unmade(package: PluginPackage, entry: DescribedPlugin) -> Hit:
     kind, file, meant = entry.plugin.type, entry.description.file, package.meant(entry)
     if meant is None:
         message = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.unknown_plugins import Sought, Unknown
+from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -62,27 +62,26 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
-    Finds names of plug-ins in parameters, rviz layouts and robots (`plugin: my_pkg/Planner`) that no description has,
-    where a package around should: the one that the name begins with, or, where that is no package at all, the one that
-    has a plug-in of the same class. Components and interfaces, which may be named alike, are left alone.
-
-    Where only the package with the description is checked, it is reported there.
+    Finds plugin names in parameters, RViz configs and robots that no plugin description has.
+    For a name such as `plugin: my_pkg/Planner` a package of the workspace should have it: the one that the name begins
+    with, or, where that is no package, the one that has a plugin of the same class. Components and interfaces, whose
+    names may be alike, are left alone. Where only the package with the description is checked, it is reported there.
 
     ## Why is this bad?
-    A plug-in is looked up by its name, letter by letter; `my_pkg/Planner` and `my_pkg::Planner` are two names. The
-    server that should load it stops at start: "… with base class type … does not exist".
+    A plugin is found by its exact name; `my_pkg/Planner` and `my_pkg::Planner` are two names. The server that should
+    load it stops when it starts: "… with base class type … does not exist".
 
     ## Fix safety
-    Another name is written only with `--unsafe-fixes`: the description may be what is wrong.
+    The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
-    for unknown in Sought(workspace).unknown():
+    for unknown in PluginReferences(workspace).unknown():
         if unknown.user.folder in workspace.given:
             yield at_use(unknown)
         elif unknown.meant is not None and unknown.owner.folder in workspace.given:
             yield at_description(unknown)
 
 
-def at_use(unknown: Unknown) -> Hit:
+def at_use(unknown: UnknownPlugin) -> Hit:
     use, owner, meant = unknown.use, unknown.owner, unknown.meant
     path = unknown.user.at(use.path)
     if meant is None:
@@ -94,7 +93,7 @@ def at_use(unknown: Unknown) -> Hit:
     return Hit(path, use.span, message, related=related, fix=only_plain(fix, meant.name))
 
 
-def at_description(unknown: Unknown) -> Hit:
+def at_description(unknown: UnknownPlugin) -> Hit:
     use, meant = unknown.use, unknown.meant
     assert meant is not None
     message = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.library_paths import PluginLibraries, WrongLibrary
+from ...checks.plugins.library_paths import PluginLibraries, WrongLibraryPath
 from ...edits.cmake_commands import add_before
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
@@ -76,12 +76,13 @@ FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOU
 def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     """
     ## What it does
-    Checks the library that a plug-in description names (`<library path="…">`): a target of the package makes it, its
-    name is given without `lib`, folder and suffix, it is no static library, and it is installed.
+    Finds `<library path="…">` in plugin descriptions that pluginlib can't load.
+    A target of the package builds the library, its name is given without `lib`, folder and suffix, it is no static
+    library, and it is installed.
 
     ## Why is this bad?
-    pluginlib looks for `lib<path>.so` below the prefix of the package, and only when the plug-in is asked for: "Could
-    not find library corresponding to plugin … Make sure the plugin description XML file has the correct name".
+    pluginlib looks for `lib<path>.so` below the prefix of the package, and only when the plugin is loaded: "Could not
+    find library corresponding to plugin … Make sure the plugin description XML file has the correct name".
     """
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None
@@ -89,7 +90,7 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
         yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
 
 
-def told(libraries: PluginLibraries, wrong: WrongLibrary) -> str:
+def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
     path, meant, plugin = wrong.path.value, wrong.meant, wrong.entry.plugin.called
     match wrong.fault:
         case "prefixed":
@@ -105,7 +106,7 @@ def told(libraries: PluginLibraries, wrong: WrongLibrary) -> str:
     return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded"
 
 
-def fixed(libraries: PluginLibraries, wrong: WrongLibrary) -> Fix | None:
+def fixed(libraries: PluginLibraries, wrong: WrongLibraryPath) -> Fix | None:
     if wrong.fault in ("prefixed", "unknown") and wrong.meant:
         safety = Safety.SAFE if wrong.certain else Safety.UNSAFE
         edit = Edit(wrong.entry.description.file, wrong.path.value_span, wrong.meant)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.base_classes import Astray, Misnamed, Misplaced, PluginBases
+from ...checks.plugins.base_classes import PluginBases, UnmatchedLoader, WrongBaseClass, WrongExport
 from ...edits.cmake_commands import literal
 from ...edits.plain_names import only_plain
 from ...example import CMAKE, Example, manifest
@@ -62,17 +62,17 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     """
     ## What it does
-    Checks that plug-ins and their loaders find each other. A description must be exported to the package that the
-    loader names (`pluginlib::ClassLoader<Base>("package", "Base")`), and its `base_class_type` must be the text that
-    the loader has. Known are the loaders of the packages around, and those of navigation2, moveit2, ros2_control and
-    rviz; of other base classes nothing is said.
+    Finds plugins whose base class or package differs from what their loader uses.
+    A description must be exported to the package that the loader names (`pluginlib::ClassLoader<Base>("package",
+    "Base")`), and its `base_class_type` must be the string that the loader has. Known are the loaders of the workspace,
+    and those of navigation2, moveit2, ros2_control and rviz; plugins of other base classes are left alone.
 
     ## Why is this bad?
-    The plug-in does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
+    The plugin does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
     type … does not exist". A loader for a package that isn't there throws at once.
 
     ## Fix safety
-    The text of the base class is written as the loader has it. Another package is written only with `--unsafe-fixes`.
+    The base class is written as the loader has it. The package is changed only with `--unsafe-fixes`.
     """
     for misplaced in bases.misplaced():
         yield at_export(bases, misplaced)
@@ -82,7 +82,7 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
         yield at_loader(astray)
 
 
-def at_export(bases: PluginBases, found: Misplaced) -> Hit:
+def at_export(bases: PluginBases, found: WrongExport) -> Hit:
     at, file = found.exported, found.description.file
     if not found.owners:
         return Hit(at.path, at.base_span, f"`{file}` is exported to `{at.base}`, which is no package that is known")
@@ -94,7 +94,7 @@ def at_export(bases: PluginBases, found: Misplaced) -> Hit:
     return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain(fix, found.owners[0]))
 
 
-def written(bases: PluginBases, found: Misplaced) -> Fix | None:
+def written(bases: PluginBases, found: WrongExport) -> Fix | None:
     """Return the fix that writes another package, where this one stands there as it is."""
     assert bases.package is not None
     source: Source = bases.package.cmake.file(found.exported.path).source
@@ -103,14 +103,14 @@ def written(bases: PluginBases, found: Misplaced) -> Fix | None:
     return Fix(f"export it to `{found.owners[0]}`", (edit,), Safety.UNSAFE) if edit else None
 
 
-def at_class(found: Misnamed) -> Hit:
+def at_class(found: WrongBaseClass) -> Hit:
     base, file = found.plugin.base, found.description.file
     message = f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.meant}`"
     fix = Fix(f"write `{found.meant}`", (Edit(file, base.value_span, found.meant),))
     return Hit(file, base.value_span, message, fix=only_plain(fix, found.meant))
 
 
-def at_loader(found: Astray) -> Hit:
+def at_loader(found: UnmatchedLoader) -> Hit:
     package, base = found.loader.names
     argument = found.loader.package
     message = f"`{package}` is no package that is known, so the loader of `{base}` throws when it is made"

@@ -44,13 +44,13 @@ XML = """\
 def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     """
     ## What it does
-    Finds descriptions of rqt plug-ins (`base_class_type="rqt_gui_py::Plugin"`) that package.xml does not export with
-    `<rqt_gui plugin="${prefix}/…"/>`. Of plug-ins in C++, which rqt finds by what CMake exports, one that is left out
-    while package.xml has the others is reported as information.
+    Finds rqt plugins that package.xml does not export with `<rqt_gui plugin="…"/>`.
+    They are described with `base_class_type="rqt_gui_py::Plugin"`. Plugins in C++, which rqt finds by what CMake
+    exports, are reported at info level where package.xml has the others.
 
     ## Why is this bad?
-    rqt reads the package.xml of every installed package to find its plug-ins in Python: one that is not in there is
-    missing from the menu, and nothing says why.
+    rqt reads the package.xml of every installed package to find its plugins in Python: one that is not exported is
+    missing from the menu, without a message.
     """
     for description, tag in plugins.hidden():
         line = export_of(description, tag)

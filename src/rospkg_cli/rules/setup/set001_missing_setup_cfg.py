@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.script_dir import ScriptHome
+from ...checks.setup.script_dir import ScriptDir
 from ...edits.setup_cfg import new_setup_cfg
 from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -17,7 +17,7 @@ DECLARED = manifest("  <exec_depend>rclpy</exec_depend>\n")
 @rule(
     "SET001",
     "missing-setup-cfg",
-    over=ScriptHome,
+    over=ScriptDir,
     severity=Severity.ERROR,
     levels={Severity.INFO: "no executable runs a node: a command line tool may well want bin/"},
     examples=(
@@ -41,7 +41,7 @@ DECLARED = manifest("  <exec_depend>rclpy</exec_depend>\n")
         ),
     ),
 )
-def missing_setup_cfg(home: ScriptHome) -> Iterator[Hit]:
+def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
     """
     ## What it does
     Finds a package with executables and no setup.cfg.

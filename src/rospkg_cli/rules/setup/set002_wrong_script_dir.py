@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.script_dir import ScriptHome
+from ...checks.setup.script_dir import ScriptDir
 from ...edits.setup_cfg import put_option, replace_value
 from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -23,18 +23,18 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
 @rule(
     "SET002",
     "wrong-script-dir",
-    over=ScriptHome,
+    over=ScriptDir,
     severity=Severity.ERROR,
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
         Example(bad={**PACKAGE, "setup.cfg": HALF}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
     ),
 )
-def wrong_script_dir(home: ScriptHome) -> Iterator[Hit]:
+def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a setup.cfg that puts the executables of nodes elsewhere than into `lib/<package>`: `[install]
-    install_scripts` or `[develop] script_dir` is missing, or names another package.
+    Finds a setup.cfg that does not install executables to `lib/<package>`.
+    `[install] install_scripts` or `[develop] script_dir` is missing, or names another package.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone. The build is green, and then there is "No executable

@@ -22,7 +22,8 @@ BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts
 def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
     """
     ## What it does
-    Finds options of setup.cfg that are spelt with a dash: `script-dir`, `install-scripts`.
+    Finds options of setup.cfg that are spelt with a hyphen.
+    They are `script-dir` and `install-scripts`.
 
     ## Why is this bad?
     setuptools warns about them since version 54, stopped the build on them in 78.0.1, and took that back only for the

@@ -37,8 +37,8 @@ PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
 def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds entry points, of executables and of plug-ins alike, whose module is not there. Modules of other packages,
-    compiled modules and modules that setup.py generates are left alone.
+    Finds entry points, of executables and of plugins, whose module does not exist.
+    Modules of other packages, compiled modules and modules that setup.py generates are left alone.
 
     ## Why is this bad?
     The build does not look: it is green, and `ros2 run` raises ModuleNotFoundError.

@@ -33,8 +33,9 @@ SCRIPT = "print('hello')\n"
 def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds entry points whose module is there and has no such function or class at its top level. Assignments, imports,
-    `if` and `try`, star imports from the package's own modules and `__getattr__` are understood.
+    Finds entry points whose module exists and does not define the function or class.
+    Assignments at the top level, imports, `if` and `try`, star imports from the package's own modules and `__getattr__`
+    are understood.
 
     ## Why is this bad?
     The build is green; starting the executable raises ImportError or AttributeError.

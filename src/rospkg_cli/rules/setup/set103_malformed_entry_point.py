@@ -50,15 +50,16 @@ def one(entry: str) -> dict[str, str]:
 def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds entry points that are not `name = module:function`: no `=`, no `:`, a file's name or path in the place of a
-    module, or two that Python joined to one text because the comma between them is missing.
+    Finds entry points that are not `name = module:function`.
+    There is no `=`, no `:`, a file's name or path instead of a module, or two strings that Python joined because the
+    comma between them is missing.
 
     ## Why is this bad?
-    setuptools from 60 on stops with "'distutils.core.setup()' was never called", and does not say where. The older
-    one of Humble builds, and makes an executable that can't be started, or one with a name that nobody typed.
+    setuptools from 60 on stops with "'distutils.core.setup()' was never called", and does not say where. The older one
+    of Humble builds, and makes an executable that can't be started, or one with a wrong name.
 
     ## Fix safety
-    What was meant is a guess.
+    The intended entry point is a guess.
     """
     for entry in package.setup.entry_points:
         if entry.fault:

@@ -28,14 +28,15 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
 def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
-    Finds entry points whose module is there, but in a Python package that `packages=` (or `py_modules=`) leaves out.
+    Finds entry points whose module exists and is not installed.
+    It is in a Python package that `packages=` (or `py_modules=`) leaves out.
 
     ## Why is this bad?
     The build is green, and `ros2 run` raises ModuleNotFoundError: what is not in `packages` is not copied. A list
-    `packages=[package_name]` holds the top-level package alone, none of those below it.
+    `packages=[package_name]` holds only the top-level package, none of those below it.
 
     ## Fix safety
-    It may be that the module was meant to lie elsewhere.
+    The module may belong elsewhere instead.
     """
     setup = tree.setup
     if not tree.package.installs_all_it_says:

@@ -35,13 +35,13 @@ FILES = {
 def unregistered_main(package: PythonPackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a node with a `main` that has no entry point, although every other node in its folder has one.
+    Finds a node with a `main` and no entry point, where all others in its folder have one.
 
     ## Why is this bad?
     `ros2 run` and launch files can't start it. A new node whose entry point was forgotten looks just so.
 
     ## Fix safety
-    It makes an executable of a module that may be meant for import alone.
+    It makes an executable of a module that may be there for import only.
     """
     for module, path, main, like in package.forgotten_nodes:
         name = module.rpartition(".")[2]

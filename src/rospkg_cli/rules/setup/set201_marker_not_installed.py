@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...edits.data_files import install_marker
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -19,7 +19,7 @@ COPIED = SETUP_PY.replace("['resource/' + package_name]", "['«resource/your_pkg
 @rule(
     "SET201",
     "marker-not-installed",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -34,15 +34,15 @@ COPIED = SETUP_PY.replace("['resource/' + package_name]", "['«resource/your_pkg
         ),
     ),
 )
-def marker_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a package whose `data_files` do not put the marker `resource/<package>` into the package index, or put one
-    there under another name.
+    Finds a package whose `data_files` do not install its ament index marker.
+    It is `resource/<package>`. A marker that is installed under another name is found as well.
 
     ## Why is this bad?
     The index is how `ros2 run`, `ros2 launch` and `get_package_share_directory` find a package: "package not found".
-    colcon adds a missing marker for now, with a warning that it will stop to; a Debian package and pip do not.
+    colcon adds a missing marker for now and warns that it will not in the future; a Debian package and pip do not.
     """
     package, name = shared.package, shared.package.name
     if not package.installs_known_files or shared.installs_marker:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...example import SETUP_PY, Example
 from ...finding import Create, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -15,7 +15,7 @@ BAD = SETUP_PY.replace("'resource/' + package_name", "«'resource/' + package_na
 @rule(
     "SET202",
     "missing-marker",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -25,10 +25,10 @@ BAD = SETUP_PY.replace("'resource/' + package_name", "«'resource/' + package_na
         ),
     ),
 )
-def missing_marker(shared: SharedFiles) -> Iterator[Hit]:
+def missing_marker(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a package whose `data_files` install a marker that is not there.
+    Finds a package whose `data_files` install an ament index marker that does not exist.
 
     ## Why is this bad?
     The build stops: "can't copy 'resource/my_pkg': doesn't exist or not a regular file". The marker is an empty file.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...edits.data_files import add_data_entry, share_code
 from ...edits.setup_py import quoted
 from ...example import SETUP_PY, Example
@@ -18,18 +18,18 @@ BAD = SETUP_PY.replace(LINE, "").replace("data_files=", "«data_files»=")
 @rule(
     "SET203",
     "manifest-not-installed",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.ERROR,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
 )
-def manifest_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+def manifest_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a package whose `data_files` do not install package.xml into `share/<package>`.
+    Finds a package whose `data_files` do not install package.xml to `share/<package>`.
 
     ## Why is this bad?
-    `ros2 pkg`, rosdep and the tools that read versions and dependencies of what is installed look there. colcon adds
-    it for now, with a warning that it will stop to; a Debian package and pip do not.
+    `ros2 pkg`, rosdep and the tools that read versions and dependencies of what is installed look there. colcon adds it
+    for now and warns that it will not in the future; a Debian package and pip do not.
     """
     package, name = shared.package, shared.package.name
     if not package.installs_known_files or shared.installs_manifest:

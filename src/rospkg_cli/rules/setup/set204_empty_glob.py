@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles, folder_of
+from ...checks.setup.share_files import ShareFiles, folder_of
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -21,7 +21,7 @@ def launch(pattern: str) -> str:
 @rule(
     "SET204",
     "empty-glob",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "a launch file, a module or the README refers to the folder",
@@ -46,10 +46,11 @@ def launch(pattern: str) -> str:
         ),
     ),
 )
-def empty_glob(shared: SharedFiles) -> Iterator[Hit]:
+def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a glob in setup.py that matches no file, where nothing else installs what lies in its folder.
+    Finds a glob in setup.py that matches no file.
+    It is left alone where something else installs what is in its folder.
 
     ## Why is this bad?
     A glob that matches nothing is no error for Python: the build is green, nothing is installed, and `ros2 launch`

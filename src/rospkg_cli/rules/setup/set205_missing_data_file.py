@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
 from ...package.setup.data_files import DataEntry, DataFile
@@ -31,7 +31,7 @@ SHAPES = {
 @rule(
     "SET205",
     "missing-data-file",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -56,15 +56,16 @@ SHAPES = {
         ),
     ),
 )
-def missing_data_file(shared: SharedFiles) -> Iterator[Hit]:
+def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds what `data_files` can't install: a file that is not there, a folder, an absolute path, and entries that are
-    no tuple of a destination and a list.
+    Finds entries of `data_files` that can't be installed.
+    It is a file that does not exist, a folder, an absolute path, or an entry that is no tuple of a destination and a
+    list.
 
     ## Why is this bad?
     The build stops: "can't copy 'config': doesn't exist or not a regular file", "'data_files' must be relative", or a
-    bare AssertionError that says nothing of setup.py.
+    bare AssertionError that does not mention setup.py.
     """
     for entry in shared.package.setup.data_entries:
         if entry.shape:
@@ -75,7 +76,7 @@ def missing_data_file(shared: SharedFiles) -> Iterator[Hit]:
                 yield Hit(file.said.path, file.said.shown, why)
 
 
-def fault(shared: SharedFiles, entry: DataEntry, file: DataFile) -> str:
+def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:
     """Return what keeps a file from being installed; "" where nothing does."""
     text, package = file.said.text, shared.package
     if file.absolute:

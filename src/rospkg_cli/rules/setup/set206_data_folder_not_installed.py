@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -27,7 +27,7 @@ def good(folder: str, pattern: str) -> str:
 @rule(
     "SET206",
     "data-folder-not-installed",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.WARNING,
     levels={Severity.ERROR: "a launch file, a module or the README refers to the folder"},
     examples=(
@@ -43,11 +43,11 @@ def good(folder: str, pattern: str) -> str:
         ),
     ),
 )
-def data_folder_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds folders of launch files, parameters, robot descriptions, meshes, worlds or maps of which `data_files` installs
-    nothing.
+    Finds folders of launch files, parameters, robots, worlds or maps that setup.py does not install.
+    A folder counts (meshes too) if `data_files` installs nothing in it.
 
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -23,7 +23,7 @@ def launch(pattern: str) -> str:
 @rule(
     "SET207",
     "file-not-installed",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -33,17 +33,18 @@ def launch(pattern: str) -> str:
         ),
     ),
 )
-def file_not_installed(shared: SharedFiles) -> Iterator[Hit]:
+def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds launch files, parameter files and the like that lie beside files which a glob installs, and which no glob
-    matches: `x_launch.py` beside `*.launch.py`, `.yml` beside `*.yaml`, files in folders below.
+    Finds launch and parameter files that the globs for their folder do not match.
+    Other files of the folder are installed: `x_launch.py` is left out by `*.launch.py`, `.yml` by `*.yaml`, and files
+    in subfolders by both.
 
     ## Why is this bad?
-    The build is green, its neighbours are found, and this one file "was not found in the share directory".
+    The build is green, the other files are found, and this one "was not found in the share directory".
 
     ## Fix safety
-    A wider glob may install more than was wanted.
+    A wider glob may install more than is wanted.
     """
     package = shared.package
     for missed in shared.missed if package.installs_known_files else ():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.data_destinations import Destinations
+from ...checks.setup.data_destinations import DataDestinations
 from ...edits.setup_py import replace_text
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -24,7 +24,7 @@ GOOD = config("share/my_pkg/config")
 @rule(
     "SET208",
     "wrong-data-destination",
-    over=Destinations,
+    over=DataDestinations,
     severity=Severity.WARNING,
     levels={Severity.ERROR: "it begins with a slash: colcon stops"},
     examples=(
@@ -34,11 +34,12 @@ GOOD = config("share/my_pkg/config")
         Example(bad={**YAML, "setup.py": config("«/share/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
     ),
 )
-def wrong_data_destination(destinations: Destinations) -> Iterator[Hit]:
+def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
     """
     ## What it does
-    Finds destinations in `data_files` where nobody looks: the share folder of another package, `share/launch` without
-    the package, a folder right below the prefix, and paths that begin with a slash.
+    Finds destinations in `data_files` that ROS tools do not search.
+    It is the share folder of another package, `share/launch` without the package, a folder right below the prefix, or a
+    path that begins with a slash.
 
     ## Why is this bad?
     `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another

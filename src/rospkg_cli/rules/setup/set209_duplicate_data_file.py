@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import SharedFiles
+from ...checks.setup.share_files import ShareFiles
 from ...edits.data_files import drop_source
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -17,15 +17,15 @@ TWICE = SETUP_PY.replace(LINE, f"{LINE}        ('share/' + package_name, ['«pac
 @rule(
     "SET209",
     "duplicate-data-file",
-    over=SharedFiles,
+    over=ShareFiles,
     severity=Severity.WARNING,
     examples=(Example(bad={"setup.py": TWICE}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
 )
-def duplicate_data_file(shared: SharedFiles) -> Iterator[Hit]:
+def duplicate_data_file(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a file that `data_files` names twice for the same place, and a marker or a package.xml that it installs in
-    two places.
+    Finds files that `data_files` installs twice.
+    It is a file that is named twice for one destination, or a marker or a package.xml with two destinations.
 
     ## Why is this bad?
     colcon keeps one destination for each source, the last one: of a marker that is installed elsewhere too, it says

@@ -30,11 +30,12 @@ FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(
 def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
-    Finds folders of Python modules, inside a package that `find_packages()` finds, that have no `__init__.py`.
+    Finds folders of Python modules without an `__init__.py` that `find_packages()` leaves out.
+    They are inside a package that it finds.
 
     ## Why is this bad?
-    `find_packages()` passes them over: the build is green, and at run time there is "No module named 'my_pkg.speech'".
-    In the source folder, and with `--symlink-install`, it works, so it goes unseen for long.
+    `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
+    In the source folder, and with `--symlink-install`, it works, so the error is found late.
     """
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]

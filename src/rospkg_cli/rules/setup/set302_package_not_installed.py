@@ -39,7 +39,8 @@ FOUND = "find_packages(exclude=['test'])"
 def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python packages below a listed one that `packages=[…]` leaves out, and listed ones that are not there.
+    Finds Python packages that `packages=[…]` leaves out, and listed ones that do not exist.
+    Packages below a listed one are checked.
 
     ## Why is this bad?
     `packages=[package_name]` holds that one package, none of those below it: the build is green and at run time there

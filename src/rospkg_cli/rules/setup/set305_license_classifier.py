@@ -38,7 +38,7 @@ def license_classifier(setup: SetupPy) -> Iterator[Hit]:
     Finds license classifiers.
 
     ## Why is this bad?
-    setuptools warns about them since version 77 (Lyrical has 78), so the build is no longer silent. `license=` says the
+    setuptools warns about them since version 77 (Lyrical has 78), so every build prints a warning. `license=` says the
     same.
 
     ## References

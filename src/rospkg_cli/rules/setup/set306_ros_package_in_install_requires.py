@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.install_requires import Requirements
+from ...checks.setup.install_requires import InstallRequires
 from ...edits.setup_py import drop_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -17,19 +17,20 @@ BAD = GOOD.replace("install_requires=['setuptools']", "install_requires=['setupt
 @rule(
     "SET306",
     "ros-package-in-install-requires",
-    over=Requirements,
+    over=InstallRequires,
     severity=Severity.WARNING,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
-def ros_package_in_install_requires(requirements: Requirements) -> Iterator[Hit]:
+def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages in `install_requires` that CMake builds: interfaces, and packages of the workspace without Python.
+    Finds ROS packages without Python modules in `install_requires`.
+    They are interfaces, and packages of the workspace that CMake builds without Python.
 
     ## Why is this bad?
     `install_requires` names what pip installs. Where scripts are made by an older setuptools (Humble's), each start
     looks for them and ends with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
-    packages stand in package.xml.
+    packages belong in package.xml.
 
     ## Fix safety
     Only the entry is removed; whether package.xml declares the package is another question.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.ament_python_files import PythonBuild
+from ...checks.setup.ament_python_files import AmentPythonFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -16,21 +16,21 @@ PYPROJECT = "[project]\nname = 'my_pkg'\nversion = '1.0.0'\n"
 @rule(
     "SET307",
     "pyproject-only",
-    over=PythonBuild,
+    over=AmentPythonFiles,
     severity=Severity.ERROR,
     examples=(
         Example(bad={"package.xml": BAD, "setup.py": None, "pyproject.toml": PYPROJECT}, good={"package.xml": None}),
     ),
 )
-def pyproject_only(build: PythonBuild) -> Iterator[Hit]:
+def pyproject_only(build: AmentPythonFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds an ament_python package with a pyproject.toml and no setup.py.
 
     ## Why is this bad?
     colcon builds ament_python packages by running setup.py and does not read pyproject.toml yet. `data_files`, which
-    install the marker, launch files and parameters, have no place there either. pyproject.toml may stand beside
-    setup.py for the settings of tools.
+    install the marker, launch files and parameters, can't be declared there either. In addition to setup.py,
+    pyproject.toml may hold the settings of tools.
     """
     if build.has_pyproject and not build.has_setup:
         for element in build.types:

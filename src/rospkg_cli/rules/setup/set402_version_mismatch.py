@@ -28,8 +28,8 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     Finds a version in setup.py that differs from the one in package.xml.
 
     ## Why is this bad?
-    bloom and rosdep release the version in package.xml, pip and `importlib.metadata` see the one in setup.py: two
-    answers to one question. `catkin_prepare_release` refuses to tag such a package.
+    bloom and rosdep release the version in package.xml, pip and `importlib.metadata` see the one in setup.py: and they
+    disagree. `catkin_prepare_release` refuses to tag such a package.
     """
     said, manifest = package.setup.said("version"), package.manifest
     element = manifest.first("version")

@@ -33,13 +33,13 @@ def example(right: str, wrong: str) -> Example:
 def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a license, maintainer or e-mail address in setup.py that differs from package.xml, and a description that a
-    template left. Licenses are compared by their SPDX id, names without regard to case; where package.xml names several
-    maintainers, any of them will do.
+    Finds metadata in setup.py that differ from package.xml, and descriptions left by a template.
+    The license, maintainer and e-mail address are compared: licenses by their SPDX id, names without regard to case;
+    where package.xml names several maintainers, any of them will do.
 
     ## Why is this bad?
-    Two sources tell two stories; a license above all should not depend on where one looks. package.xml is the one
-    that ROS, bloom and the package index read.
+    The metadata contradict each other; a license above all should not depend on the file that is read. package.xml is
+    the one that ROS, bloom and the package index read.
     """
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()

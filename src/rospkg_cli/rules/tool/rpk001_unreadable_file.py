@@ -40,9 +40,10 @@ ament_package()
 def unreadable_file(file: Unreadable) -> Iterator[Hit]:
     """
     ## What it does
-    Reports a file that the build or an installed file reads and that can't be read: XML that is not well-formed,
-    CMake, Python or YAML with a syntax error, bytes that are no text. One finding a file, at the exact place; rules
-    that need the file keep quiet until it is mended.
+    Reports a file that is needed and can't be read.
+    It is XML that is not well-formed, CMake, Python or YAML with a syntax error, or bytes that are no text, in a file
+    that the build or an installed file reads. There is one finding for a file, at the exact place; rules that need the
+    file are skipped until it is fixed.
 
     ## Why is this bad?
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a

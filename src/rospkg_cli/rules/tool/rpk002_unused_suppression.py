@@ -22,11 +22,11 @@ IGNORE = "  <!-- rospkg: ignore[«XML104»] the text will come -->\n"
 def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     """
     ## What it does
-    Finds ignore comments, and ignores of the config, that silence nothing. Only rules that ran are judged: with
-    `--select SET`, an ignored XML104 says nothing.
+    Finds ignore comments, and ignores of the config, that suppress nothing.
+    Only rules that ran are considered: with `--select SET`, an unused ignore of XML104 is not reported.
 
     ## Why is this bad?
-    The fault was mended and its excuse stayed: the next fault of that kind would be hidden by it.
+    The problem was fixed and the ignore stayed: it would hide the next problem of that kind.
     """
     fix = None
     if unused.delete:

@@ -23,11 +23,12 @@ GOOD = manifest()
 def unknown_rule(unknown: UnknownRuleName) -> Iterator[Hit]:
     """
     ## What it does
-    Finds ignore comments that name no rule: neither a code (`SET101`), nor a name (`entry-point-module-missing`), nor
-    the beginning of a code (`SET1`).
+    Finds ignore comments that name no rule.
+    They name neither a code (`SET101`), nor a name (`entry-point-module-missing`), nor the beginning of a code
+    (`SET1`).
 
     ## Why is this bad?
-    The ignore silences nothing, and nobody notices.
+    The ignore has no effect, without a warning.
     """
     hint = f"; did you mean `{unknown.nearest}`?" if unknown.nearest else "; `rospkg rules` lists them"
     yield Hit(unknown.path, unknown.span, f"there is no rule `{unknown.name}`{hint}")

@@ -7,12 +7,12 @@ from itertools import groupby
 
 from ...example import SETUP_PY, Example
 from ...finding import Hit, Severity
-from ...package.install_table import InstallTable, NotKnown, What
+from ...package.install_table import InstallKind, InstallTable, UnknownPart
 from ...rule import Profile, rule
 from ...source import Span
 
 SOURCES = "['resource/' + package_name]"
-QUIET: dict[tuple[bool, What], tuple[str, str]] = {
+QUIET: dict[tuple[bool, InstallKind], tuple[str, str]] = {
     (True, "share"): ("the files in share/", "SET201–SET209, LCH004"),
     (True, "executable"): ("the executables", "SET101–SET106, LCH002"),
     (True, "module"): ("the Python modules", "SET105, SET302"),
@@ -42,11 +42,11 @@ QUIET: dict[tuple[bool, What], tuple[str, str]] = {
 def not_evaluated(table: InstallTable) -> Iterator[Hit]:
     """
     ## What it does
-    Says which expression of setup.py or CMakeLists.txt can't be evaluated without running it, so that it is not known
-    what is installed where, and which rules keep quiet for that.
+    Reports an expression of setup.py or CMakeLists.txt that can't be evaluated without running it.
+    It is not known then what is installed where; the message names the rules that are skipped for that.
 
     ## Why is this bad?
-    It isn't. But what is not known is not checked, and whoever reads an empty report should know.
+    It isn't. But what is not known is not checked, and an empty report should not hide that.
     """
     for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
         python = not path.endswith(("CMakeLists.txt", ".cmake"))
@@ -56,5 +56,5 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
             yield Hit(path, span, f"{why}. Not all is known of {whats}: {rules} keep quiet")
 
 
-def place(unknown: NotKnown) -> tuple[str, Span, str]:
+def place(unknown: UnknownPart) -> tuple[str, Span, str]:
     return unknown.path, unknown.span, unknown.why

@@ -14,11 +14,11 @@ from ...source import Span
 def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
     """
     ## What it does
-    Reports that a rule, a reader or a fix of ours raised on a package. The other rules and packages go on; the exit
-    status is 3 after everything has been printed.
+    Reports that a rule, a reader or a fix raised an exception on a package.
+    The other rules and packages go on; the exit status is 3 after everything has been printed.
 
     ## Why is this bad?
-    That rule said nothing about the package. It is our fault, not yours: please report it with the output of `-v`.
+    That rule did not check the package. This is an internal error of rospkg: please report it with the output of `-v`.
     """
     last = crash.error.strip().splitlines()[-1]
     what = f"{crash.what} {crash.code}"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.run_events import NothingChecked
+from ...package.run_events import NoPackagesFound
 from ...rule import rule
 from ...source import Span
 
@@ -14,18 +14,18 @@ from ...source import Span
 @rule(
     "RPK006",
     "nothing-checked",
-    over=NothingChecked,
+    over=NoPackagesFound,
     severity=Severity.ERROR,
     examples=(Example(on="", bad={"README.md": "A workspace\n"}, good={"package.xml": manifest()}),),
 )
-def nothing_checked(nothing: NothingChecked) -> Iterator[Hit]:
+def nothing_checked(nothing: NoPackagesFound) -> Iterator[Hit]:
     """
     ## What it does
-    Reports that there was no package under the given paths: no folder with a package.xml that isn't hidden by
-    COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE.
+    Reports that no package was found under the given paths.
+    There is no folder with a package.xml that isn't hidden by COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE.
 
     ## Why is this bad?
-    A run that checked nothing is not a green run. Where that is meant, as in a hook, use `--allow-empty`.
+    A run that checked nothing is not a green run. Where that is intended, as in a hook, use `--allow-empty`.
     """
     names = ", ".join(f"`{path}`" for path in nothing.paths) or "`.`"
     why = nothing.hidden or "no package.xml was found"

@@ -57,14 +57,15 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
 def invalid_urdf(robot: RobotFile) -> Iterator[Hit]:
     """
     ## What it does
-    Reads a URDF as urdfdom does: every joint has a type, a parent and a child that are links of the robot, a revolute
-    or prismatic one a limit; names are there once; the links make one tree with one root; numbers are numbers.
-    Joints that a `<mimic>` or a `<ros2_control>` names exist.  Of xacro files it judges what stands there literally,
-    and `${…}` and `$(…)` that xacro can't evaluate.
+    Finds URDF files that urdfdom refuses, and xacro that can't be evaluated.
+    Every joint has a type, a parent and a child that are links of the robot, a revolute or prismatic one a limit; names
+    are unique; the links make one tree with one root; numbers are numbers. Joints that a `<mimic>` or a
+    `<ros2_control>` names exist. In xacro files what is written literally is checked, and `${…}` and `$(…)` that xacro
+    can't evaluate.
 
     ## Why is this bad?
-    robot_state_publisher, RViz, Gazebo and MoveIt refuse the whole robot: "Model Parsing the xml failed". What is
-    wrong inside of a link costs its shapes: urdfdom prints an error and goes on without them.
+    robot_state_publisher, RViz, Gazebo and MoveIt refuse the whole robot: "Model Parsing the xml failed". What is wrong
+    inside of a link loses its shapes: urdfdom prints an error and goes on without them.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py

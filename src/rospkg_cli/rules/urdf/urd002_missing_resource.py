@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.urdf.missing_files import Missing, RobotInWorkspace
+from ...checks.urdf.missing_files import MissingResource, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -61,19 +61,20 @@ FILES = {
 def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     """
     ## What it does
-    Follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
-    package and the others of the workspace, and looks whether the file is among what they install.
+    Finds meshes, includes and other files that a robot or a world names and that do not exist.
+    It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
+    package and the others of the workspace, and checks whether the file is among what they install.
 
     ## Why is this bad?
-    xacro stops at an include that isn't there. A missing mesh is shown by nobody: RViz prints an error, Gazebo leaves
-    the shape out.
+    xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
+    shape out.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, span, "here too") for span in each.again)
         yield Hit(scope.robot.path, each.span, message(each), related=again)
 
 
-def message(missing: Missing) -> str:
+def message(missing: MissingResource) -> str:
     harm = "xacro stops here" if missing.include else "it is missing wherever the robot is shown"
     if missing.state == "not installed":
         return f"`{missing.path}` is there, but `{missing.package}` does not install it: {harm}"

@@ -34,8 +34,8 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
 def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages of one workspace that have the same name. Folders below an ignore marker (COLCON_IGNORE) are no
-    packages.
+    Finds packages of one workspace that have the same name.
+    Folders below an ignore marker (COLCON_IGNORE) are no packages.
 
     ## Why is this bad?
     colcon refuses to build the whole workspace: "Duplicate package names not supported".

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.workspace.dependency_cycles import Step, cycles
+from ...checks.workspace.dependency_cycles import DependencyStep, dependency_cycles
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.workspace import Workspace
@@ -42,9 +42,9 @@ from ...rule import rule
 def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages of one workspace that depend on each other in a circle, whatever the tags: build, run and test
-    dependencies count, and the members of a group that one depends on; only `doc_depend` does not. Each knot of such
-    packages is reported once, with the shortest way around.
+    Finds packages of one workspace that depend on each other in a cycle.
+    Build, run and test dependencies count, and the members of a group that one depends on; only `doc_depend` does not.
+    Each cycle is reported once, by its shortest path.
 
     ## Why is this bad?
     colcon builds nothing of the whole workspace: "Unable to order packages topologically".
@@ -53,7 +53,7 @@ def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
     [REP-149](https://ros.org/reps/rep-0149.html), "Group dependencies"; colcon orders by build, run and test
     dependencies alike.
     """
-    for steps in cycles(workspace):
+    for steps in dependency_cycles(workspace):
         way = " → ".join([f"`{step.package.name}`" for step in steps] + [f"`{steps[0].package.name}`"])
         first, weak = steps[0], weakest(steps)
         message = (
@@ -68,6 +68,6 @@ def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
         yield Hit(first.package.at("package.xml"), first.need.span, message, related=related)
 
 
-def weakest(steps: tuple[Step, ...]) -> Step:
+def weakest(steps: tuple[DependencyStep, ...]) -> DependencyStep:
     """Return the step that is the easiest to do without: one for tests, else one to run, else the last."""
     return min(reversed(steps), key=lambda step: ("test_depend", "exec_depend", step.need.tag).index(step.need.tag))

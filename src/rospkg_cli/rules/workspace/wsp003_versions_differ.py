@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.workspace.version_mismatches import deviants
+from ...checks.workspace.version_mismatches import version_mismatches
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.workspace import Workspace
@@ -33,13 +33,14 @@ from ...rule import Profile, rule
 def versions_differ(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
-    Finds packages whose version is not the one that most packages of their repository have. A repository is the folder
-    with the nearest `.git` (or `.github`, `.gitlab-ci.yml`) above them; where there is none, nothing is said.
+    Finds packages whose version differs from that of most packages of their repository.
+    A repository is the folder with the nearest `.git` (or `.github`, `.gitlab-ci.yml`) above them; packages outside of
+    one are left alone.
 
     ## Why is this bad?
-    A repository is released as one: bloom stops with "Two packages have different version numbers".
+    All packages of a repository are released together: bloom stops with "Two packages have different version numbers".
     """
-    for each in deviants(workspace):
+    for each in version_mismatches(workspace):
         facts, count = each.package, len(each.others)
         if facts.folder in workspace.given:
             whose = f"`{each.others[0].name}` has" if count == 1 else f"{count} packages of this repository have"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.changelog import Released, number_of
+from ...package.changelog import ManifestAndChangelog, number_of
 from ...ros.manifest import VERSION
 from ...rule import Profile, rule
 
@@ -28,7 +28,7 @@ Forthcoming
 @rule(
     "WSP004",
     "changelog-mismatch",
-    over=Released,
+    over=ManifestAndChangelog,
     severity=Severity.WARNING,
     profile=Profile.RELEASE,
     examples=(
@@ -45,15 +45,15 @@ Forthcoming
         ),
     ),
 )
-def changelog_mismatch(released: Released) -> Iterator[Hit]:
+def changelog_mismatch(released: ManifestAndChangelog) -> Iterator[Hit]:
     """
     ## What it does
-    Compares the version in package.xml with the newest entry of CHANGELOG.rst. Only titles of the form
-    `1.2.3 (2026-01-31)` are entries; `Forthcoming` is none.
+    Compares the version in package.xml with the newest entry of CHANGELOG.rst.
+    Only titles of the form `1.2.3 (2026-01-31)` are entries; `Forthcoming` is none.
 
     ## Why is this bad?
     bloom stops where the changelog has an entry for a newer version than the one that is released. Where it has none
-    for that version, the release tells its users "no changelog for this version found".
+    for that version, the release notes say "no changelog for this version found".
 
     ## References
     [REP-132](https://ros.org/reps/rep-0132.html)

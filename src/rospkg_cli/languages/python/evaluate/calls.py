@@ -15,7 +15,7 @@ from .values import (
     Constant,
     Function,
     Mapping,
-    Scope,
+    Namespace,
     Sequence,
     Symbol,
     Unknown,
@@ -28,16 +28,16 @@ MUTABLE = (Sequence, Mapping)
 class Calls(Containers):
     """Evaluates calls; functions of the file are run by a subclass."""
 
-    def on_Lambda(self, node: ast.Lambda, scope: Scope) -> Value:
+    def on_Lambda(self, node: ast.Lambda, scope: Namespace) -> Value:
         return Function(self.span(node), "<lambda>", node, scope, self.defaults(node.args, scope))
 
-    def defaults(self, arguments: ast.arguments, scope: Scope) -> dict[str, Value]:
+    def defaults(self, arguments: ast.arguments, scope: Namespace) -> dict[str, Value]:
         positional = [*arguments.posonlyargs, *arguments.args]
         pairs = list(zip(positional[len(positional) - len(arguments.defaults) :], arguments.defaults, strict=True))
         pairs += [(a, d) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if d is not None]
         return {argument.arg: self.evaluate(default, scope) for argument, default in pairs}
 
-    def on_Call(self, node: ast.Call, scope: Scope) -> Value:
+    def on_Call(self, node: ast.Call, scope: Namespace) -> Value:
         receiver: Value | None = None
         function: Value
         if isinstance(node.func, ast.Attribute):
@@ -65,7 +65,7 @@ class Calls(Containers):
             return self.library[function.name](self, call)
         return None
 
-    def leave(self, call: Call, node: ast.Call, scope: Scope) -> Call:
+    def leave(self, call: Call, node: ast.Call, scope: Namespace) -> Call:
         """Record a call that is not known; lists that it was handed by name may have been changed by it."""
         self.doubts += 1
         self.calls.append(call)
@@ -77,7 +77,7 @@ class Calls(Containers):
                     self.spoil(handed, call.span, f"{self.shown(call.span)} may change it")
         return call
 
-    def arguments(self, node: ast.Call, scope: Scope) -> tuple[tuple[Argument, ...], Unknown | None]:
+    def arguments(self, node: ast.Call, scope: Namespace) -> tuple[tuple[Argument, ...], Unknown | None]:
         found: list[Argument] = []
         rest: Unknown | None = None
         for each in node.args:
@@ -112,13 +112,13 @@ class Calls(Containers):
         found = self.known_call(function, None, call)
         return self.unknown(span, f"{self.shown(span)} can't be evaluated") if found is None else found
 
-    def on_Starred(self, node: ast.Starred, scope: Scope) -> Value:
+    def on_Starred(self, node: ast.Starred, scope: Namespace) -> Value:
         return self.evaluate(node.value, scope)
 
-    def on_Await(self, node: ast.Await, scope: Scope) -> Value:
+    def on_Await(self, node: ast.Await, scope: Namespace) -> Value:
         return self.evaluate(node.value, scope)
 
-    def on_Yield(self, node: ast.Yield | ast.YieldFrom, scope: Scope) -> Value:
+    def on_Yield(self, node: ast.Yield | ast.YieldFrom, scope: Namespace) -> Value:
         yields = scope.yields
         value: Value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
         if yields is not None and isinstance(node, ast.YieldFrom):

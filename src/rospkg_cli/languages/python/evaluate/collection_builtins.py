@@ -8,27 +8,27 @@ from typing import Any
 from .conversion import NotPlainError, plain
 from .iterables import items_of, many
 from .limits import ITEM, MAX_ITEMS, LimitError, spend
-from .state import Intrinsic, Machine
+from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 
-def as_list(machine: Machine, call: Call) -> Value | None:
+def as_list(machine: EvaluationState, call: Call) -> Value | None:
     if not call.positional:
         return machine.new_list(call.span, [])
     items = items_of(machine, call.positional[0])
     return None if items is None else machine.new_list(call.span, items)
 
 
-def as_tuple(machine: Machine, call: Call) -> Value | None:
+def as_tuple(machine: EvaluationState, call: Call) -> Value | None:
     found = as_list(machine, call)
     if isinstance(found, Sequence):
         found.kind = "tuple"
     return found
 
 
-def as_set(machine: Machine, call: Call) -> Value | None:
+def as_set(machine: EvaluationState, call: Call) -> Value | None:
     found = as_list(machine, call)
     if not isinstance(found, Sequence):
         return None
@@ -41,7 +41,7 @@ def as_set(machine: Machine, call: Call) -> Value | None:
     return Sequence(call.span, "set", list(distinct.values()), [call.span] * len(distinct), born=found.born)
 
 
-def as_dict(machine: Machine, call: Call) -> Value | None:
+def as_dict(machine: EvaluationState, call: Call) -> Value | None:
     result = MappingValue(call.span, born=len(machine.conditions))
     source = call.positional[0] if call.positional else None
     if isinstance(source, MappingValue):
@@ -62,7 +62,7 @@ def as_dict(machine: Machine, call: Call) -> Value | None:
     return result
 
 
-def as_range(machine: Machine, call: Call) -> Value | None:
+def as_range(machine: EvaluationState, call: Call) -> Value | None:
     try:
         bounds = [value for value in map(plain, call.positional) if isinstance(value, int)]
         numbers = range(*bounds)
@@ -76,7 +76,7 @@ def as_range(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, [Constant(call.span, number) for number in numbers])
 
 
-def in_order(machine: Machine, call: Call) -> Value | None:
+def in_order(machine: EvaluationState, call: Call) -> Value | None:
     items = items_of(machine, call.positional[0]) if call.positional else None
     if items is None:
         return None
@@ -91,12 +91,12 @@ def in_order(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, items)
 
 
-def backwards(machine: Machine, call: Call) -> Value | None:
+def backwards(machine: EvaluationState, call: Call) -> Value | None:
     items = items_of(machine, call.positional[0]) if call.positional else None
     return None if items is None else machine.new_list(call.span, items[::-1])
 
 
-def numbered(machine: Machine, call: Call) -> Value | None:
+def numbered(machine: EvaluationState, call: Call) -> Value | None:
     items = items_of(machine, call.positional[0]) if call.positional else None
     start = call.get("start", 1) or Constant(call.span, 0)
     if items is None or any(map(many, items)) or not isinstance(start, Constant) or not isinstance(start.value, int):

@@ -11,17 +11,17 @@ from .iterables import items_of
 from .limits import ITEM, Flow, spend
 from .simple_statements import Statements
 from .truthiness import truth
-from .values import Class, Function, Scope, Symbol, Unknown, Value
+from .values import Class, Function, Namespace, Symbol, Unknown, Value
 
 
 class Blocks(Statements):
     """Executes conditions, loops and the like."""
 
-    def execute(self, body: list[ast.stmt], scope: Scope) -> Flow:
+    def execute(self, body: list[ast.stmt], scope: Namespace) -> Flow:
         """Run statements one after the other; raises LimitError."""
         for index, node in enumerate(body):
             self.tick()
-            handler: Callable[[Any, Scope], Flow | None] | None = getattr(self, f"do_{type(node).__name__}", None)
+            handler: Callable[[Any, Namespace], Flow | None] | None = getattr(self, f"do_{type(node).__name__}", None)
             flow = (handler(node, scope) if handler else self.do_unknown(node, scope)) or Flow.NEXT
             if flow is Flow.MAYBE:
                 self.branch([body[index + 1 :]], scope, f"{self.shown(self.span(node))} may leave early")
@@ -29,7 +29,7 @@ class Blocks(Statements):
                 return flow
         return Flow.NEXT
 
-    def do_unknown(self, node: ast.stmt, scope: Scope) -> Flow | None:
+    def do_unknown(self, node: ast.stmt, scope: Namespace) -> Flow | None:
         """A statement that has no method here: whatever names it binds are unknown from here on."""
         why = f"{self.shown(self.span(node))} can't be evaluated"
         for each in ast.walk(node):
@@ -38,7 +38,7 @@ class Blocks(Statements):
                 scope.bind(each.id, self.unknown(self.span(each), why))
         return None
 
-    def branch(self, bodies: list[list[ast.stmt]], scope: Scope, why: str) -> Flow:
+    def branch(self, bodies: list[list[ast.stmt]], scope: Namespace, why: str) -> Flow:
         """Run alternatives of which one may happen (perhaps none), and join what they leave behind."""
         before, ends, flows = dict(scope.names), [], []
         spend(len(before) * (len(bodies) + 1))
@@ -81,14 +81,14 @@ class Blocks(Statements):
             return b
         return self.unknown(a.span, why, options=(a, b))
 
-    def do_If(self, node: ast.If, scope: Scope) -> Flow:
+    def do_If(self, node: ast.If, scope: Namespace) -> Flow:
         verdict = truth(self.evaluate(node.test, scope))
         if verdict is not None:
             return self.execute(node.body if verdict else node.orelse, scope)
         why = f"{self.shown(self.span(node.test))} can't be evaluated"
         return self.branch([node.body, node.orelse], scope, why)
 
-    def do_For(self, node: ast.For | ast.AsyncFor, scope: Scope) -> Flow | None:
+    def do_For(self, node: ast.For | ast.AsyncFor, scope: Namespace) -> Flow | None:
         source = self.evaluate(node.iter, scope)
         items, span = items_of(self, source), self.span(node.iter)
         if items is None:
@@ -109,7 +109,7 @@ class Blocks(Statements):
                 return self.rest_of_loop(node, items[index + 1 :], scope)
         return self.execute(node.orelse, scope)
 
-    def rest_of_loop(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Scope) -> Flow:
+    def rest_of_loop(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Namespace) -> Flow:
         """Run the rounds after one that perhaps was the last."""
         why = f"{self.shown(self.span(node.iter))} may end early"
         for item in items:
@@ -119,7 +119,7 @@ class Blocks(Statements):
 
     do_AsyncFor = do_For
 
-    def do_While(self, node: ast.While, scope: Scope) -> Flow | None:
+    def do_While(self, node: ast.While, scope: Namespace) -> Flow | None:
         while True:
             verdict = truth(self.evaluate(node.test, scope))
             if verdict is None:
@@ -135,7 +135,7 @@ class Blocks(Statements):
             if flow is Flow.MAYBE:
                 return self.do_unknown(node, scope)
 
-    def do_Try(self, node: ast.Try, scope: Scope) -> Flow:
+    def do_Try(self, node: ast.Try, scope: Namespace) -> Flow:
         before, doubts = dict(scope.names), self.doubts
         flow = self.execute(node.body, scope)
         raises = flow is Flow.RAISE or self.doubts > doubts
@@ -158,7 +158,7 @@ class Blocks(Statements):
 
     do_TryStar = do_Try
 
-    def do_With(self, node: ast.With | ast.AsyncWith, scope: Scope) -> Flow:
+    def do_With(self, node: ast.With | ast.AsyncWith, scope: Namespace) -> Flow:
         for item in node.items:
             value = self.evaluate(item.context_expr, scope)
             if item.optional_vars is not None:
@@ -167,7 +167,7 @@ class Blocks(Statements):
 
     do_AsyncWith = do_With
 
-    def do_Match(self, node: ast.Match, scope: Scope) -> Flow:
+    def do_Match(self, node: ast.Match, scope: Namespace) -> Flow:
         self.evaluate(node.subject, scope)
         why = f"{self.shown(self.span(node.subject))} is not matched here"
         return self.branch([*[case.body for case in node.cases], []], scope, why)

@@ -17,7 +17,7 @@ from .values import (
     Call,
     Kind,
     Mapping,
-    Scope,
+    Namespace,
     Sequence,
     Symbol,
     Unknown,
@@ -28,7 +28,7 @@ from .values import (
 class Containers(Expressions):
     """Evaluates expressions that hold or take apart items."""
 
-    def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Scope) -> Value:
+    def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Namespace) -> Value:
         kind: Kind = "list" if isinstance(node, ast.List) else "tuple" if isinstance(node, ast.Tuple) else "set"
         result = Sequence(self.span(node), kind, display=True, born=len(self.conditions))
         for each in node.elts:
@@ -47,7 +47,7 @@ class Containers(Expressions):
 
     on_Tuple = on_Set = on_List
 
-    def on_Dict(self, node: ast.Dict, scope: Scope) -> Value:
+    def on_Dict(self, node: ast.Dict, scope: Namespace) -> Value:
         result = Mapping(self.span(node), display=True, born=len(self.conditions))
         for key, item in zip(node.keys, node.values, strict=True):
             value = self.evaluate(item, scope)
@@ -61,7 +61,7 @@ class Containers(Expressions):
                 self.spoil(result, self.span(item), f"{self.shown(self.span(item))} can't be evaluated")
         return result
 
-    def on_Subscript(self, node: ast.Subscript, scope: Scope) -> Value:
+    def on_Subscript(self, node: ast.Subscript, scope: Namespace) -> Value:
         value = self.evaluate(node.value, scope)
         if not isinstance(node.slice, ast.Slice):
             index = self.evaluate(node.slice, scope)
@@ -78,24 +78,24 @@ class Containers(Expressions):
         except (NotPlainError, TypeError, ValueError):
             return self.vague(node)
 
-    def on_ListComp(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope) -> Value:
+    def on_ListComp(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Namespace) -> Value:
         kind: Kind = "set" if isinstance(node, ast.SetComp) else "list"
         result = Sequence(self.span(node), kind, born=len(self.conditions))
-        for inner in self.rounds(node.generators, Scope(scope)):
+        for inner in self.rounds(node.generators, Namespace(scope)):
             self.put(result, self.evaluate(node.elt, inner), self.span(node.elt))
         return result
 
     on_SetComp = on_GeneratorExp = on_ListComp
 
-    def on_DictComp(self, node: ast.DictComp, scope: Scope) -> Value:
+    def on_DictComp(self, node: ast.DictComp, scope: Namespace) -> Value:
         result = Mapping(self.span(node), born=len(self.conditions))
-        for inner in self.rounds(node.generators, Scope(scope)):
+        for inner in self.rounds(node.generators, Namespace(scope)):
             set_item(
                 self, result, self.evaluate(node.key, inner), self.evaluate(node.value, inner), self.span(node.key)
             )
         return result
 
-    def rounds(self, generators: list[ast.comprehension], scope: Scope) -> Iterator[Scope]:
+    def rounds(self, generators: list[ast.comprehension], scope: Namespace) -> Iterator[Namespace]:
         """Yield a scope for each round that a comprehension makes."""
         if not generators:
             yield scope
@@ -112,8 +112,8 @@ class Containers(Expressions):
             else:
                 yield from self.round(generators, item, scope)
 
-    def round(self, generators: list[ast.comprehension], item: Value, scope: Scope) -> Iterator[Scope]:
-        inner = Scope(scope)
+    def round(self, generators: list[ast.comprehension], item: Value, scope: Namespace) -> Iterator[Namespace]:
+        inner = Namespace(scope)
         self.assign(generators[0].target, item, inner)
         doubtful = ""
         for test in generators[0].ifs:
@@ -127,7 +127,7 @@ class Containers(Expressions):
         with self.under(doubtful):
             yield from self.rounds(generators[1:], inner)
 
-    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+    def assign(self, target: ast.expr, value: Value, scope: Namespace) -> None:
         """Bind what stands left of an `=`."""
         match target:
             case ast.Name():
@@ -143,7 +143,7 @@ class Containers(Expressions):
                 else:
                     self.spoil(holder, self.span(target), f"{self.shown(self.span(target))} can't be followed")
 
-    def unpack(self, targets: list[ast.expr], value: Value, scope: Scope) -> None:
+    def unpack(self, targets: list[ast.expr], value: Value, scope: Namespace) -> None:
         items = items_of(self, value)
         plain_targets = not any(isinstance(target, ast.Starred) for target in targets)
         if items is None or any(map(many, items)) or not plain_targets or len(items) != len(targets):

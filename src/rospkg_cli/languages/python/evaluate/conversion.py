@@ -8,7 +8,7 @@ from itertools import groupby
 
 from ....source import Span
 from .limits import ITEM, MAX_TEXT, STEP, spend
-from .values import Attribute, Call, Constant, Joined, Kind, Mapping, Sequence, Symbol, Text, Unknown, Value
+from .values import AttributeValue, Call, Constant, Joined, Kind, Mapping, Sequence, Symbol, Text, Unknown, Value
 
 
 class NotPlainError(Exception):
@@ -81,7 +81,7 @@ def weight_of(value: Value, limit: int) -> int:
             case Call(arguments=arguments, receiver=receiver):
                 waiting += [argument.value for argument in arguments]
                 waiting += [receiver] if receiver is not None else []
-            case Attribute(of=of):
+            case AttributeValue(of=of):
                 waiting.append(of)
     return found + len(waiting) if found > limit else found
 

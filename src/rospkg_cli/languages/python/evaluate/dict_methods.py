@@ -9,12 +9,12 @@ from ....source import Span
 from .conversion import NotPlainError, plain
 from .limits import ITEM, spend
 from .list_methods import unfollowed
-from .state import Machine
+from .state import EvaluationState
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 
-def get(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def get(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     try:
         found = value.items.get(plain(call.positional[0]))
     except (NotPlainError, IndexError, TypeError):
@@ -26,7 +26,7 @@ def get(machine: Machine, value: MappingValue, call: Call) -> Value | None:
     return call.positional[1] if len(call.positional) > 1 else Constant(call.span, None)
 
 
-def views(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def views(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
     match call.callee:
         case "keys":
@@ -39,7 +39,7 @@ def views(machine: Machine, value: MappingValue, call: Call) -> Value | None:
     return machine.new_list(call.span, found + rest)
 
 
-def set_item(machine: Machine, value: MappingValue, key: Value, item: Value, span: Span) -> None:
+def set_item(machine: EvaluationState, value: MappingValue, key: Value, item: Value, span: Span) -> None:
     """`mapping[key] = item`, for certain or perhaps."""
     machine.tick()
     try:
@@ -54,7 +54,7 @@ def set_item(machine: Machine, value: MappingValue, key: Value, item: Value, spa
     value.items[at] = (key, item)
 
 
-def update(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def update(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     source = call.positional[0] if call.positional else None
     if isinstance(source, MappingValue):
         for key, item in list(source.items.values()):
@@ -68,7 +68,7 @@ def update(machine: Machine, value: MappingValue, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def setdefault(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def setdefault(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     try:
         found = value.items.get(plain(call.positional[0]))
     except (NotPlainError, IndexError, TypeError):
@@ -82,7 +82,7 @@ def setdefault(machine: Machine, value: MappingValue, call: Call) -> Value | Non
     return default
 
 
-def pop_key(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def pop_key(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     found = get(machine, value, call)
     if found is None or len(machine.conditions) > value.born:
         return unfollowed(machine, value, call)
@@ -90,12 +90,12 @@ def pop_key(machine: Machine, value: MappingValue, call: Call) -> Value | None:
     return found
 
 
-def copied_dict(machine: Machine, value: MappingValue, call: Call) -> Value | None:
+def copied_dict(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
     return replace(value, items=dict(value.items), rest=list(value.rest), born=len(machine.conditions))
 
 
-DICTS: Mapping[str, Callable[[Machine, MappingValue, Call], Value | None]] = {
+DICTS: Mapping[str, Callable[[EvaluationState, MappingValue, Call], Value | None]] = {
     "get": get,
     "keys": views,
     "values": views,

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ....source import Span
-from ..syntax import Syntax
+from ..syntax import PythonSyntax
 from .conversion import weight_of
 from .functions import Functions
 from .known_functions import LIBRARY
 from .limits import LimitError
-from .sandbox_filesystem import ROOT, Folder
+from .sandbox_filesystem import ROOT, SandboxFilesystem
 from .state import Intrinsic
-from .values import Argument, Call, Function, Scope, Text, Unknown, Value
+from .values import Argument, Call, Function, Namespace, Text, Unknown, Value
 
 MAX_WEIGHT = 3_000_000
 """The values that all calls are handed, each as often as it stands there."""
@@ -34,10 +34,15 @@ class Evaluator(Functions):
     """
 
     def __init__(
-        self, file: Syntax, folder: Folder, knows: Mapping[str, Intrinsic] | None = None, *, name: str = "__main__"
+        self,
+        file: PythonSyntax,
+        folder: SandboxFilesystem,
+        knows: Mapping[str, Intrinsic] | None = None,
+        *,
+        name: str = "__main__",
     ) -> None:
         super().__init__(file, folder, {**LIBRARY, **(knows or {})})
-        self.scope = Scope()
+        self.scope = Namespace()
         self.scope.bind("__name__", Text(Span(0, 0), name))
         self.scope.bind("__file__", Text(Span(0, 0), f"{ROOT}/{file.path}"))
         self.weight = self.weighed = 0

@@ -12,14 +12,14 @@ from .conversion import join
 from .formatting import in_format
 from .methods import attribute
 from .operators import binary
-from .state import Machine
+from .state import EvaluationState
 from .truthiness import compared, truth
 from .values import (
-    Attribute,
+    AttributeValue,
     Call,
     Class,
     Constant,
-    Scope,
+    Namespace,
     Symbol,
     Text,
     Unknown,
@@ -28,7 +28,7 @@ from .values import (
 
 BUILTINS = frozenset(dir(builtins))
 
-DATA: dict[str, Callable[[Machine, Span], Value]] = {
+DATA: dict[str, Callable[[EvaluationState, Span], Value]] = {
     "os.sep": lambda machine, span: Text(span, "/"),
     "os.path.sep": lambda machine, span: Text(span, "/"),
     "os.linesep": lambda machine, span: Text(span, "\n"),
@@ -42,13 +42,13 @@ DATA: dict[str, Callable[[Machine, Span], Value]] = {
 """What a name of the standard library holds."""
 
 
-class Expressions(Machine):
+class Expressions(EvaluationState):
     """Evaluates expressions; statements stand in a subclass."""
 
-    def evaluate(self, node: ast.expr, scope: Scope) -> Value:
+    def evaluate(self, node: ast.expr, scope: Namespace) -> Value:
         """Return the value of an expression; raises LimitError."""
         self.tick()
-        handler: Callable[[Any, Scope], Value] | None = getattr(self, f"on_{type(node).__name__}", None)
+        handler: Callable[[Any, Namespace], Value] | None = getattr(self, f"on_{type(node).__name__}", None)
         if handler is not None:
             return handler(node, scope)
         return self.vague(node)
@@ -69,7 +69,7 @@ class Expressions(Machine):
                 return self.unknown(self.span(node), each.why)
         return self.vague(node)
 
-    def on_Constant(self, node: ast.Constant, scope: Scope) -> Value:
+    def on_Constant(self, node: ast.Constant, scope: Namespace) -> Value:
         span = self.span(node)
         if not isinstance(node.value, str):
             return Constant(span, node.value)
@@ -82,7 +82,7 @@ class Expressions(Machine):
                 return Text(span, node.value, inner)
         return Text(span, node.value)
 
-    def on_Name(self, node: ast.Name, scope: Scope) -> Value:
+    def on_Name(self, node: ast.Name, scope: Namespace) -> Value:
         found = scope.find(node.id)
         if found is not None:
             return found
@@ -93,7 +93,7 @@ class Expressions(Machine):
             return Symbol(self.span(node), f"{star.name}.{node.id}")
         return self.unknown(self.span(node), f"`{node.id}` is not defined in this file")
 
-    def on_Attribute(self, node: ast.Attribute, scope: Scope) -> Value:
+    def on_Attribute(self, node: ast.Attribute, scope: Namespace) -> Value:
         return self.member(self.evaluate(node.value, scope), node)
 
     def member(self, value: Value, node: ast.Attribute) -> Value:
@@ -110,15 +110,15 @@ class Expressions(Machine):
         if found is not None:
             return found
         self.doubts += 1
-        return Attribute(span, value, node.attr)
+        return AttributeValue(span, value, node.attr)
 
-    def on_BinOp(self, node: ast.BinOp, scope: Scope) -> Value:
+    def on_BinOp(self, node: ast.BinOp, scope: Namespace) -> Value:
         left, right = self.evaluate(node.left, scope), self.evaluate(node.right, scope)
         self.made_of(node, left, right)
         found = binary(type(node.op), left, right, self.span(node))
         return self.otherwise(found, node, left, right)
 
-    def on_UnaryOp(self, node: ast.UnaryOp, scope: Scope) -> Value:
+    def on_UnaryOp(self, node: ast.UnaryOp, scope: Namespace) -> Value:
         value, span = self.evaluate(node.operand, scope), self.span(node)
         self.made_of(node, value)
         if isinstance(node.op, ast.Not):
@@ -129,7 +129,7 @@ class Expressions(Machine):
             return Constant(span, -number if isinstance(node.op, ast.USub) else number)
         return self.otherwise(None, node, value)
 
-    def on_BoolOp(self, node: ast.BoolOp, scope: Scope) -> Value:
+    def on_BoolOp(self, node: ast.BoolOp, scope: Namespace) -> Value:
         stops = isinstance(node.op, ast.Or)
         options: list[Value] = []
         asked: list[Value] = []
@@ -147,7 +147,7 @@ class Expressions(Machine):
             return value
         return self.vague(node, options=tuple(options if value in options else [*options, value]))
 
-    def on_Compare(self, node: ast.Compare, scope: Scope) -> Value:
+    def on_Compare(self, node: ast.Compare, scope: Namespace) -> Value:
         left, told = self.evaluate(node.left, scope), True
         for kind, each in zip(node.ops, node.comparators, strict=True):
             right = self.evaluate(each, scope)
@@ -158,7 +158,7 @@ class Expressions(Machine):
             told, left = told and verdict is True, right
         return Constant(self.span(node), True) if told else self.vague(node)
 
-    def on_IfExp(self, node: ast.IfExp, scope: Scope) -> Value:
+    def on_IfExp(self, node: ast.IfExp, scope: Namespace) -> Value:
         verdict = truth(self.evaluate(node.test, scope))
         if verdict is not None:
             return self.evaluate(node.body if verdict else node.orelse, scope)
@@ -166,12 +166,12 @@ class Expressions(Machine):
             options = (self.evaluate(node.body, scope), self.evaluate(node.orelse, scope))
         return self.vague(node, options=options)
 
-    def on_NamedExpr(self, node: ast.NamedExpr, scope: Scope) -> Value:
+    def on_NamedExpr(self, node: ast.NamedExpr, scope: Namespace) -> Value:
         value = self.evaluate(node.value, scope)
         scope.bind(node.target.id, value)
         return value
 
-    def on_JoinedStr(self, node: ast.JoinedStr, scope: Scope) -> Value:
+    def on_JoinedStr(self, node: ast.JoinedStr, scope: Namespace) -> Value:
         span, before = self.span(node), self.fixed
         self.fixed = span
         try:
@@ -179,7 +179,7 @@ class Expressions(Machine):
         finally:
             self.fixed = before
 
-    def piece(self, node: ast.expr, scope: Scope, span: Span) -> Value:
+    def piece(self, node: ast.expr, scope: Namespace, span: Span) -> Value:
         if not isinstance(node, ast.FormattedValue):
             return self.evaluate(node, scope)
         value = self.evaluate(node.value, scope)

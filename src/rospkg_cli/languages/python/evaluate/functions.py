@@ -11,7 +11,7 @@ from .compound_statements import Blocks
 from .conversion import same
 from .dict_methods import set_item
 from .limits import ITEM, MAX_CALLS, Flow, spend
-from .values import Argument, Call, Class, Constant, Function, Mapping, Scope, Sequence, Text, Value
+from .values import Argument, Call, Class, Constant, Function, Mapping, Namespace, Sequence, Text, Value
 
 
 class Functions(Blocks):
@@ -24,15 +24,15 @@ class Functions(Blocks):
         """By the `id` of a function's node, whether it yields."""
         return {}
 
-    def do_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope) -> None:
+    def do_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Namespace) -> None:
         function = Function(self.span(node), node.name, node, scope, self.defaults(node.args, scope))
         function.decorated = bool(node.decorator_list)
         scope.bind(node.name, function)
 
     do_AsyncFunctionDef = do_FunctionDef
 
-    def do_ClassDef(self, node: ast.ClassDef, scope: Scope) -> None:
-        inner = Scope(scope)
+    def do_ClassDef(self, node: ast.ClassDef, scope: Namespace) -> None:
+        inner = Namespace(scope)
         bases = tuple(self.evaluate(base, scope) for base in node.bases)
         self.execute(node.body, inner)
         scope.bind(node.name, Class(self.span(node), node.name, inner, bases))
@@ -41,7 +41,7 @@ class Functions(Blocks):
         """Return what a function of the file returns for these arguments."""
         if self.depth >= MAX_CALLS:
             return self.unknown(call.span, f"`{function.name}` calls itself too deeply")
-        scope = Scope(function.scope)
+        scope = Namespace(function.scope)
         self.bind(function, call, scope)
         self.depth += 1
         try:
@@ -71,7 +71,7 @@ class Functions(Blocks):
             return returns[0]
         return self.unknown(span, f"what `{function.name}` returns can't be told", options=tuple(returns))
 
-    def bind(self, function: Function, call: Call, scope: Scope) -> None:
+    def bind(self, function: Function, call: Call, scope: Namespace) -> None:
         """Give the parameters their values."""
         arguments, left = function.node.args, deque(call.positional)
         named = {argument.name: argument for argument in call.arguments if argument.name}

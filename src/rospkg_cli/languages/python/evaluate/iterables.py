@@ -8,12 +8,12 @@ from typing import Any
 from ....unreadable import UnreadableError
 from .conversion import NotPlainError, lift, plain
 from .limits import ITEM, spend
-from .state import Intrinsic, Machine
+from .state import EvaluationState, Intrinsic
 from .values import Call, Opened, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 
 
-def items_of(machine: Machine, value: Value) -> list[Value] | None:
+def items_of(machine: EvaluationState, value: Value) -> list[Value] | None:
     """Return what a loop over a value sees; None where nothing of it is known."""
     match value:
         case Sequence():
@@ -34,7 +34,7 @@ def items_of(machine: Machine, value: Value) -> list[Value] | None:
     return None
 
 
-def read_rest(machine: Machine, opened: Opened) -> str | None:
+def read_rest(machine: EvaluationState, opened: Opened) -> str | None:
     """Return what was not read yet, and take it as read; None where the file has no text."""
     try:
         text = machine.folder.files.source(opened.path).text
@@ -52,7 +52,7 @@ def many(item: Value) -> bool:
 def pure(function: Callable[..., Any]) -> Intrinsic:
     """Return the intrinsic of a function over plain values that is cheap for whatever it gets."""
 
-    def intrinsic(machine: Machine, call: Call) -> Value | None:
+    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
         try:
             positional = [plain(value) for value in call.positional]
             named = {argument.name: plain(argument.value) for argument in call.arguments if argument.name}

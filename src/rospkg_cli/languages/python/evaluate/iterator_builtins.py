@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping
 
 from .collection_builtins import LISTING
 from .iterables import items_of, many, pure
-from .state import Intrinsic, Machine
+from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 
-def zipped(machine: Machine, call: Call) -> Value | None:
+def zipped(machine: EvaluationState, call: Call) -> Value | None:
     columns = [items_of(machine, value) for value in call.positional]
     if not columns or any(column is None or any(map(many, column)) for column in columns):
         return None
@@ -22,7 +22,7 @@ def zipped(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, rows)
 
 
-def mapped(machine: Machine, call: Call) -> Value | None:
+def mapped(machine: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
     items = items_of(machine, call.positional[1])
@@ -32,7 +32,7 @@ def mapped(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, made)
 
 
-def filtered(machine: Machine, call: Call) -> Value | None:
+def filtered(machine: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
     test, items = call.positional[0], items_of(machine, call.positional[1])
@@ -50,7 +50,7 @@ def filtered(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, kept)
 
 
-def chained(machine: Machine, call: Call) -> Value | None:
+def chained(machine: EvaluationState, call: Call) -> Value | None:
     """itertools.chain."""
     result: list[Value] = []
     for value in call.positional:
@@ -59,7 +59,7 @@ def chained(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, result)
 
 
-def flattened(machine: Machine, call: Call) -> Value | None:
+def flattened(machine: EvaluationState, call: Call) -> Value | None:
     """itertools.chain.from_iterable, and sum(lists, [])."""
     outer = items_of(machine, call.positional[0]) if call.positional else None
     if outer is None:
@@ -73,7 +73,7 @@ def flattened(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, result)
 
 
-def total(machine: Machine, call: Call) -> Value | None:
+def total(machine: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) == 2 and isinstance(call.positional[1], Sequence):
         found = flattened(machine, call)
         return (
@@ -85,7 +85,7 @@ def total(machine: Machine, call: Call) -> Value | None:
 def quantified(over: Callable[[list[bool]], bool]) -> Intrinsic:
     """any() and all()."""
 
-    def intrinsic(machine: Machine, call: Call) -> Value | None:
+    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
         items = items_of(machine, call.positional[0]) if call.positional else None
         if items is None:
             return None
@@ -97,7 +97,7 @@ def quantified(over: Callable[[list[bool]], bool]) -> Intrinsic:
     return intrinsic
 
 
-def length(machine: Machine, call: Call) -> Value | None:
+def length(machine: EvaluationState, call: Call) -> Value | None:
     value = call.positional[0] if call.positional else None
     if isinstance(value, Sequence) and value.complete:
         return Constant(call.span, len(value.items))
@@ -106,7 +106,7 @@ def length(machine: Machine, call: Call) -> Value | None:
     return Constant(call.span, len(value.text)) if isinstance(value, Text) else None
 
 
-def first(machine: Machine, call: Call) -> Value | None:
+def first(machine: EvaluationState, call: Call) -> Value | None:
     """next(): of a list that was made by a generator expression, its first item."""
     items = items_of(machine, call.positional[0]) if call.positional else None
     if items is None or (items and many(items[0])):

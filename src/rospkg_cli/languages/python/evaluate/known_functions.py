@@ -9,7 +9,7 @@ from .formatting import as_text, in_format
 from .iterables import pure
 from .iterator_builtins import ITERATION
 from .path_functions import PATHS
-from .state import Intrinsic, Machine
+from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
 from .values import Mapping as MappingValue
@@ -21,20 +21,20 @@ TYPES: Mapping[str, type | tuple[type, ...]] = {
 }  # fmt: skip
 
 
-def as_str(machine: Machine, call: Call) -> Value | None:
+def as_str(machine: EvaluationState, call: Call) -> Value | None:
     return as_text(call.positional[0], call.span) if len(call.positional) == 1 else None
 
 
-def as_bool(machine: Machine, call: Call) -> Value | None:
+def as_bool(machine: EvaluationState, call: Call) -> Value | None:
     verdict = truth(call.positional[0]) if call.positional else False
     return None if verdict is None else Constant(call.span, verdict)
 
 
-def represented(machine: Machine, call: Call) -> Value | None:
+def represented(machine: EvaluationState, call: Call) -> Value | None:
     return in_format(call.positional[0], "", "r", call.span) if len(call.positional) == 1 else None
 
 
-def is_instance(machine: Machine, call: Call) -> Value | None:
+def is_instance(machine: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
     value, asked = call.positional
@@ -68,11 +68,11 @@ def rounded(number: Any, digits: Any = None) -> Any:
     return round(number, digits)
 
 
-def nothing(machine: Machine, call: Call) -> Value | None:
+def nothing(machine: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def is_callable(machine: Machine, call: Call) -> Value | None:
+def is_callable(machine: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, isinstance(call.positional[0], Function)) if call.positional else None
 
 
@@ -80,7 +80,7 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 """The variables that are the same wherever a ROS 2 package is built (REP-149 knows them too)."""
 
 
-def variable(machine: Machine, call: Call) -> Value | None:
+def variable(machine: EvaluationState, call: Call) -> Value | None:
     """os.environ, whichever way it is asked."""
     name = call.positional[0] if call.positional else None
     text = ENVIRONMENT.get(name.text) if isinstance(name, Text) else None

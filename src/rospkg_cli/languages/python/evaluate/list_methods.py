@@ -9,30 +9,30 @@ from dataclasses import replace
 from .conversion import NotPlainError, plain
 from .iterables import items_of
 from .limits import ITEM, MAX_ITEMS, spend
-from .state import Machine
+from .state import EvaluationState
 from .truthiness import compared
 from .values import Call, Constant, Sequence, Value
 
 
-def unfollowed(machine: Machine, value: Value, call: Call) -> Value | None:
+def unfollowed(machine: EvaluationState, value: Value, call: Call) -> Value | None:
     """Note that a list or dict was changed in a way that can't be followed."""
     machine.spoil(value, call.span, f"{machine.shown(call.span)} can't be followed")
     return None
 
 
-def append(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def append(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     for argument in call.arguments[:1]:
         machine.put(value, argument.value, argument.span)
     return Constant(call.span, None)
 
 
-def extend(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def extend(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     source = call.positional[0] if call.positional else None
     extend_by(machine, value, source, call)
     return Constant(call.span, None)
 
 
-def extend_by(machine: Machine, value: Sequence, source: Value | None, call: Call) -> None:
+def extend_by(machine: EvaluationState, value: Sequence, source: Value | None, call: Call) -> None:
     items = items_of(machine, source) if source is not None else None
     if items is None:
         machine.spoil(value, call.span, getattr(source, "why", f"{machine.shown(call.span)} can't be evaluated"))
@@ -42,7 +42,7 @@ def extend_by(machine: Machine, value: Sequence, source: Value | None, call: Cal
         machine.put(value, item, place)
 
 
-def insert(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def insert(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0] if len(call.positional) == 2 else None
     if not isinstance(at, Constant) or not isinstance(at.value, int) or abs(at.value) > MAX_ITEMS:
         return unfollowed(machine, value, call)
@@ -54,7 +54,7 @@ def insert(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def remove(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def remove(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """list.remove and set.discard: for certain only where the item is there."""
     wanted = call.positional[0] if call.positional else None
     for index, item in enumerate(value.items):
@@ -68,7 +68,7 @@ def remove(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def pop(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def pop(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0].value if call.positional and isinstance(call.positional[0], Constant) else -1
     if not value.complete or not isinstance(at, int) or len(machine.conditions) > value.born:
         return unfollowed(machine, value, call)
@@ -78,7 +78,7 @@ def pop(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return value.items.pop(at)
 
 
-def cleared(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def cleared(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     if len(machine.conditions) > value.born:
         return unfollowed(machine, value, call)
     value.items.clear()
@@ -86,12 +86,12 @@ def cleared(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def copied(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def copied(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
     return replace(value, items=list(value.items), places=list(value.places), born=len(machine.conditions))
 
 
-def reordered(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def reordered(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """sort and reverse: what uses a setup.py or a launch file hardly ever looks at the order."""
     spend(len(value.items))
     if call.callee == "reverse":
@@ -100,7 +100,7 @@ def reordered(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def counted(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def counted(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     try:
         items = plain(value)
         return Constant(call.span, items.count(plain(call.positional[0])))  # type: ignore[attr-defined]
@@ -108,7 +108,7 @@ def counted(machine: Machine, value: Sequence, call: Call) -> Value | None:
         return None
 
 
-def add(machine: Machine, value: Sequence, call: Call) -> Value | None:
+def add(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """set.add."""
     wanted = call.positional[0] if call.positional else None
     spend(len(value.items) * 2 * ITEM)
@@ -117,7 +117,7 @@ def add(machine: Machine, value: Sequence, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-LISTS: Mapping[str, Callable[[Machine, Sequence, Call], Value | None]] = {
+LISTS: Mapping[str, Callable[[EvaluationState, Sequence, Call], Value | None]] = {
     "append": append,
     "extend": extend,
     "update": extend,

@@ -14,7 +14,7 @@ from .list_methods import LISTS, unfollowed
 from .operators import path_join
 from .path_functions import PATHS, path_glob, recorded
 from .sandbox_filesystem import OutsideError
-from .state import Machine
+from .state import EvaluationState
 from .values import Argument, Call, Constant, Opened, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
@@ -31,7 +31,7 @@ MAX_SEARCH = 10_000_000
 """Methods of str that take the time of the product of both lengths, and the bound of that."""
 
 
-def method(machine: Machine, value: Value, call: Call) -> Value | None:
+def method(machine: EvaluationState, value: Value, call: Call) -> Value | None:
     """Return what a method of a value returns; None where it isn't known."""
     name = call.callee
     if call.rest is not None and not isinstance(value, Sequence | MappingValue):
@@ -52,7 +52,7 @@ def method(machine: Machine, value: Value, call: Call) -> Value | None:
     return None
 
 
-def text_method(machine: Machine, value: Text, call: Call) -> Value | None:
+def text_method(machine: EvaluationState, value: Text, call: Call) -> Value | None:
     if call.callee == "join" and call.positional:
         items = items_of(machine, call.positional[0])
         if items is None or any(map(many, items)):
@@ -81,7 +81,7 @@ def fits(text: str, call: Call) -> bool:
     return isinstance(new, Text) and (len(text) + 1) * max(len(new.text), 1) <= MAX_TEXT
 
 
-def file_method(machine: Machine, value: Opened, call: Call) -> Value | None:
+def file_method(machine: EvaluationState, value: Opened, call: Call) -> Value | None:
     if call.callee == "close":
         return Constant(call.span, None)
     start = value.at
@@ -107,7 +107,7 @@ BY_FUNCTION = {
 }
 
 
-def path_method(machine: Machine, value: Text, call: Call) -> Value | None:
+def path_method(machine: EvaluationState, value: Text, call: Call) -> Value | None:
     if call.callee in BY_FUNCTION:
         arguments = (Argument("", value, value.span), *call.arguments)
         found = PATHS[BY_FUNCTION[call.callee]](machine, replace(call, arguments=arguments))
@@ -138,7 +138,7 @@ def path_method(machine: Machine, value: Text, call: Call) -> Value | None:
     return None
 
 
-def path_listing(machine: Machine, value: Text, call: Call, first: Value | None) -> Value | None:
+def path_listing(machine: EvaluationState, value: Text, call: Call, first: Value | None) -> Value | None:
     pattern = "*" if call.callee == "iterdir" else first.text if isinstance(first, Text) else None
     if pattern is None:
         return None

@@ -14,7 +14,7 @@ from .conversion import NotPlainError, join, lift, plain
 from .formatting import percent
 from .limits import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
 from .values import (
-    Attribute,
+    AttributeValue,
     Call,
     Constant,
     Joined,
@@ -78,7 +78,7 @@ def concatenated(left: Value, right: Value, span: Span) -> Value | None:
     textual = isinstance(left, Text | Joined), isinstance(right, Text | Joined)
     if not any(textual) or isinstance(left, Constant) or isinstance(right, Constant):
         return None
-    if all(textual) or isinstance(left if textual[1] else right, Call | Unknown | Attribute | Symbol):
+    if all(textual) or isinstance(left if textual[1] else right, Call | Unknown | AttributeValue | Symbol):
         return join([left, right], span)
     return None
 
@@ -93,7 +93,7 @@ def chained(left: Value, right: Value, span: Span) -> Value | None:
             spend(len(side.items) * STEP)
             result.items += side.items
             result.places += side.places
-        elif isinstance(side, Unknown | Call | Attribute | Symbol):
+        elif isinstance(side, Unknown | Call | AttributeValue | Symbol):
             why = side.why if isinstance(side, Unknown) else "it comes from a call that can't be evaluated"
             result.add(Unknown(side.span, why, many=True), side.span)
         else:
@@ -137,7 +137,7 @@ def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | 
     if isinstance(first, Text):
         found = posixpath.join(first.text, *texts)
         return Text(span, clean(found) if path else found, path=path)
-    if not isinstance(first, Call | Joined | Unknown | Attribute):
+    if not isinstance(first, Call | Joined | Unknown | AttributeValue):
         return None
     rest = posixpath.join("/", *texts) if texts else ""
     if any(text.startswith("/") for text in texts):

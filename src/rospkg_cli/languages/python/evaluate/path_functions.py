@@ -8,8 +8,8 @@ from collections.abc import Callable, Mapping
 from .conversion import lift
 from .iterables import pure
 from .operators import clean, path_join
-from .sandbox_filesystem import MAGIC, ROOT, Folder, OutsideError, fits
-from .state import Intrinsic, Machine
+from .sandbox_filesystem import MAGIC, ROOT, OutsideError, SandboxFilesystem, fits
+from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Globbed, Opened, Sequence, Text, Value
 
@@ -19,16 +19,16 @@ def text_of(call: Call, name: str = "path", position: int = 0) -> str | None:
     return value.text if isinstance(value, Text) else None
 
 
-def joined(machine: Machine, call: Call) -> Value | None:
+def joined(machine: EvaluationState, call: Call) -> Value | None:
     return path_join(list(call.positional), call.span)
 
 
-def absolute(machine: Machine, call: Call) -> Value | None:
+def absolute(machine: EvaluationState, call: Call) -> Value | None:
     text = text_of(call)
     return None if text is None else Text(call.span, posixpath.normpath(posixpath.join(machine.cwd, text)))
 
 
-def relative(machine: Machine, call: Call) -> Value | None:
+def relative(machine: EvaluationState, call: Call) -> Value | None:
     text, start = text_of(call), text_of(call, "start", 1)
     if text is None or (start is None and len(call.positional) > 1):
         return None
@@ -36,10 +36,10 @@ def relative(machine: Machine, call: Call) -> Value | None:
     return Text(call.span, posixpath.relpath(*here))
 
 
-def asks(test: Callable[[Folder, str], bool]) -> Intrinsic:
+def asks(test: Callable[[SandboxFilesystem, str], bool]) -> Intrinsic:
     """Return the intrinsic of a question about one path; what lies outside of the package can't be told."""
 
-    def intrinsic(machine: Machine, call: Call) -> Value | None:
+    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
         text = text_of(call)
         try:
             return (
@@ -53,8 +53,8 @@ def asks(test: Callable[[Folder, str], bool]) -> Intrinsic:
     return intrinsic
 
 
-def is_kind(kind: str) -> Callable[[Folder, str], bool]:
-    def test(folder: Folder, path: str) -> bool:
+def is_kind(kind: str) -> Callable[[SandboxFilesystem, str], bool]:
+    def test(folder: SandboxFilesystem, path: str) -> bool:
         found = folder.kind(path)
         if found == "unknown":
             raise OutsideError
@@ -63,7 +63,7 @@ def is_kind(kind: str) -> Callable[[Folder, str], bool]:
     return test
 
 
-def names(machine: Machine, call: Call) -> Value | None:
+def names(machine: EvaluationState, call: Call) -> Value | None:
     text = text_of(call)
     if text is None and call.arguments:
         return None
@@ -75,7 +75,7 @@ def names(machine: Machine, call: Call) -> Value | None:
     return None if found is None else machine.new_list(call.span, [Text(call.span, name) for name in found])
 
 
-def walked(machine: Machine, call: Call) -> Value | None:
+def walked(machine: EvaluationState, call: Call) -> Value | None:
     text = text_of(call, "top")
     if text is None or call.get("topdown", 1) is not None:
         return None
@@ -92,7 +92,7 @@ def walked(machine: Machine, call: Call) -> Value | None:
     return machine.new_list(call.span, found)
 
 
-def globbed(machine: Machine, call: Call) -> Value | None:
+def globbed(machine: EvaluationState, call: Call) -> Value | None:
     pattern, recursive = text_of(call, "pathname"), call.get("recursive")
     flag = truth(recursive) if recursive else False
     if pattern is None or flag is None or call.rest or {a.name for a in call.arguments} - {"", "pathname", "recursive"}:
@@ -104,7 +104,7 @@ def globbed(machine: Machine, call: Call) -> Value | None:
     return recorded(machine, call, pattern, found)
 
 
-def recorded(machine: Machine, call: Call, pattern: str, found: list[str], *, path: bool = False) -> Sequence:
+def recorded(machine: EvaluationState, call: Call, pattern: str, found: list[str], *, path: bool = False) -> Sequence:
     """Return the matches, and remember what the glob matched."""
     try:
         shown = machine.folder.inside(pattern, machine.cwd)
@@ -117,7 +117,7 @@ def recorded(machine: Machine, call: Call, pattern: str, found: list[str], *, pa
     return result
 
 
-def path_glob(machine: Machine, path: str, pattern: str) -> list[str]:
+def path_glob(machine: EvaluationState, path: str, pattern: str) -> list[str]:
     """Return what pathlib's glob gives: hidden files fit as well, and a last `**` gives folders alone."""
     found = [machine.folder.inside(path, machine.cwd)]
     for part in [part for part in pattern.split("/") if part]:
@@ -139,11 +139,11 @@ def path_glob(machine: Machine, path: str, pattern: str) -> list[str]:
     return [clean(posixpath.join(path, each[len(below) :].lstrip("/"))) for each in found]
 
 
-def as_path(machine: Machine, call: Call) -> Value | None:
+def as_path(machine: EvaluationState, call: Call) -> Value | None:
     return path_join(list(call.positional) or [Text(call.span, ".")], call.span, path=True)
 
 
-def changed_folder(machine: Machine, call: Call) -> Value | None:
+def changed_folder(machine: EvaluationState, call: Call) -> Value | None:
     text = text_of(call)
     if text is None:
         return None
@@ -154,7 +154,7 @@ def changed_folder(machine: Machine, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def opened(machine: Machine, call: Call) -> Value | None:
+def opened(machine: EvaluationState, call: Call) -> Value | None:
     text, mode = text_of(call, "file"), call.get("mode", 1)
     if text is None or (mode is not None and not (isinstance(mode, Text) and mode.text in ("r", "rt", "rU"))):
         return None

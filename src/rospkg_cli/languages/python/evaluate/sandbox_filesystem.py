@@ -33,7 +33,7 @@ class OutsideError(Exception):
     """A path leads out of the package, or to something that can't be told (a link to a folder)."""
 
 
-class Folder:
+class SandboxFilesystem:
     """What lies where, by paths relative to the package ("" for the package itself)."""
 
     def __init__(self, files: PackageFiles) -> None:

@@ -9,7 +9,7 @@ from .calls import Calls
 from .limits import Flow
 from .list_methods import extend_by
 from .operators import binary
-from .values import Call, Constant, Scope, Sequence, Symbol
+from .values import Call, Constant, Namespace, Sequence, Symbol
 
 ALWAYS_THERE = sys.stdlib_module_names | {"setuptools"}
 """What can be imported wherever a setup.py runs."""
@@ -20,7 +20,7 @@ EXITS = frozenset({"sys.exit", "exit", "quit", "os._exit"})
 class Statements(Calls):
     """Executes assignments, imports and the like."""
 
-    def do_Expr(self, node: ast.Expr, scope: Scope) -> Flow | None:
+    def do_Expr(self, node: ast.Expr, scope: Namespace) -> Flow | None:
         if isinstance(node.value, ast.Call):
             function = self.evaluate(node.value.func, scope) if isinstance(node.value.func, ast.Name) else None
             name = function.name if isinstance(function, Symbol) else ast.unparse(node.value.func)[:20]
@@ -29,16 +29,16 @@ class Statements(Calls):
         self.evaluate(node.value, scope)
         return None
 
-    def do_Assign(self, node: ast.Assign, scope: Scope) -> None:
+    def do_Assign(self, node: ast.Assign, scope: Namespace) -> None:
         value = self.evaluate(node.value, scope)
         for target in node.targets:
             self.assign(target, value, scope)
 
-    def do_AnnAssign(self, node: ast.AnnAssign, scope: Scope) -> None:
+    def do_AnnAssign(self, node: ast.AnnAssign, scope: Namespace) -> None:
         if node.value is not None:
             self.assign(node.target, self.evaluate(node.value, scope), scope)
 
-    def do_AugAssign(self, node: ast.AugAssign, scope: Scope) -> None:
+    def do_AugAssign(self, node: ast.AugAssign, scope: Namespace) -> None:
         target = node.target
         old = self.evaluate(ast.copy_location(as_load(target), target), scope)
         value = self.evaluate(node.value, scope)
@@ -48,7 +48,7 @@ class Statements(Calls):
         found = binary(type(node.op), old, value, self.span(node))
         self.assign(target, self.otherwise(found, node.value, old, value), scope)
 
-    def do_Delete(self, node: ast.Delete, scope: Scope) -> None:
+    def do_Delete(self, node: ast.Delete, scope: Namespace) -> None:
         for target in node.targets:
             if isinstance(target, ast.Name):
                 scope.names.pop(target.id, None)
@@ -56,42 +56,42 @@ class Statements(Calls):
                 holder = self.evaluate(target.value, scope)
                 self.spoil(holder, self.span(node), f"{self.shown(self.span(node))} can't be followed")
 
-    def do_Return(self, node: ast.Return, scope: Scope) -> Flow:
+    def do_Return(self, node: ast.Return, scope: Namespace) -> Flow:
         value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
         scope.returns.append(value)
         return Flow.RETURN
 
-    def do_Raise(self, node: ast.Raise, scope: Scope) -> Flow:
+    def do_Raise(self, node: ast.Raise, scope: Namespace) -> Flow:
         return Flow.RAISE
 
-    def do_Break(self, node: ast.Break, scope: Scope) -> Flow:
+    def do_Break(self, node: ast.Break, scope: Namespace) -> Flow:
         return Flow.BREAK
 
-    def do_Continue(self, node: ast.Continue, scope: Scope) -> Flow:
+    def do_Continue(self, node: ast.Continue, scope: Namespace) -> Flow:
         return Flow.CONTINUE
 
-    def do_Pass(self, node: ast.Pass, scope: Scope) -> None:
+    def do_Pass(self, node: ast.Pass, scope: Namespace) -> None:
         """Nothing happens."""
 
-    def do_Assert(self, node: ast.Assert, scope: Scope) -> None:
+    def do_Assert(self, node: ast.Assert, scope: Namespace) -> None:
         """It holds, or nothing after it matters."""
 
-    def do_Global(self, node: ast.Global | ast.Nonlocal, scope: Scope) -> None:
+    def do_Global(self, node: ast.Global | ast.Nonlocal, scope: Namespace) -> None:
         for name in node.names:
-            at: Scope | None = scope.parent if isinstance(node, ast.Nonlocal) else scope.top
+            at: Namespace | None = scope.parent if isinstance(node, ast.Nonlocal) else scope.top
             while isinstance(node, ast.Nonlocal) and at is not None and name not in at.names:
                 at = at.parent
             scope.outer[name] = at or scope.top
 
     do_Nonlocal = do_Global
 
-    def do_Import(self, node: ast.Import, scope: Scope) -> None:
+    def do_Import(self, node: ast.Import, scope: Namespace) -> None:
         for alias in node.names:
             self.doubt_import(alias.name)
             bound = alias.name if alias.asname else alias.name.partition(".")[0]
             scope.bind(alias.asname or bound, Symbol(self.span(alias), bound))
 
-    def do_ImportFrom(self, node: ast.ImportFrom, scope: Scope) -> None:
+    def do_ImportFrom(self, node: ast.ImportFrom, scope: Namespace) -> None:
         module = "." * node.level + (node.module or "")
         self.doubt_import(module)
         for alias in node.names:

@@ -91,7 +91,7 @@ class Function:
     span: Span
     name: str
     node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
-    scope: Scope
+    scope: Namespace
     defaults: dict[str, Value] = field(default_factory=dict)
     decorated: bool = False
 
@@ -102,7 +102,7 @@ class Class:
 
     span: Span
     name: str
-    scope: Scope
+    scope: Namespace
     bases: tuple[Value, ...] = ()
 
 
@@ -147,7 +147,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Attribute:
+class AttributeValue:
     """An attribute of a value that is only known as a call or the like."""
 
     span: Span
@@ -156,12 +156,12 @@ class Attribute:
 
 
 @dataclass(eq=False)
-class Scope:
+class Namespace:
     """The names of a module, a function or a comprehension."""
 
-    parent: Scope | None = None
+    parent: Namespace | None = None
     names: dict[str, Value] = field(default_factory=dict)
-    outer: dict[str, Scope] = field(default_factory=dict)
+    outer: dict[str, Namespace] = field(default_factory=dict)
     """Names declared `global` or `nonlocal`, and where they live."""
     returns: list[Value] = field(default_factory=list)
     """What the function returned so far; more than one where a condition could not be told."""
@@ -169,7 +169,7 @@ class Scope:
     """What the generator yielded so far."""
 
     def find(self, name: str) -> Value | None:
-        at: Scope | None = self.outer.get(name, self)
+        at: Namespace | None = self.outer.get(name, self)
         while at is not None:
             if name in at.names:
                 return at.names[name]
@@ -180,11 +180,13 @@ class Scope:
         self.outer.get(name, self).names[name] = value
 
     @property
-    def top(self) -> Scope:
+    def top(self) -> Namespace:
         at = self
         while at.parent is not None:
             at = at.parent
         return at
 
 
-Value = Unknown | Text | Constant | Sequence | Mapping | Joined | Symbol | Function | Class | Call | Attribute | Opened
+Value = (
+    Unknown | Text | Constant | Sequence | Mapping | Joined | Symbol | Function | Class | Call | AttributeValue | Opened
+)

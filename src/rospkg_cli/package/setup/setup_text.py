@@ -9,7 +9,7 @@ from ...source import Span
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class SetupText:
     path: str
     """setup.py or setup.cfg."""
     text: str
@@ -19,7 +19,7 @@ class Said:
     """Where the text stands just as it is, and may be edited; None where it was computed."""
 
     @classmethod
-    def of(cls, path: str, value: Text) -> Said:
+    def of(cls, path: str, value: Text) -> SetupText:
         return cls(path, value.text, value.span, value.literal)
 
     @property
@@ -27,18 +27,18 @@ class Said:
         """The narrowest span of the text: without its quotes where it is a plain literal."""
         return self.literal or self.span
 
-    def part(self, start: int, end: int) -> Said:
+    def part(self, start: int, end: int) -> SetupText:
         """Return some characters of it; computed texts keep the span of the whole."""
         if self.literal is None:
             return replace(self, text=self.text[start:end])
         span = Span(self.literal.start + start, self.literal.start + end)
-        return Said(self.path, self.text[start:end], span, span)
+        return SetupText(self.path, self.text[start:end], span, span)
 
-    def stripped(self) -> Said:
+    def stripped(self) -> SetupText:
         start = len(self.text) - len(self.text.lstrip())
         return self.part(start, start + len(self.text.strip()))
 
-    def lines(self) -> list[Said]:
+    def lines(self) -> list[SetupText]:
         """Return the lines that hold something, stripped, without those that are comments."""
         found, at = [], 0
         for line in self.text.splitlines(keepends=True):
