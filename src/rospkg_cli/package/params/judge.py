@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from collections.abc import SequenceNode as Many
+from collections.abc import Sequence as Many
 
 from ...languages.yaml.nodes import AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...source import Source, Span
