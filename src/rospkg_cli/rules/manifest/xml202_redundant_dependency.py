@@ -49,7 +49,7 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     ## Why is this bad?
     `<depend>` means all three. Where the attributes are equal too, colcon refuses the manifest and builds the folder as
     a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten when the
-    dependency changes when the dependency changes.
+    dependency changes.
 
     ## References
     - [REP-149, depend](https://ros.org/reps/rep-0149.html): "cannot be used in combination with any of the three
