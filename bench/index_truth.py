@@ -25,8 +25,8 @@ from typing import Any
 
 import yaml
 
-from rospkg_cli.index.file_url import place_of
-from rospkg_cli.index.rosdep_lists import DEFAULT_LISTS, key_lists
+from rospkg_cli.index.file_url import index_url
+from rospkg_cli.index.rosdep_lists import DEFAULT_LISTS, rosdep_lists
 from rospkg_cli.index.rosdistro_files import document
 from rospkg_cli.index.update import make_index
 from rospkg_cli.ros.distros import DISTROS, Distro
@@ -116,10 +116,10 @@ def main() -> int:
     parser.add_argument("--show", type=int, default=10, metavar="N", help="Print so many of those that differ.")
     arguments = parser.parse_args()
     source = arguments.source.resolve()
-    place, nothing = place_of(str(source), {}, ""), {"ROSDEP_SOURCE_PATH": ""}
+    place, nothing = index_url(str(source), {}, ""), {"ROSDEP_SOURCE_PATH": ""}
     index = make_index(place, [each.name for each in DISTROS], nothing)
     text = dump(index)
-    lists = [(each.codenames, document(each.place)) for each in key_lists(place, nothing)]
+    lists = [(each.codenames, document(each.place)) for each in rosdep_lists(place, nothing)]
     entries = {code: merged(found for codes, found in lists if code in codes) for code in CODENAMES.values()}
     every = sorted({*index.keys, *index.packages, *NOBODYS})
     with tempfile.TemporaryDirectory() as scratch:

@@ -28,7 +28,7 @@ from pathlib import Path
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.inspection import Inspection, inspect_package
-from rospkg_cli.package.install_table import What
+from rospkg_cli.package.install_table import InstallKind
 from rospkg_cli.ros.distros import Targets
 
 from .cmake_world import UNKNOWN, World, make_world, name_of, open_package, real_packages
@@ -73,10 +73,10 @@ def installed(prefix: Path) -> set[str]:
     return {COMPILED.sub(".so", PYTHON.sub("lib/python/", path)) for path in paths}
 
 
-def what(destination: str, name: str) -> What:
+def what(destination: str, name: str) -> InstallKind:
     if destination.startswith((f"lib/{name}/", "bin/")):
         return "executable"
-    parts: dict[str, What] = {"share": "share", "include": "header"}
+    parts: dict[str, InstallKind] = {"share": "share", "include": "header"}
     if destination.startswith("lib/python/"):
         return "module"
     return parts.get(destination.partition("/")[0], "library" if destination.startswith("lib/") else "other")

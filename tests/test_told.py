@@ -20,7 +20,7 @@ from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
-from rospkg_cli.scaffold.user_text import UserText, UnescapedError, comment, markdown, pieces_of, user_text
+from rospkg_cli.scaffold.user_text import UnescapedError, UserText, comment, markdown, pieces_of, user_text
 
 NASTY = (
     "it's \"quoted\" & <b>bold</b>", "back\\slash \\n \\N{DASH}", "{{ name }} {% raw %} {# no #}", "${HOME} $(id) `id`",
@@ -165,7 +165,7 @@ def test_a_maintainer_whom_ament_cmake_would_stumble_over_is_refused(name: str, 
 
 def test_a_template_must_name_the_language_of_a_users_text() -> None:
     with pytest.raises(UnescapedError):
-        f"{Told('text')}"
+        f"{UserText('text')}"
 
 
 @given(st.text(max_size=300), st.integers(20, 100))

@@ -13,14 +13,14 @@ from .engine.discovery.discover import packages_in, repositories_in
 from .engine.run.session import Results, Scope, Session
 from .engine.selection import EVERYTHING
 from .ros.distros import Targets
-from .tree import Entry, MemoryTree
+from .tree import MemoryTree, TreeEntry
 
 if TYPE_CHECKING:
     import pytest
 
 
 def lint_files(
-    files: Mapping[str, str | bytes | Entry], codes: Iterable[str] | None = None, targets: tuple[str, ...] = ()
+    files: Mapping[str, str | bytes | TreeEntry], codes: Iterable[str] | None = None, targets: tuple[str, ...] = ()
 ) -> Results:
     """Lint a tree given as path → text with the named rules, or with all of them, pedantic and release included.
 

@@ -7,20 +7,20 @@ from collections.abc import Iterator
 
 from ..control_characters import no_command, visible, visible_lines
 from ..engine.fixing.apply import Changes
-from ..tree import Entry, Tree
+from ..tree import Tree, TreeEntry
 
 
 def unified(tree: Tree, changes: Changes) -> Iterator[str]:
     """Yield the diff of each changed file, by path."""
     for path, after in sorted(changes.items()):
         try:
-            before: Entry | None = tree.entry(path)
+            before: TreeEntry | None = tree.entry(path)
         except OSError:
             before = None
         yield diff(path, before, after)
 
 
-def diff(path: str, before: Entry | None, after: Entry | None) -> str:
+def diff(path: str, before: TreeEntry | None, after: TreeEntry | None) -> str:
     """Return one file's diff, in which nothing is left that a terminal or a log would obey.
 
     A change of mode alone is one line. Raises UnicodeError where a file is no text.

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 DELAY = 1.0
 
 
-class Line:
+class ProgressLine:
     """The line, once it is shown; what is told before is kept for it."""
 
     def __init__(self) -> None:
@@ -30,7 +30,7 @@ class Line:
         with self.lock:
             self.text = text
             if self.shown:
-                self.shown.update(drawn(text))
+                self.shown.update(plain_text(text))
 
     def show(self) -> None:
         from rich.console import Console
@@ -38,7 +38,7 @@ class Line:
 
         with self.lock:
             if not self.over:
-                self.shown = Status(drawn(self.text), console=Console(stderr=True))
+                self.shown = Status(plain_text(self.text), console=Console(stderr=True))
                 self.shown.start()
 
     def stop(self) -> None:
@@ -48,7 +48,7 @@ class Line:
                 self.shown.stop()
 
 
-def drawn(text: str) -> Text:
+def plain_text(text: str) -> Text:
     """Return what is told as a text in which rich finds no markup."""
     from rich.text import Text
 
@@ -58,7 +58,7 @@ def drawn(text: str) -> Text:
 @contextmanager
 def progress(wanted: bool = True) -> Iterator[Callable[[str], None]]:
     """Give what to tell of each step; nothing is shown where stderr is no terminal."""
-    line = Line()
+    line = ProgressLine()
     timer = Timer(DELAY, line.show)
     timer.daemon = True
     if wanted and sys.stderr.isatty():

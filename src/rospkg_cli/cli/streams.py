@@ -67,7 +67,7 @@ def guarded(work: Callable[[], int]) -> int:
         status = work()
         sys.stdout.flush()
     except OutputError as lost:
-        status = told(lost)
+        status = output_lost(lost)
     sys.stderr.flush()
     return status
 
@@ -105,7 +105,7 @@ def fitted(stream: Any, own: Any, kind: type[io.TextIOWrapper]) -> Any:
     )
 
 
-def told(lost: OutputError, more: str = "") -> int:
+def output_lost(lost: OutputError, more: str = "") -> int:
     """Say why nothing can be printed; return the exit status."""
     mute(sys.stdout)
     if lost.cause.errno == errno.EPIPE:
@@ -120,10 +120,10 @@ def afterwards(show: Callable[[], None], done: str) -> None:
         show()
         sys.stdout.flush()
     except OutputError as lost:
-        told(lost, f"; {done}")
+        output_lost(lost, f"; {done}")
 
 
-def takes(stream: TextIO, text: str) -> bool:
+def can_encode(stream: TextIO, text: str) -> bool:
     """Return whether a stream's encoding has all characters of a text."""
     try:
         text.encode(stream.encoding or "utf-8")

@@ -8,16 +8,16 @@ from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
 from pathlib import Path
 
-from ..config.file import Config, Ignores, Section
+from ..config.file import Config, Ignores, OverrideSection
 from ..finding import Finding, Severity
 from ..package.run_events import UnknownRuleName, UnusedSuppression
 from .run.session import Results, Session
 from .selection import codes_named
-from .suppression.config_rule_names import Keys, complaints
+from .suppression.config_rule_names import Keys, rule_name_events
 
 
 @dataclass(frozen=True)
-class Judge:
+class ConfigFilter:
     config: Config
     root: Path
     """Of the run; the paths of findings are relative to it."""
@@ -42,12 +42,12 @@ class Judge:
         tables: list[tuple[Keys, Ignores]] = [(("ignore",), self.config.ignore)]
         tables += [((s.key, s.pattern, "ignore"), s.ignore) for s in sections]
         for keys, ignores in tables:
-            name = longest(ignores, finding.code)
+            name = longest_match(ignores, finding.code)
             if name is not None:
                 self.used.add((*keys, name))
                 return replace(finding, suppressed=ignores[name], external=True)
-        levels = [level for s in sections if (level := said(s.severity, finding.code))]
-        level = levels[-1] if levels else said(self.config.severity, finding.code)
+        levels = [level for s in sections if (level := configured_level(s.severity, finding.code))]
+        level = levels[-1] if levels else configured_level(self.config.severity, finding.code)
         if level == "off":
             return replace(finding, suppressed="severity is off in the config", external=True)
         return replace(finding, severity=Severity(level)) if level else finding
@@ -59,28 +59,30 @@ class Judge:
             below = path.relative_to(self.root).as_posix()
             with suppress(OSError, UnicodeError):
                 text = session.tree.entry(below).text.text
-                yield from complaints(self.config, below, text, self.used, session.codes if self.whole else frozenset())
+                yield from rule_name_events(
+                    self.config, below, text, self.used, session.codes if self.whole else frozenset()
+                )
 
-    def sections(self, finding: Finding) -> Iterable[Section]:
+    def sections(self, finding: Finding) -> Iterable[OverrideSection]:
         """Yield the sections whose pattern fits the finding's package, or its path below the config's folder."""
         yield from (s for s in self.config.per_package if fnmatch(finding.package, s.pattern))
         path = self.root / finding.place.path
         if path.is_relative_to(self.config.folder):
             below = path.relative_to(self.config.folder).as_posix()
-            yield from (s for s in self.config.per_path if fits(below, s.pattern))
+            yield from (s for s in self.config.per_path if matches_path(below, s.pattern))
 
 
-def fits(path: str, pattern: str) -> bool:
+def matches_path(path: str, pattern: str) -> bool:
     """Return whether a pattern fits a path or a folder above it."""
     parts = path.split("/")
     return any(fnmatch("/".join(parts[:n]), pattern.rstrip("/")) for n in range(1, len(parts) + 1))
 
 
-def longest(table: Mapping[str, str], code: str) -> str | None:
+def longest_match(table: Mapping[str, str], code: str) -> str | None:
     """Return the longest of the codes, names and prefixes in a table that stands for a code."""
     return max((name for name in table if code in codes_named(name)), key=len, default=None)
 
 
-def said(table: Mapping[str, str], code: str) -> str | None:
-    name = longest(table, code)
+def configured_level(table: Mapping[str, str], code: str) -> str | None:
+    name = longest_match(table, code)
     return None if name is None else table[name]

@@ -55,24 +55,24 @@ def names(environment: Mapping[str, str]) -> Names:
     return BUILT_IN if text is None else FetchedNames(text)
 
 
-def kept(environment: Mapping[str, str]) -> Index | None:
+def cached_index(environment: Mapping[str, str]) -> Index | None:
     """Return the index that was fetched, None where there is none; raises NamesError."""
     text = read_text(environment)
     return None if text is None else parse(text)
 
 
-def keep(index: Index, environment: Mapping[str, str]) -> Path:
+def cache_index(index: Index, environment: Mapping[str, str]) -> Path:
     """Put an index in the place of the one before; return its file. Raises NamesError, and the old one stays."""
     path = cache_file(environment)
     try:
-        remove_strays(path)
+        remove_leftovers(path)
         write_text(path, dump(index))
     except WriteError as error:
         raise NamesError(f"{error}; what was there is left as it was") from None
     return path
 
 
-def remove_strays(path: Path) -> None:
+def remove_leftovers(path: Path) -> None:
     """Remove what runs that were killed while they wrote have left beside the index."""
     for stray in path.parent.glob(f".{path.name}.*"):
         with suppress(OSError):

@@ -10,7 +10,7 @@ from urllib.request import Request, urlopen
 
 from .. import __version__
 from . import NamesError
-from .file_url import Place, path_of
+from .file_url import FileUrl, path_of
 
 TIMEOUT = 20.0
 """Seconds in which nothing comes."""
@@ -25,7 +25,7 @@ class NotThereError(NamesError):
     """The place can be asked and has no such file."""
 
 
-def fetch(place: Place, timeout: float = TIMEOUT) -> bytes:
+def fetch(place: FileUrl, timeout: float = TIMEOUT) -> bytes:
     """Return the bytes of a place; raises NotThereError, and NamesError where they do not come whole."""
     refuse_no_file(place)
     try:
@@ -48,7 +48,7 @@ def fetch(place: Place, timeout: float = TIMEOUT) -> bytes:
     return data
 
 
-def refuse_no_file(place: Place) -> None:
+def refuse_no_file(place: FileUrl) -> None:
     """Raise NamesError for a FIFO, a device or a folder of this machine, which could be waited for without end."""
     path = Path(path_of(place.url)) if place.url.startswith("file:") else None
     if path is not None and path.exists() and not path.is_file():

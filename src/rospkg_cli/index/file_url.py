@@ -15,12 +15,12 @@ SCHEMES = ("http", "https", "file")
 
 
 @dataclass(frozen=True)
-class Place:
+class FileUrl:
     """The URL of an index file; what it names without a scheme lies beside it."""
 
     url: str
 
-    def beside(self, path: str) -> Place:
+    def beside(self, path: str) -> FileUrl:
         """Return the place of a path that is relative to the index file, or of a URL; a query goes with the former.
 
         Raises NamesError for what is neither, and for a file of this machine that another machine names.
@@ -29,10 +29,10 @@ class Place:
         if other.scheme and (other.scheme not in SCHEMES or (other.scheme == "file" and parts.scheme != "file")):
             raise NamesError(f"{self} names `{path}`, and that is not read")
         if other.scheme:
-            return Place(path)
-        return Place(urljoin(urlunsplit(parts._replace(query="")), path) + (f"?{parts.query}" if parts.query else ""))
+            return FileUrl(path)
+        return FileUrl(urljoin(urlunsplit(parts._replace(query="")), path) + (f"?{parts.query}" if parts.query else ""))
 
-    def holds(self, other: Place) -> bool:
+    def holds(self, other: FileUrl) -> bool:
         """Return whether another place lies in the folder of the index file."""
         folder = urlunsplit(urlsplit(self.url)._replace(query="", fragment="")).rpartition("/")[0]
         return other.url.startswith(folder + "/")
@@ -59,7 +59,7 @@ def path_of(url: str) -> str:
     return url2pathname(urlsplit(url).path)
 
 
-def place_of(asked: str, environment: Mapping[str, str], configured: str) -> Place:
+def index_url(asked: str, environment: Mapping[str, str], configured: str) -> FileUrl:
     """Return the index file that was asked for, else $ROSDISTRO_INDEX_URL, else the config's, else ros/rosdistro's.
 
     Raises NamesError for what is neither a folder, a file nor a URL that can be read.
@@ -82,11 +82,11 @@ def place_of(asked: str, environment: Mapping[str, str], configured: str) -> Pla
     if not parts.netloc:
         raise NamesError(f"{where}: `{text}` names no host")
     if parts.path.endswith((".yaml", ".yml")):
-        return Place(text)
-    return Place(urlunsplit(parts._replace(path=f"{parts.path.rstrip('/')}/{INDEX}")))
+        return FileUrl(text)
+    return FileUrl(urlunsplit(parts._replace(path=f"{parts.path.rstrip('/')}/{INDEX}")))
 
 
-def local(path: Path, where: str) -> Place:
+def local(path: Path, where: str) -> FileUrl:
     path = path.resolve()
     if path.is_dir():
         path = path / INDEX
@@ -94,10 +94,10 @@ def local(path: Path, where: str) -> Place:
             raise NamesError(f"{where}: `{path.parent}` is no copy of rosdistro: it has no {INDEX}")
     if not path.is_file():
         raise NamesError(f"{where}: there is no folder and no file `{path}`; give a copy of rosdistro, or its URL")
-    return Place(path.as_uri())
+    return FileUrl(path.as_uri())
 
 
-def shortened(place: Place) -> Place:
+def shortened(place: FileUrl) -> FileUrl:
     """Return the folder around an index file of the usual name on this machine; any other place as it is."""
     url = place.url.removesuffix(f"/{INDEX}") if place.url.startswith("file:") else place.url
-    return Place(url)
+    return FileUrl(url)

@@ -73,7 +73,7 @@ class Open:
         return self.value
 
 
-class Builder:
+class PlainBuilder:
     """Puts events together; every bound is on the sum, so that no form of them can be made to grow."""
 
     def __init__(self) -> None:
@@ -143,7 +143,7 @@ def plain_yaml(data: bytes) -> Any:
     """Return what a YAML file of one document holds, None for nothing; raises YamlError."""
     import yaml
 
-    builder, event = Builder(), None
+    builder, event = PlainBuilder(), None
     try:
         for event in events(data):
             builder.take(event)

@@ -12,7 +12,7 @@ from ..ros.distros import DISTROS
 from ..ros.rosdep import CODENAMES
 from . import NamesError
 from .fetch import NotThereError, fetch
-from .file_url import Place
+from .file_url import FileUrl
 
 MAX_LISTS = 100
 """ros/rosdistro has four; each of them is a file that is fetched."""
@@ -26,12 +26,12 @@ OFFICIAL = re.compile(r"/ros/rosdistro/[^/]+/(rosdep/[\w.-]+\.yaml)$")
 
 
 @dataclass(frozen=True)
-class KeyList:
+class RosdepList:
     """A list of keys; each of its tags (an operating system, a release of it, a distribution) limits it to that."""
 
-    place: Place
+    place: FileUrl
     tags: frozenset[str] = frozenset()
-    elsewhere: Place | None = None
+    elsewhere: FileUrl | None = None
     """Where it stands by its own name, if the source does not have it."""
 
     @property
@@ -44,7 +44,7 @@ class KeyList:
         return found
 
 
-def key_lists(source: Place, environment: Mapping[str, str]) -> list[KeyList]:
+def rosdep_lists(source: FileUrl, environment: Mapping[str, str]) -> list[RosdepList]:
     """Return the lists in rosdep's order: the machine's, then those of the source that are not among them.
 
     Raises NamesError for a line that is none.
@@ -53,7 +53,7 @@ def key_lists(source: Place, environment: Mapping[str, str]) -> list[KeyList]:
     try:
         own = list(parsed(fetch(source.beside(DEFAULT_LISTS)).decode("utf-8", "replace"), source, DEFAULT_LISTS))
     except NotThereError:
-        own = [KeyList(source.beside(f"rosdep/{name}")) for name in OWN]
+        own = [RosdepList(source.beside(f"rosdep/{name}")) for name in OWN]
     if len(found) + len(own) > MAX_LISTS:
         raise NamesError(f"{source} and this machine name {len(found) + len(own)} lists; at most {MAX_LISTS} are read")
     return [*found, *(each for each in own if each.place not in {other.place for other in found})]
@@ -70,7 +70,7 @@ def texts(environment: Mapping[str, str]) -> Iterator[tuple[str, str]]:
                 raise NamesError(f"`{path}` can't be read: {error.strerror or error}") from None
 
 
-def parsed(text: str, source: Place, path: str) -> Iterator[KeyList]:
+def parsed(text: str, source: FileUrl, path: str) -> Iterator[RosdepList]:
     for number, line in enumerate(text.splitlines(), 1):
         kind, *rest = line.split() or [""]
         if not kind or kind.startswith("#") or kind == "gbpdistro":
@@ -78,5 +78,5 @@ def parsed(text: str, source: Place, path: str) -> Iterator[KeyList]:
         if kind != "yaml" or not rest or not rest[0].startswith(("http://", "https://", "file:///")):
             raise NamesError(f"{path}:{number}: `{line.strip()}` is no source of rosdep: `yaml URL [TAG …]`")
         official = OFFICIAL.search(rest[0])
-        place, tags = Place(rest[0]), frozenset(rest[1:])
-        yield KeyList(source.beside(official[1]), tags, place) if official else KeyList(place, tags)
+        place, tags = FileUrl(rest[0]), frozenset(rest[1:])
+        yield RosdepList(source.beside(official[1]), tags, place) if official else RosdepList(place, tags)

@@ -7,7 +7,7 @@ from typing import Any
 
 from . import NamesError
 from .fetch import fetch
-from .file_url import Place
+from .file_url import FileUrl
 
 Entries = Mapping[Any, Any]
 
@@ -17,7 +17,7 @@ MAX_FILES = 50
 LONGEST_NAME = 200
 
 
-def document(place: Place) -> Entries:
+def document(place: FileUrl) -> Entries:
     """Return the mapping that a YAML file holds; raises NamesError, and NotThereError where there is no file."""
     from .plain_yaml import YamlError, plain_yaml  # 22 ms that no other command need pay
 
@@ -32,12 +32,12 @@ def document(place: Place) -> Entries:
     return loaded
 
 
-def distribution_files(place: Place, index: Entries) -> dict[str, list[Place]]:
+def distribution_files(place: FileUrl, index: Entries) -> dict[str, list[FileUrl]]:
     """Return the distribution files of each distribution of an index file (REP-153); raises NamesError."""
     listed = index.get("distributions")
     if index.get("type") != "index" or not isinstance(listed, Mapping):
         raise NamesError(f"{place} is no index of rosdistro: it lists no distributions")
-    found: dict[str, list[Place]] = {}
+    found: dict[str, list[FileUrl]] = {}
     for name, entry in listed.items():
         files = entry.get("distribution") if isinstance(entry, Mapping) else None
         files = [files] if isinstance(files, str) else files
@@ -48,7 +48,7 @@ def distribution_files(place: Place, index: Entries) -> dict[str, list[Place]]:
     return found
 
 
-def released(files: Iterable[tuple[Place, Entries]]) -> set[str]:
+def released(files: Iterable[tuple[FileUrl, Entries]]) -> set[str]:
     """Return the packages that a distribution releases (REP-143); raises NamesError.
 
     Where a distribution has several files, a repository of a later one replaces that of an earlier one.

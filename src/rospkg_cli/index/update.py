@@ -11,8 +11,8 @@ from ..ros.name_index import Index, Named
 from ..ros.rosdep import CODENAMES, apt_name, installer, merged, pip_names
 from . import NamesError
 from .fetch import NotThereError
-from .file_url import Place, shortened
-from .rosdep_lists import KeyList, key_lists
+from .file_url import FileUrl, shortened
+from .rosdep_lists import RosdepList, rosdep_lists
 from .rosdistro_files import Entries, distribution_files, document, is_name, released
 
 Progress = Callable[[str, int, int], None]
@@ -23,7 +23,7 @@ Lists = Sequence[tuple[frozenset[str], Entries]]
 
 
 def make_index(
-    place: Place, distros: Iterable[str], environment: Mapping[str, str], progress: Progress = lambda *_: None
+    place: FileUrl, distros: Iterable[str], environment: Mapping[str, str], progress: Progress = lambda *_: None
 ) -> Index:
     """Return the index of some distributions from the rosdistro at a place; raises NamesError.
 
@@ -32,10 +32,10 @@ def make_index(
     wanted = [each.name for each in DISTROS if each.name in set(distros)]
     progress(str(place), 0, 1)
     files = wanted_files(place, wanted)
-    lists = key_lists(place, environment)
+    lists = rosdep_lists(place, environment)
     places = [*(each for name in wanted for each in files[name]), *(each.place for each in lists)]
 
-    def told(each: Place) -> Place:
+    def told(each: FileUrl) -> FileUrl:
         progress(str(each), 1 + places.index(each), 1 + len(places))
         return each
 
@@ -61,7 +61,7 @@ def make_index(
     )
 
 
-def wanted_files(place: Place, wanted: Sequence[str]) -> dict[str, list[Place]]:
+def wanted_files(place: FileUrl, wanted: Sequence[str]) -> dict[str, list[FileUrl]]:
     """Return the distribution files of some distributions; raises NamesError where there is none of one."""
     files = distribution_files(place, document(place))
     missing = [name for name in wanted if name not in files]
@@ -72,7 +72,7 @@ def wanted_files(place: Place, wanted: Sequence[str]) -> dict[str, list[Place]]:
     return files
 
 
-def entries_of(listed: KeyList, told: Callable[[Place], Place]) -> Entries:
+def entries_of(listed: RosdepList, told: Callable[[FileUrl], FileUrl]) -> Entries:
     """Return what a list holds; where the source lacks one of ros/rosdistro's, that one itself."""
     try:
         return document(told(listed.place))

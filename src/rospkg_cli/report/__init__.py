@@ -11,7 +11,7 @@ from typing import IO
 from ..control_characters import no_command, visible
 from ..engine.run.session import Results
 from ..finding import Finding, Severity
-from .printable import shown
+from .printable import printable
 
 FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
 EXACT = frozenset({"json", "sarif", "gitlab", "rdjson"})
@@ -54,6 +54,6 @@ def render(name: str, report: Report, stream: IO[str]) -> None:
     if name in EXACT:
         report = replace(report, exact=True)
     else:
-        findings = tuple(shown(finding) for finding in report.results.findings)
+        findings = tuple(printable(finding) for finding in report.results.findings)
         report = replace(report, results=replace(report.results, findings=findings))
     importlib.import_module(f".{name}", __name__).render(report, stream)

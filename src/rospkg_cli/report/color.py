@@ -17,7 +17,7 @@ CODES: Mapping[str, str] = {
     "green": "32",
     "cyan": "36",
 }
-OF_SEVERITY = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "blue"}
+SEVERITY_COLORS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "blue"}
 
 
 def paint(text: str, name: str, color: bool) -> str:

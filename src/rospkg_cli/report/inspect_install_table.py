@@ -9,7 +9,7 @@ from typing import IO, Any
 from .. import __version__
 from ..control_characters import no_command, visible
 from ..package.inspection import Inspection
-from ..package.install_table import PYTHON, Installed, What
+from ..package.install_table import PYTHON, InstalledFile, InstallKind
 from .color import paint
 from .dump import dump
 from .inspect_launch import launch_document, launch_lines
@@ -18,7 +18,7 @@ SCHEMA = 1
 SITE_PACKAGES = "lib/python3.*/site-packages"
 """How the folder of Python packages is shown: its name depends on the Python that builds."""
 
-TITLES: dict[What, str] = {
+TITLES: dict[InstallKind, str] = {
     "executable": "executables",
     "share": "share files",
     "module": "Python modules",
@@ -29,7 +29,7 @@ TITLES: dict[What, str] = {
 MAX_WIDTH = 72
 
 
-def destination(row: Installed) -> str:
+def destination(row: InstalledFile) -> str:
     """Return where a row is installed, relative to the prefix."""
     inside = row.destination.removeprefix(PYTHON + "/")
     return row.destination if inside == row.destination else f"{SITE_PACKAGES}/{inside}"
@@ -74,7 +74,7 @@ def table(title: str, rows: Sequence[tuple[str, str]], color: bool) -> Iterator[
     yield from (f"    {name:<{width}}  {paint('<- ' + made, 'dim', color)}" for name, made in shown)
 
 
-def under(row: Installed) -> str:
+def under(row: InstalledFile) -> str:
     """Return the condition that a row is there under."""
     return " (perhaps)" if row.maybe else " (with tests)" if row.testing else ""
 

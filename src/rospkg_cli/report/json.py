@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import IO, Any
 
 from .. import __version__
-from ..finding import Chmod, Create, Delete, Edit, Finding, Move, Place, Severity
+from ..finding import Chmod, Create, Delete, Edit, Finding, Location, Move, Severity
 from . import Report
 from .dump import dump
 
@@ -46,7 +46,7 @@ def entry(report: Report, finding: Finding) -> dict[str, Any]:
     }
 
 
-def place(report: Report, at: Place) -> dict[str, Any]:
+def place(report: Report, at: Location) -> dict[str, Any]:
     return {
         "path": report.path(at.path),
         "line": at.line,

@@ -8,7 +8,7 @@ from ..control_characters import visible, visible_lines
 from ..finding import Finding
 
 
-def shown(finding: Finding) -> Finding:
+def printable(finding: Finding) -> Finding:
     """Return a finding whose message, package and fix hold nothing that a terminal or a log would obey.
 
     Line ends and tabs in what is said stay. Paths stay, for `Report.path` shows them; so does the excerpt, in which

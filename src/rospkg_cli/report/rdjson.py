@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import IO, Any
 
-from ..finding import Edit, Finding, Place, Safety, Severity
+from ..finding import Edit, Finding, Location, Safety, Severity
 from . import Report
 from .dump import dump
 
@@ -41,7 +41,7 @@ def suggested(finding: Finding) -> list[dict[str, Any]]:
     return [{"range": span(at), "text": edit.text} for edit, at in zip(edits, finding.edit_places, strict=True)]
 
 
-def span(at: Place) -> dict[str, Any]:
+def span(at: Location) -> dict[str, Any]:
     return {
         "start": {"line": at.line, "column": at.column},
         "end": {"line": at.end_line, "column": at.end_column},

@@ -7,7 +7,7 @@ from typing import IO, Any
 from urllib.parse import quote
 
 from .. import __version__
-from ..finding import Create, Delete, Edit, Finding, Place, Severity
+from ..finding import Create, Delete, Edit, Finding, Location, Severity
 from ..rule import Rule, all_rules
 from ..rule_docs import explain, summary
 from . import Report
@@ -81,11 +81,11 @@ def bytes_of(path: str) -> bytes:
         return path.encode("utf-8", "surrogatepass")
 
 
-def region(at: Place) -> dict[str, int]:
+def region(at: Location) -> dict[str, int]:
     return {"startLine": at.line, "startColumn": at.column, "endLine": at.end_line, "endColumn": at.end_column}
 
 
-def location(report: Report, at: Place) -> dict[str, Any]:
+def location(report: Report, at: Location) -> dict[str, Any]:
     return {"physicalLocation": {"artifactLocation": artifact(report, at.path), "region": region(at)}}
 
 

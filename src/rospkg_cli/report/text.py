@@ -7,7 +7,7 @@ from typing import IO
 
 from ..control_characters import no_command, visible_lines
 from ..finding import Finding, Safety, Severity
-from .color import OF_SEVERITY, paint
+from .color import SEVERITY_COLORS, paint
 
 from . import Report  # isort: skip
 
@@ -22,7 +22,7 @@ def render(report: Report, stream: IO[str]) -> None:
 
 def block(report: Report, finding: Finding) -> list[str]:
     """Return the lines that show one finding."""
-    color, level = report.color, OF_SEVERITY[finding.severity]
+    color, level = report.color, SEVERITY_COLORS[finding.severity]
     head = f"{paint(report.where(finding), 'bold', color)}: {paint(finding.severity.value, level, color)} "
     lines = [head + f"{finding.code} {paint(finding.name, 'dim', color)}", *excerpt(report, finding)]
     lines += wrapped(finding.message, report.width)
@@ -60,7 +60,7 @@ def excerpt(report: Report, finding: Finding) -> list[str]:
         paint(gutter, "dim", report.color) + shown,
         paint(" " * 5 + " | ", "dim", report.color)
         + " " * start
-        + paint(marks, OF_SEVERITY[finding.severity], report.color),
+        + paint(marks, SEVERITY_COLORS[finding.severity], report.color),
     ]
 
 

@@ -8,11 +8,11 @@ from typing import Any
 
 from ..ros.distros import Distro
 from ..ros.licenses import License
-from .bringup import Started
-from .interface import Interface
-from .node import Node
-from .node_kinds import Parameter
-from .user_text import Told
+from .bringup import Bringup
+from .interface import RequestedInterface
+from .node import RequestedNode
+from .node_kinds import NodeParameter
+from .user_text import UserText
 
 EVERY_NODE = "/**"
 """The key of parameters for every node in every namespace."""
@@ -57,17 +57,17 @@ class Request:
 @dataclass(frozen=True)
 class Answers:
     name: str
-    nodes: tuple[Node, ...]
-    started: Started
+    nodes: tuple[RequestedNode, ...]
+    started: Bringup
     """What it starts of other packages."""
-    interfaces: tuple[Interface, ...]
+    interfaces: tuple[RequestedInterface, ...]
     depends: tuple[str, ...]
     """What was asked for beside what the template needs: sorted, each once."""
     test_depends: tuple[str, ...]
     """The same, of what only tests use."""
-    description: Told
+    description: UserText
     license: License
-    maintainer: Told
+    maintainer: UserText
     email: str
     version: str
     distro: Distro
@@ -84,7 +84,7 @@ class Answers:
         """The robot that a package of its own describes or starts."""
         return self.name.removesuffix("_description").removesuffix("_bringup")
 
-    def nodes_in(self, language: str) -> tuple[Node, ...]:
+    def nodes_in(self, language: str) -> tuple[RequestedNode, ...]:
         return tuple(node for node in self.nodes if node.language == language)
 
     def logics_in(self, language: str) -> tuple[str, ...]:
@@ -105,7 +105,7 @@ class Answers:
         return tuple(package for package in dict.fromkeys(used) if package != self.name)
 
     @property
-    def sections(self) -> dict[str, tuple[Parameter, ...]]:
+    def sections(self) -> dict[str, tuple[NodeParameter, ...]]:
         """The parameters of the file, by the key of their block: one block where all nodes that have some have the
         same."""
         if not self.params:
@@ -115,12 +115,12 @@ class Answers:
             return {EVERY_NODE: next(iter(having.values()))}
         return {f"{EVERY_NODE}/{name}": parameters for name, parameters in having.items()}
 
-    def section_of(self, node: Node) -> str:
+    def section_of(self, node: RequestedNode) -> str:
         """Return the key of a node's block in the file of parameters; "" for a node that has none there."""
         if not self.sections or not node.kind.parameters:
             return ""
         return EVERY_NODE if EVERY_NODE in self.sections else f"{EVERY_NODE}/{node.name}"
 
     @property
-    def copyright(self) -> Told:
-        return Told(f"Copyright {self.year} {self.maintainer.text}")
+    def copyright(self) -> UserText:
+        return UserText(f"Copyright {self.year} {self.maintainer.text}")

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .workspace import Around, Neighbour
+from .workspace import Neighbour, WorkspacePackages
 
 PROGRAM = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*")
 NODE_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
-PASSED_ON = {
+FORWARDED_ARGUMENTS = {
     "namespace": ("", "Namespace of every node"),
     "log_level": ("info", "debug, info, warn, error or fatal"),
     "use_sim_time": ("false", "Whether time comes from the topic /clock, as in a simulation"),
@@ -25,7 +25,7 @@ PARAMS_FILE = ("config/params.yaml", "YAML file with parameters")
 
 
 @dataclass(frozen=True)
-class Start:
+class StartedNode:
     """A node of another package."""
 
     package: str
@@ -34,7 +34,7 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Include:
+class IncludedLaunchFile:
     """A launch file of another package."""
 
     package: str
@@ -47,9 +47,9 @@ class Include:
 
 
 @dataclass(frozen=True)
-class Started:
-    starts: tuple[Start, ...] = ()
-    includes: tuple[Include, ...] = ()
+class Bringup:
+    starts: tuple[StartedNode, ...] = ()
+    includes: tuple[IncludedLaunchFile, ...] = ()
     unknown: tuple[str, ...] = ()
     """Packages of which nothing could be started, each with the reason."""
     params: bool = True
@@ -59,7 +59,7 @@ class Started:
     def arguments(self) -> dict[str, tuple[str, str]]:
         """The arguments that the launch file has, with default and meaning."""
         used = {name for include in self.includes for name in include.arguments}
-        shown = {name: about for name, about in PASSED_ON.items() if self.starts or name in used}
+        shown = {name: about for name, about in FORWARDED_ARGUMENTS.items() if self.starts or name in used}
         return {**shown, **({"params_file": PARAMS_FILE} if self.starts and self.params else {})}
 
     @property
@@ -68,9 +68,9 @@ class Started:
         return tuple(dict.fromkeys(found))
 
 
-def started_by(
-    name: str, asked: tuple[str, ...], depends: tuple[str, ...], there: Around, params: bool = True
-) -> Started:
+def bringup_of(
+    name: str, asked: tuple[str, ...], depends: tuple[str, ...], there: WorkspacePackages, params: bool = True
+) -> Bringup:
     """Return what a package starts: the nodes that are asked for as PACKAGE/EXECUTABLE, and what dependencies offer.
 
     Where nothing is asked for, the packages around that are named after the same robot are its dependencies.
@@ -78,16 +78,16 @@ def started_by(
     robot = name.removesuffix("_bringup")
     if not asked and not depends:
         depends = tuple(each for each in (robot, f"{robot}_description") if each != name and there.named(each))
-    named = [start_of(text, there) for text in asked]
+    named = [started_node(text, there) for text in asked]
     if any(start.package == name for start in named):
         raise ScaffoldError(f"`{name}` has no executables: it starts those of others; give --node PACKAGE/EXECUTABLE")
-    offered = [offer(package, there) for package in depends if package not in {start.package for start in named}]
+    offered = [offered_by(package, there) for package in depends if package not in {start.package for start in named}]
     starts = [*named, *(start for each in offered for start in each.starts)]
     names = [start.name for start in starts]
     for twice in names:
         if names.count(twice) > 1:
             raise ScaffoldError(f"two nodes would be called `{twice}`; name one: --node PACKAGE/EXECUTABLE:NAME")
-    return Started(
+    return Bringup(
         tuple(starts),
         tuple(include if params else replace(include, params="") for each in offered for include in each.includes),
         tuple(reason for each in offered for reason in each.unknown),
@@ -95,7 +95,7 @@ def started_by(
     )
 
 
-def start_of(text: str, there: Around) -> Start:
+def started_node(text: str, there: WorkspacePackages) -> StartedNode:
     """Return a node from `PACKAGE/EXECUTABLE` or `PACKAGE/EXECUTABLE:NAME`."""
     program, colon, name = text.partition(":")
     package, slash, executable = program.partition("/")
@@ -112,32 +112,34 @@ def start_of(text: str, there: Around) -> Start:
         known = sorted(neighbour.facts.executables)
         hint = did_you_mean(executable, known)
         raise ScaffoldError(f"`{package}` has no executable `{executable}`{hint}; it has {', '.join(known) or 'none'}")
-    return Start(package, executable, name)
+    return StartedNode(package, executable, name)
 
 
-def offer(package: str, there: Around) -> Started:
+def offered_by(package: str, there: WorkspacePackages) -> Bringup:
     """Return what a package offers to be started: its launch file, else all its nodes."""
     neighbour = there.named(package)
     if neighbour is None:
-        return Started(
+        return Bringup(
             unknown=(f"`{package}` is not in this workspace: --node {package}/EXECUTABLE starts a node of it",)
         )
     files = neighbour.launch_files
     own = [name for name in files if name.partition(".")[0] == package] or (list(files) if len(files) == 1 else [])
     if own:
-        return Started(includes=(include_of(package, own[0], files[own[0]], neighbour),))
+        return Bringup(includes=(included_launch_file(package, own[0], files[own[0]], neighbour),))
     if files:
         reason = f"`{package}` has several launch files ({', '.join(files)}): include the one that you mean"
-        return Started(unknown=(reason,))
+        return Bringup(unknown=(reason,))
     found = sorted(neighbour.facts.executables)
     if "interfaces" not in neighbour.facts.unknown and neighbour.facts.interfaces and not found:
-        return Started()
+        return Bringup()
     if not found:
-        return Started(unknown=(f"`{package}` has neither launch files nor executables",))
-    return Started(tuple(start_of(f"{package}/{name}", there) for name in found))
+        return Bringup(unknown=(f"`{package}` has neither launch files nor executables",))
+    return Bringup(tuple(started_node(f"{package}/{name}", there) for name in found))
 
 
-def include_of(package: str, file: str, arguments: frozenset[str], neighbour: Neighbour) -> Include:
-    passed = tuple(name for name in PASSED_ON if name in arguments)
+def included_launch_file(
+    package: str, file: str, arguments: frozenset[str], neighbour: Neighbour
+) -> IncludedLaunchFile:
+    passed = tuple(name for name in FORWARDED_ARGUMENTS if name in arguments)
     params = neighbour.text("config/params.yaml").rstrip() if "params_file" in arguments else ""
-    return Include(package, file, passed, params + "\n" if params else "")
+    return IncludedLaunchFile(package, file, passed, params + "\n" if params else "")

@@ -7,7 +7,7 @@ import re
 from ..ros.distros import Distro
 from ..ros.manifest import PACKAGE_NAME
 from ..ros.names import BUILT_IN
-from .node import Node
+from .node import RequestedNode
 
 LIBRARIES = {
     "action-server": {"rclcpp_action": "rclcpp_action::rclcpp_action"},
@@ -21,12 +21,12 @@ OF_CMAKE_17 = frozenset({"humble", "jazzy", "kilted"})
 """The distributions whose C++ is of 2017; later ones want that of 2020."""
 
 
-def libraries_of(node: Node) -> dict[str, str]:
+def libraries_of(node: RequestedNode) -> dict[str, str]:
     """Return the packages of the client library that a node needs, and their targets."""
     return {"rclcpp": "rclcpp::rclcpp", **LIBRARIES.get(node.kind.name, {})}
 
 
-def packages_of(nodes: tuple[Node, ...]) -> tuple[str, ...]:
+def packages_of(nodes: tuple[RequestedNode, ...]) -> tuple[str, ...]:
     """Return the packages of the client library that all nodes need, each once, parameters included."""
     found = dict.fromkeys(package for node in nodes for package in libraries_of(node))
     if any(node.kind.parameters for node in nodes):
@@ -34,7 +34,7 @@ def packages_of(nodes: tuple[Node, ...]) -> tuple[str, ...]:
     return tuple(found)
 
 
-def targets_of(node: Node) -> list[str]:
+def targets_of(node: RequestedNode) -> list[str]:
     """Return what a node is linked against, in order."""
     messages = [*node.kind.interfaces, *(["rcl_interfaces"] if node.kind.parameters else [])]
     return sorted([*libraries_of(node).values(), *(f"${{{package}_TARGETS}}" for package in messages)], key=by_name)

@@ -14,7 +14,7 @@ from . import OwnFaultError, ScaffoldError
 from .bounds import MAX_FILES, bounded
 from .node_kinds import LANGUAGES, all_kinds
 from .template import Template, read_template
-from .template_errors import faults_of
+from .template_errors import template_errors
 from .template_loader import check_source
 
 ADDRESS = re.compile(r"(https|ssh|git|file)://.+|[\w.-]+@[\w.-]+:.+")
@@ -24,7 +24,7 @@ CLONE_SECONDS = 120
 
 
 @contextmanager
-def own_template(asked: str) -> Iterator[Template]:
+def custom_template(asked: str) -> Iterator[Template]:
     """Give the template of a folder or a repository; raises ScaffoldError for what is none, and for what it gets wrong.
 
     Nothing of it is executed: sources are rendered in jinja2's sandbox, and git makes no links.
@@ -32,12 +32,12 @@ def own_template(asked: str) -> Iterator[Template]:
     folder = Path(asked).expanduser()
     if folder.is_dir():
         template = checked(folder, asked)
-        with faults_of(asked, template), bounded():
+        with template_errors(asked, template), bounded():
             yield template
     elif ADDRESS.fullmatch(asked):
         with tempfile.TemporaryDirectory(prefix="rospkg-template-") as place:
             template = checked(clone(asked, Path(place)), asked)
-            with faults_of(asked, template), bounded():
+            with template_errors(asked, template), bounded():
                 yield template
     else:
         raise ScaffoldError(f"`{asked}` is neither a folder nor the address of a git repository")

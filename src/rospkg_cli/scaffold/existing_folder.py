@@ -9,24 +9,24 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..disk import read_entry
-from ..engine.fixing.signals import stopped_by_signals, undisturbed
-from ..tree import Entry
+from ..engine.fixing.signals import signals_ignored, stopped_by_signals
+from ..tree import TreeEntry
 from . import ScaffoldError
-from .render import Written
-from .write import hidden_beside, is_there, write
+from .render import RenderedFile
+from .write import is_there, temporary_folder, write
 
 
 @dataclass(frozen=True)
-class Difference:
+class FolderDifference:
     """What a folder lacks of a package, what stands in it in other words, and what it has."""
 
-    missing: tuple[Written, ...] = ()
-    other: tuple[tuple[Written, Entry], ...] = ()
+    missing: tuple[RenderedFile, ...] = ()
+    other: tuple[tuple[RenderedFile, TreeEntry], ...] = ()
     """With the file that is there."""
-    same: tuple[Written, ...] = ()
+    same: tuple[RenderedFile, ...] = ()
 
 
-def compare(folder: Path, files: Iterable[Written]) -> Difference:
+def compare(folder: Path, files: Iterable[RenderedFile]) -> FolderDifference:
     """Compare; raises ScaffoldError where something stands in the way that is no file, or can't be read."""
     missing, other, same = [], [], []
     for file in files:
@@ -43,7 +43,7 @@ def compare(folder: Path, files: Iterable[Written]) -> Difference:
             same.append(file)
         else:
             other.append((file, there))
-    return Difference(tuple(missing), tuple(other), tuple(same))
+    return FolderDifference(tuple(missing), tuple(other), tuple(same))
 
 
 def refuse_obstacles(folder: Path, path: Path) -> None:
@@ -56,7 +56,7 @@ def refuse_obstacles(folder: Path, path: Path) -> None:
         raise ScaffoldError(f"`{path}` is no file, and one of that name would be written; move it away, then try again")
 
 
-def write_into(folder: Path, difference: Difference, replace: bool) -> Path | None:
+def write_into(folder: Path, difference: FolderDifference, replace: bool) -> Path | None:
     """Write what is missing and, where `replace` says so, what differs: all of it or nothing.
 
     What is replaced is kept; the folder where is returned, None where nothing was. Raises ScaffoldError.
@@ -67,7 +67,7 @@ def write_into(folder: Path, difference: Difference, replace: bool) -> Path | No
         if (folder / file.path).is_symlink():
             raise ScaffoldError(f"`{folder / file.path}` is a link, and would become a file; move it away first")
     kept = free_name(folder) if replaced else None
-    stage = hidden_beside(folder)
+    stage = temporary_folder(folder)
     undo: list[Callable[[], object]] = [lambda: shutil.rmtree(stage, ignore_errors=True)]
     with stopped_by_signals():
         try:
@@ -90,7 +90,7 @@ def write_into(folder: Path, difference: Difference, replace: bool) -> Path | No
 
 def take_back(undo: list[Callable[[], object]]) -> None:
     """Undo what was done, the last first; whatever fails, the rest is undone."""
-    with undisturbed():
+    with signals_ignored():
         for step in reversed(undo):
             with suppress(OSError):
                 step()

@@ -7,17 +7,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..engine.fixing.signals import stopped_by_signals, undisturbed
+from ..engine.fixing.signals import signals_ignored, stopped_by_signals
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request
-from .maintainer import who
+from .maintainer import find_maintainer
 from .names import LONGEST, check_package_name
 from .node import default_nodes
 from .plan import Plan, make_plan, template_of
-from .target_folder import check_place
+from .target_folder import check_target
 from .template import Template
-from .workspace import around
+from .workspace import workspace_packages
 from .write import missing_parents, write_folder
 
 OTHERS = ("interfaces", "description", "bringup")
@@ -29,9 +29,9 @@ def plan_family(request: Request, folder: Path, defaults: Mapping[str, str]) -> 
     template = template_of(request.template)
     check_family(request.name, template)
     merged = request.with_defaults(defaults)
-    maintainer = who(merged.maintainer, merged.email, folder)
+    maintainer = find_maintainer(merged.maintainer, merged.email, folder)
     request = replace(request, maintainer=maintainer.name.text, email=maintainer.email)
-    there, plans = around(folder), []
+    there, plans = workspace_packages(folder), []
     for each in members(request, template):
         plan = make_plan(each, folder, defaults, there)
         there = there.with_package(each.name, MemoryTree({file.path: file.entry for file in plan.files}))
@@ -99,14 +99,14 @@ def write_family(plans: Sequence[Plan], into: Path) -> None:
     """Write all packages into a folder, or none; raises ScaffoldError."""
     made, written = missing_parents(into / "any"), []
     for plan in plans:
-        check_place(into, into / plan.answers.name)
+        check_target(into, into / plan.answers.name)
     with stopped_by_signals():
         try:
             for plan in plans:
                 write_folder(into / plan.answers.name, plan.files)
                 written.append(into / plan.answers.name)
         except BaseException:
-            with undisturbed():
+            with signals_ignored():
                 for folder in written:
                     shutil.rmtree(folder, ignore_errors=True)
                 for folder in made:

@@ -12,7 +12,7 @@ ASCII = str.maketrans(LINES, "|`|-")
 
 
 @dataclass(frozen=True)
-class Row:
+class TreeRow:
     lines: str
     """What is drawn before the name."""
     name: str
@@ -24,14 +24,14 @@ class Row:
         return self.lines + self.name
 
 
-def in_ascii(rows: Iterable[Row]) -> list[Row]:
+def in_ascii(rows: Iterable[TreeRow]) -> list[TreeRow]:
     """Return rows drawn with the signs that every encoding has."""
     return [replace(row, lines=row.lines.translate(ASCII)) for row in rows]
 
 
-def draw(root: str, about: Mapping[str, str]) -> list[Row]:
+def tree_rows(root: str, about: Mapping[str, str]) -> list[TreeRow]:
     """Return the rows of a tree; `about` is path to a few words."""
-    return [Row("", f"{root}/"), *branches(nested(about), "")]
+    return [TreeRow("", f"{root}/"), *branches(nested(about), "")]
 
 
 def nested(about: Mapping[str, str]) -> dict[str, Any]:
@@ -46,14 +46,14 @@ def nested(about: Mapping[str, str]) -> dict[str, Any]:
     return root
 
 
-def branches(folder: dict[str, Any], before: str) -> Iterator[Row]:
+def branches(folder: dict[str, Any], before: str) -> Iterator[TreeRow]:
     """Yield the rows below a folder: its folders first, each part by name."""
     entries = sorted(folder.items(), key=lambda entry: (not isinstance(entry[1], dict), entry[0].lower()))
     for number, (name, inside) in enumerate(entries, 1):
         last = number == len(entries)
         lines = before + ("└── " if last else "├── ")
         if isinstance(inside, dict):
-            yield Row(lines, f"{name}/")
+            yield TreeRow(lines, f"{name}/")
             yield from branches(inside, before + ("    " if last else "│   "))
         else:
-            yield Row(lines, name, inside)
+            yield TreeRow(lines, name, inside)

@@ -14,7 +14,7 @@ from ..ros.interfaces import INTERFACE_NAME, SEPARATORS
 from ..source import Source
 from . import ScaffoldError
 
-UNASKED = {
+DEFAULT_FIELDS = {
     "msg": "builtin_interfaces/Time stamp, string text",
     "srv": "--- bool success, string message",
     "action": "float32 target --- bool success, string message --- float32 progress",
@@ -25,7 +25,7 @@ SEPARATOR = re.compile(r"(?:^|(?<=[\s,;]))---+(?=[\s,;]|$)")
 
 
 @dataclass(frozen=True)
-class Interface:
+class RequestedInterface:
     form: str
     """`msg`, `srv` or `action`."""
     name: str
@@ -38,9 +38,9 @@ class Interface:
         return f"{self.form}/{self.name}.{self.form}"
 
 
-def interfaces_of(asked: dict[str, tuple[str, ...]]) -> tuple[Interface, ...]:
+def interfaces_of(asked: dict[str, tuple[str, ...]]) -> tuple[RequestedInterface, ...]:
     """Return what was asked for under `msg`, `srv` and `action`; raises ScaffoldError."""
-    found: dict[str, Interface] = {}
+    found: dict[str, RequestedInterface] = {}
     messages = {text.partition(":")[0] for text in asked.get("msg", ())}
     for form, texts in asked.items():
         for text in texts:
@@ -51,7 +51,7 @@ def interfaces_of(asked: dict[str, tuple[str, ...]]) -> tuple[Interface, ...]:
     return tuple(found.values())
 
 
-def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
+def interface_of(form: str, asked: str, messages: set[str]) -> RequestedInterface:
     name, colon, fields = asked.partition(":")
     if not INTERFACE_NAME.fullmatch(name):
         better = "".join(word[:1].upper() + word[1:] for word in re.findall(r"[A-Za-z0-9]+", name))
@@ -61,7 +61,7 @@ def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
         raise ScaffoldError(
             f"`{name}` is a keyword of Python: nothing could import a {form} of that name; try `My{name}`"
         )
-    text = text_of(form, name, fields if colon else UNASKED[form])
+    text = text_of(form, name, fields if colon else DEFAULT_FIELDS[form])
     refuse_hidden(form, name, text)
     parsed = parse_interface(Source(f"{form}/{name}.{form}", text), form)
     for problem in parsed.problems:
@@ -71,7 +71,7 @@ def interface_of(form: str, asked: str, messages: set[str]) -> Interface:
     for type in types:
         if not type.primitive and not type.package and type.base not in messages:
             raise ScaffoldError(f"--{form} {name}: there is no message `{type.base}` here; {whose(type.base)}")
-    return Interface(form, name, text, tuple(dict.fromkeys(type.package for type in types if type.package)))
+    return RequestedInterface(form, name, text, tuple(dict.fromkeys(type.package for type in types if type.package)))
 
 
 def refuse_hidden(form: str, name: str, text: str) -> None:

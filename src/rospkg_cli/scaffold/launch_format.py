@@ -6,10 +6,10 @@ from ..ros.launch_entities import BEFORE_LIFECYCLE_NODE
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers
-from .node import Node
+from .node import RequestedNode
 from .template import Template
 
-FORMATS = ("py", "xml", "yaml", "none")
+LAUNCH_FORMATS = ("py", "xml", "yaml", "none")
 
 
 def check_typed(asked: str, template: Template) -> None:
@@ -20,17 +20,18 @@ def check_typed(asked: str, template: Template) -> None:
         raise ScaffoldError(f"launch files are what a package of --type {template.name} is for: py, xml or yaml")
 
 
-def launch_of(asked: str, template: Template) -> str:
+def launch_format(asked: str, template: Template) -> str:
     """Return the format of the launch files, "" for no launch file; raises ScaffoldError.
 
     What a config says of all packages does not make one without the files that it is for.
     """
-    if asked not in FORMATS:
+    if asked not in LAUNCH_FORMATS:
         raise ScaffoldError(
-            f"there are no launch files in `{asked}`{did_you_mean(asked, FORMATS)}; known: {', '.join(FORMATS)}"
+            f"there are no launch files in `{asked}`{did_you_mean(asked, LAUNCH_FORMATS)}; "
+            f"known: {', '.join(LAUNCH_FORMATS)}"
         )
     if asked == "none":
-        return FORMATS[0] if template.launches and not template.kinds else ""
+        return LAUNCH_FORMATS[0] if template.launches and not template.kinds else ""
     return asked
 
 
@@ -43,22 +44,22 @@ def launch_packages(answers: Answers) -> tuple[str, ...]:
     return ("launch", "launch_ros", *(["lifecycle_msgs"] if lifecycle(answers) else []))
 
 
-def lifecycle(answers: Answers) -> tuple[Node, ...]:
+def lifecycle(answers: Answers) -> tuple[RequestedNode, ...]:
     return tuple(node for node in answers.nodes if node.kind.name == "lifecycle")
 
 
-def autostarted(answers: Answers) -> tuple[Node, ...]:
+def autostarted(answers: Answers) -> tuple[RequestedNode, ...]:
     """Return the nodes that a launch file in XML or YAML brings to work with `lifecycle_node`."""
     known = answers.launch in ("xml", "yaml") and answers.distro.name not in BEFORE_LIFECYCLE_NODE
     return lifecycle(answers) if known else ()
 
 
-def activated(answers: Answers) -> tuple[Node, ...]:
+def activated(answers: Answers) -> tuple[RequestedNode, ...]:
     """Return the nodes with a lifecycle that the launch file configures and activates."""
     return lifecycle(answers) if answers.launch == "py" else autostarted(answers)
 
 
-def unconfigured(answers: Answers) -> tuple[Node, ...]:
+def unconfigured(answers: Answers) -> tuple[RequestedNode, ...]:
     """Return the nodes that wait, once started, for somebody to configure and activate them."""
     return tuple(node for node in lifecycle(answers) if node not in activated(answers))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..ros.manifest import EMAIL
 from . import ScaffoldError
-from .user_text import Told, told
+from .user_text import UserText, user_text
 
 LONGEST = 80
 """The copyright line holds the name, and ament_copyright wants it on one line."""
@@ -23,25 +23,25 @@ CODING = re.compile(r"coding[:=]")
 
 
 @dataclass(frozen=True)
-class Who:
-    name: Told
+class Maintainer:
+    name: UserText
     email: str
     guessed: bool
     """Whether nobody said the address."""
 
 
-def who(name: str, email: str, folder: Path) -> Who:
+def find_maintainer(name: str, email: str, folder: Path) -> Maintainer:
     """Return the maintainer; "" stands for what was not asked for. Raises ScaffoldError for what can't be used."""
     maintainer = checked_name(name or from_git("user.name", folder) or login())
     if email and not EMAIL.fullmatch(email):
         raise ScaffoldError(f"`{email}` is no e-mail address that package.xml may hold; write one as ada@example.org")
     known = email or from_git("user.email", folder)
     usable = bool(EMAIL.fullmatch(known))
-    return Who(maintainer, known if usable else local_address(), not usable)
+    return Maintainer(maintainer, known if usable else local_address(), not usable)
 
 
-def checked_name(name: str) -> Told:
-    found = told("the maintainer's name", name)
+def checked_name(name: str) -> UserText:
+    found = user_text("the maintainer's name", name)
     if not found.text:
         raise ScaffoldError("the maintainer's name is empty; give one with --maintainer")
     if len(found.text) > LONGEST:
@@ -53,7 +53,7 @@ def checked_name(name: str) -> Told:
     return found
 
 
-def check_for_cmake(name: Told) -> None:
+def check_for_cmake(name: UserText) -> None:
     """Raise ScaffoldError for a name that a package which CMake builds can't have."""
     if found := CMAKE_SYNTAX.search(name.text):
         reason = "ament_cmake would copy it into CMake code, unescaped"

@@ -7,13 +7,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..package.interfaces.interface_file import Interface, Member
+from ..package.interfaces.interface_file import InterfaceFile, Member
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
 from . import ScaffoldError
-from .workspace import Around, Neighbour
+from .workspace import Neighbour, WorkspacePackages
 
 LONGEST = 70
 """Names of package and message together: longer ones don't fit the line that names both."""
@@ -29,7 +29,7 @@ CPP = {"bool": "false", "float": "0.0", "int": "0", "uint": "0", "string": '""'}
 
 
 @dataclass(frozen=True)
-class Field:
+class MessageField:
     """A field that a node sets: where, what it is, and the first value in each language."""
 
     path: str
@@ -42,7 +42,7 @@ class Field:
 class Message:
     package: str
     name: str
-    fields: tuple[Field, ...] = ()
+    fields: tuple[MessageField, ...] = ()
     """As far as they are known, and as far as a node knows what to write there."""
 
     @property
@@ -61,7 +61,7 @@ def is_message(word: str) -> bool:
     return "/" in word or word[:1].isupper()
 
 
-def message_of(word: str, package: str, there: Around) -> Message:
+def message_of(word: str, package: str, there: WorkspacePackages) -> Message:
     """Return the message; raises ScaffoldError where there is none, or where it can't be told which."""
     owner, _, name = word.replace("/msg/", "/").rpartition("/")
     if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)):
@@ -85,11 +85,11 @@ def message_of(word: str, package: str, there: Around) -> Message:
     return Message(owner, name, tuple(field for part in known[name].sections[:1] for field in fields(part.fields)))
 
 
-def messages_of(neighbour: Neighbour) -> dict[str, Interface]:
-    return {each.name: each for each in neighbour.package.parts(Interface).good if each.kind == "msg"}
+def messages_of(neighbour: Neighbour) -> dict[str, InterfaceFile]:
+    return {each.name: each for each in neighbour.package.parts(InterfaceFile).good if each.kind == "msg"}
 
 
-def owner_of(name: str, package: str, there: Around) -> str:
+def owner_of(name: str, package: str, there: WorkspacePackages) -> str:
     """Return the package around that has a message; the one that is named after the same robot goes first."""
     owners = [each for each in sorted(there.trees) if name in messages_of(Neighbour(there.package(each)))]
     if f"{package}_interfaces" in owners:
@@ -103,7 +103,7 @@ def owner_of(name: str, package: str, there: Around) -> str:
     raise ScaffoldError(f"no package here has a message `{name}`; write PACKAGE/{name}, or begin with: {command}")
 
 
-def fields(members: tuple[Member, ...]) -> Iterator[Field]:
+def fields(members: tuple[Member, ...]) -> Iterator[MessageField]:
     """Yield the fields that have a plain value, and those that hold the time."""
     for member in members:
         type = member.type
@@ -112,7 +112,7 @@ def fields(members: tuple[Member, ...]) -> Iterator[Field]:
         shown = f"{type.package}/{type.base}" if type.package else type.base
         if shown in ("builtin_interfaces/Time", "std_msgs/Header"):
             path = f"{member.name}.stamp" if type.base == "Header" else member.name
-            yield Field(path, "builtin_interfaces/Time", "self.get_clock().now().to_msg()", "now()")
+            yield MessageField(path, "builtin_interfaces/Time", "self.get_clock().now().to_msg()", "now()")
         kind = type.base.rstrip("0123456789")
         if type.primitive and kind in PYTHON:
-            yield Field(member.name, type.text, PYTHON[kind], CPP[kind])
+            yield MessageField(member.name, type.text, PYTHON[kind], CPP[kind])

@@ -10,15 +10,15 @@ from ..suggest import did_you_mean
 from . import ScaffoldError
 from .message import Message, is_message, message_of
 from .names import LONGEST, check_node_name
-from .node_kinds import LANGUAGES, Kind, about, all_kinds, kind_of_message
+from .node_kinds import LANGUAGES, NodeKind, about, all_kinds, kind_of_message
 from .template import Template
-from .workspace import Around
+from .workspace import WorkspacePackages
 
 
 @dataclass(frozen=True)
-class Node:
+class RequestedNode:
     name: str
-    kind: Kind
+    kind: NodeKind
     language: str
     """One of LANGUAGES."""
     message: Message | None = None
@@ -31,7 +31,9 @@ class Node:
         return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
 
 
-def nodes_of(asked: tuple[str, ...], package: str, template: Template, there: Around) -> tuple[Node, ...]:
+def nodes_of(
+    asked: tuple[str, ...], package: str, template: Template, there: WorkspacePackages
+) -> tuple[RequestedNode, ...]:
     """Return the nodes; where none was asked for, one of each language, with names made from the package's.
 
     Raises ScaffoldError for what the template can't write.
@@ -42,7 +44,7 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template, there: Ar
         stem = re.sub(r"_(interfaces|description|bringup)$", "", package)
         command = f"rospkg new {stem}_nodes --node {asked[0]}"
         raise ScaffoldError(f"a package of this type has no nodes; give them one of their own: {command}")
-    nodes: dict[str, Node] = {}
+    nodes: dict[str, RequestedNode] = {}
     for text in asked or default_nodes(package, template):
         node = node_of(text, package, template, there)
         if node.name in nodes:
@@ -52,7 +54,7 @@ def nodes_of(asked: tuple[str, ...], package: str, template: Template, there: Ar
     return tuple(nodes.values())
 
 
-def node_of(text: str, package: str, template: Template, there: Around) -> Node:
+def node_of(text: str, package: str, template: Template, there: WorkspacePackages) -> RequestedNode:
     """Return one node; after its name, kind, language and message may stand in any order."""
     name, *words = text.split(":")
     if "/" in name:
@@ -76,10 +78,10 @@ def node_of(text: str, package: str, template: Template, there: Around) -> Node:
     if language not in kind.languages:
         raise ScaffoldError(f"`{text}`: there is a {kind.name} in {' and '.join(map(shown, kind.languages))} alone")
     if not messages:
-        return Node(name, kind, language)
+        return RequestedNode(name, kind, language)
     of = kind_of_message(kind)
     message = message_of(messages[0], package, there)
-    return Node(name, about(of, message.name, message.full_name, message.topic), language, message)
+    return RequestedNode(name, about(of, message.name, message.full_name, message.topic), language, message)
 
 
 def known_kind(word: str, template: Template) -> str:
@@ -98,7 +100,7 @@ def shown(language: str) -> str:
     return LANGUAGES[language]
 
 
-def check_languages(nodes: tuple[Node, ...], package: str, template: Template) -> None:
+def check_languages(nodes: tuple[RequestedNode, ...], package: str, template: Template) -> None:
     """Raise ScaffoldError where a package for several languages would have nodes in one."""
     used = {node.language for node in nodes}
     for missing in sorted(set(template.languages) - used) if used else ():

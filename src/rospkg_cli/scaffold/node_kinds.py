@@ -23,7 +23,7 @@ LANGUAGES = {"cpp": "C++", "python": "Python"}
 
 
 @dataclass(frozen=True)
-class Parameter:
+class NodeParameter:
     name: str
     default: str | int | float
     about: str
@@ -37,7 +37,7 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Use:
+class InterfaceUse:
     """A topic, service or action that other nodes see."""
 
     how: str
@@ -47,7 +47,7 @@ class Use:
 
 
 @dataclass(frozen=True)
-class Kind:
+class NodeKind:
     name: str
     does: str
     """The end of the sentence "a node that …"."""
@@ -57,13 +57,13 @@ class Kind:
     """The module of the part that needs no ROS; "" where there is none."""
     interfaces: tuple[str, ...]
     """The packages of its messages."""
-    uses: tuple[Use, ...]
-    parameters: tuple[Parameter, ...]
+    uses: tuple[InterfaceUse, ...]
+    parameters: tuple[NodeParameter, ...]
     languages: tuple[str, ...]
     """Those that it can be written in."""
 
 
-def kind_of_message(kind: Kind) -> Kind:
+def kind_of_message(kind: NodeKind) -> NodeKind:
     """Return the kind of a node that is all about one message; raises ScaffoldError for kinds that never are."""
     of = all_kinds().get(kind.name + OF)
     if of is None:
@@ -71,26 +71,26 @@ def kind_of_message(kind: Kind) -> Kind:
     return of
 
 
-def about(of: Kind, name: str, full_name: str, topic: str) -> Kind:
+def about(of: NodeKind, name: str, full_name: str, topic: str) -> NodeKind:
     """Return a kind of `kind_of_message` with the message filled in."""
-    uses = tuple(Use(use.how, topic, full_name) for use in of.uses)
+    uses = tuple(InterfaceUse(use.how, topic, full_name) for use in of.uses)
     package = full_name.partition("/")[0]
     return replace(of, does=of.does.format(message=name), interfaces=(package,), uses=uses)
 
 
 @cache
-def all_kinds() -> dict[str, Kind]:
+def all_kinds() -> dict[str, NodeKind]:
     """Return every kind by its name."""
     data = tomllib.loads((resources("templates") / "_shared" / "kinds.toml").read_text("utf-8"))
     return {
-        name: Kind(
+        name: NodeKind(
             name=name,
             does=row["does"],
             says=row["says"],
             logic=row["logic"],
             interfaces=tuple(row["interfaces"]),
-            uses=tuple(Use(**use) for use in row["uses"]),
-            parameters=tuple(Parameter(**parameter) for parameter in row["parameters"]),
+            uses=tuple(InterfaceUse(**use) for use in row["uses"]),
+            parameters=tuple(NodeParameter(**parameter) for parameter in row["parameters"]),
             languages=tuple(row.get("languages", LANGUAGES)),
         )
         for name, row in data.items()

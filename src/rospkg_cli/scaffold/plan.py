@@ -12,20 +12,20 @@ from ..ros.interfaces import SEPARATORS
 from ..suggest import did_you_mean
 from . import OwnFaultError, ScaffoldError
 from .answers import Answers, Request
-from .bringup import Started, started_by
-from .custom_template import own_template
+from .bringup import Bringup, bringup_of
+from .custom_template import custom_template
 from .extras import notes_on_extras, with_extras
-from .launch_format import check_typed, launch_of, notes_on_launch
-from .maintainer import Who, check_for_cmake, who
+from .launch_format import check_typed, launch_format, notes_on_launch
+from .maintainer import Maintainer, check_for_cmake, find_maintainer
 from .names import check_package_name
 from .node import nodes_of
-from .render import Written, render, render_line
-from .resolve_request import asked_interfaces, depends_of, distro_of, license_of, version_of
+from .render import RenderedFile, render, render_line
+from .resolve_request import depends_of, distro_of, license_of, requested_interfaces, version_of
 from .self_lint import lint_written
 from .template import Template, load_template, template_names
-from .test_level import tests_of
-from .user_text import Told, told
-from .workspace import Around, around
+from .test_level import test_level
+from .user_text import UserText, user_text
+from .workspace import WorkspacePackages, workspace_packages
 
 LAUNCH = "py"
 LICENSE = "Apache-2.0"
@@ -37,7 +37,7 @@ VERSION = "0.1.0"
 class Plan:
     answers: Answers
     template: Template
-    files: tuple[Written, ...]
+    files: tuple[RenderedFile, ...]
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace."""
     findings: tuple[Finding, ...]
@@ -46,7 +46,9 @@ class Plan:
     """What the user should hear: guesses, and what follows from what was asked for."""
 
 
-def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there: Around | None = None) -> Plan:
+def make_plan(
+    request: Request, folder: Path, defaults: Mapping[str, str], there: WorkspacePackages | None = None
+) -> Plan:
     """Return what would be written into a folder; raises ScaffoldError for what can't be, OwnFaultError.
 
     `defaults` holds a config's values by the names of the request's fields. What is missing there too comes from the
@@ -55,23 +57,23 @@ def make_plan(request: Request, folder: Path, defaults: Mapping[str, str], there
     """
     if not request.own_template:
         return plan_with(template_of(request.template), request, folder, defaults, there)
-    with own_template(request.own_template) as template:
+    with custom_template(request.own_template) as template:
         return plan_with(template, request, folder, defaults, there)
 
 
 def plan_with(
-    template: Template, request: Request, folder: Path, defaults: Mapping[str, str], there: Around | None
+    template: Template, request: Request, folder: Path, defaults: Mapping[str, str], there: WorkspacePackages | None
 ) -> Plan:
     check_package_name(request.name)
     notes: list[str] = []
     check_typed(request.launch, template)
     request = request.with_defaults(defaults)
-    maintainer = who(request.maintainer, request.email, folder)
+    maintainer = find_maintainer(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
         check_for_cmake(maintainer.name)
     template = with_extras(template, request.extras)
     notes.extend(notes_on_extras(request.extras, folder))
-    there = (there or around(folder)).without(request.name)
+    there = (there or workspace_packages(folder)).without(request.name)
     answers = answers_of(request, maintainer, template, there, notes)
     files = render(template, answers)
     findings = lint_written(answers, files, there).findings
@@ -89,29 +91,31 @@ def template_of(name: str) -> Template:
     raise ScaffoldError(f"there is no type of package `{name}`{did_you_mean(name, known)}; known: {', '.join(known)}")
 
 
-def answers_of(request: Request, maintainer: Who, template: Template, there: Around, notes: list[str]) -> Answers:
+def answers_of(
+    request: Request, maintainer: Maintainer, template: Template, there: WorkspacePackages, notes: list[str]
+) -> Answers:
     depends, test_depends = depends_of(request.depends, request.name)
-    started = Started()
+    started = Bringup()
     if template.starts:
-        started = started_by(request.name, request.nodes, depends, there, request.params)
+        started = bringup_of(request.name, request.nodes, depends, there, request.params)
         notes.extend(started.unknown)
     answers = Answers(
         name=request.name,
         nodes=nodes_of(request.nodes, request.name, template, there),
         started=started,
-        interfaces=asked_interfaces(request, template),
+        interfaces=requested_interfaces(request, template),
         depends=depends,
         test_depends=test_depends,
-        description=told("the description", request.description),
+        description=user_text("the description", request.description),
         license=license_of(request.license or LICENSE),
         maintainer=maintainer.name,
         email=maintainer.email,
         version=version_of(request.version or VERSION),
         distro=distro_of(request.distro, notes),
         year=request.year or datetime.date.today().year,
-        launch=launch_of(request.launch or LAUNCH, template),
+        launch=launch_format(request.launch or LAUNCH, template),
         params=request.params,
-        tests=tests_of(request.tests or TESTS),
+        tests=test_level(request.tests or TESTS),
     )
     if there.index.is_package(answers.name):
         notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")
@@ -120,7 +124,7 @@ def answers_of(request: Request, maintainer: Who, template: Template, there: Aro
     notes += notes_on_launch(answers)
     if answers.description.text:
         return answers
-    return replace(answers, description=Told(render_line(template, template.description, answers)))
+    return replace(answers, description=UserText(render_line(template, template.description, answers)))
 
 
 def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
@@ -134,7 +138,7 @@ def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
         raise OwnFaultError(f"`{template.name}` writes what our own linter refuses: {shown}")
 
 
-def where_guessed(maintainer: Who, files: Sequence[Written]) -> str:
+def where_guessed(maintainer: Maintainer, files: Sequence[RenderedFile]) -> str:
     """Return a sentence that names the lines to change."""
     places = []
     for file in files:

@@ -9,15 +9,27 @@ from typing import Any
 
 from jinja2 import Environment, StrictUndefined
 
-from ..tree import Entry
+from ..tree import TreeEntry
 from . import ScaffoldError
 from .answers import Answers
 from .bounds import MAX_FILES, BoundedEnvironment, text_of
 from .template import Template, TemplateFile
-from .template_context import known_values
+from .template_context import template_context
 from .template_errors import in_value
 from .template_loader import SourceLoader
-from .user_text import WIDTH, Told, UnescapedError, comment, cpp, markdown, plain, python, python_argument, xml, yaml
+from .user_text import (
+    WIDTH,
+    UnescapedError,
+    UserText,
+    comment,
+    cpp,
+    markdown,
+    plain,
+    python,
+    python_argument,
+    xml,
+    yaml,
+)
 
 LONGEST_NAME = 200
 """Bytes of a file's name; most disks take 255, and a temporary name is longer."""
@@ -26,20 +38,20 @@ DEEPEST = 20
 
 
 @dataclass(frozen=True)
-class Written:
+class RenderedFile:
     """One file that is to be written; `path` is relative to the package."""
 
     path: str
-    entry: Entry
+    entry: TreeEntry
     about: str
 
 
-def render(template: Template, answers: Answers) -> tuple[Written, ...]:
+def render(template: Template, answers: Answers) -> tuple[RenderedFile, ...]:
     """Return every file, sorted by path; raises ScaffoldError where two have one path."""
     environment = make_environment(template)
     bracketed = make_environment(template, brackets=True)
-    values = known_values(answers)
-    files: dict[str, Written] = {}
+    values = template_context(answers)
+    files: dict[str, RenderedFile] = {}
     for file in template.files:
         for extra in items(environment, file, values):
             one = render_file(environment, file, {**values, **extra}, bracketed if file.brackets else environment)
@@ -63,13 +75,13 @@ def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) 
 
 def render_file(
     environment: Environment, file: TemplateFile, values: dict[str, Any], of_source: Environment
-) -> Written:
+) -> RenderedFile:
     source = rendered(environment, file.source, values)
     text = text_of(of_source, "", values, source + ".j2")
     path = inside(rendered(environment, file.path, values))
     about = rendered(environment, file.about, values)
     mode = 0o755 if text.startswith("#!") else 0o644
-    return Written(path, Entry("file", text.encode(), mode), about)
+    return RenderedFile(path, TreeEntry("file", text.encode(), mode), about)
 
 
 def holds(environment: Environment, condition: str, values: dict[str, Any]) -> bool:
@@ -102,7 +114,7 @@ def is_of_git(name: str) -> bool:
 
 def render_line(template: Template, line: str, answers: Answers) -> str:
     """Return a line of template.toml with its answers filled in."""
-    return rendered(make_environment(template), line, known_values(answers))
+    return rendered(make_environment(template), line, template_context(answers))
 
 
 BRACKETS: dict[str, Any] = {
@@ -133,7 +145,7 @@ def make_environment(template: Template, brackets: bool = False) -> Environment:
 
 def escaped_only(value: object) -> object:
     """Raise UnescapedError for a user's text that no filter has made safe."""
-    if isinstance(value, Told):
+    if isinstance(value, UserText):
         raise UnescapedError(str(value))
     return value
 

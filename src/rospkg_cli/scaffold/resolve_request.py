@@ -12,7 +12,7 @@ from ..ros.manifest import VERSION
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Request
-from .interface import Interface, interfaces_of
+from .interface import RequestedInterface, interfaces_of
 from .template import Template
 
 KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]*")
@@ -26,7 +26,7 @@ TEST_ONLY = re.compile(
 )
 
 
-def asked_interfaces(request: Request, template: Template) -> tuple[Interface, ...]:
+def requested_interfaces(request: Request, template: Template) -> tuple[RequestedInterface, ...]:
     """Return the interfaces; one message where none was asked for, in a package that is for them."""
     asked = {"msg": request.msgs, "srv": request.srvs, "action": request.actions}
     if template.interfaces:

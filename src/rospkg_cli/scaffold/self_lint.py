@@ -9,11 +9,11 @@ from ..engine.selection import EVERYTHING
 from ..ros.distros import Targets
 from ..tree import MemoryTree
 from .answers import Answers
-from .render import Written
-from .workspace import Around
+from .render import RenderedFile
+from .workspace import WorkspacePackages
 
 
-def lint_written(answers: Answers, files: Iterable[Written], there: Around) -> Results:
+def lint_written(answers: Answers, files: Iterable[RenderedFile], there: WorkspacePackages) -> Results:
     """Lint a package in memory with all rules, pedantic and release included, for its distribution.
 
     The packages around that are only in memory too are read with it; of those on disk, the names are known.

@@ -11,7 +11,7 @@ from .write import is_there, refuse_existing
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
 
 
-def check_place(into: Path, target: Path, may_exist: bool = False) -> None:
+def check_target(into: Path, target: Path, may_exist: bool = False) -> None:
     """Raise ScaffoldError where the folder has the package already, is a file, or belongs to another package."""
     if not may_exist:
         refuse_existing(target)
@@ -27,7 +27,7 @@ def check_place(into: Path, target: Path, may_exist: bool = False) -> None:
             )
 
 
-def hidden_by(into: Path) -> Iterator[str]:
+def hidden_from_colcon(into: Path) -> Iterator[str]:
     """Yield a sentence where a marker hides from colcon what lies in the folder."""
     for folder in (into.absolute(), *into.absolute().parents):
         for marker in MARKERS:

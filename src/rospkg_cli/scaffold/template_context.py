@@ -8,10 +8,10 @@ from typing import Any
 from .answers import Answers
 from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
 from .launch_format import autostarted, launch_packages, unconfigured
-from .test_level import first_words, launch_test_packages, launch_tested, linted, logics_tested
+from .test_level import first_words, has_launch_test, has_linters, launch_test_packages, tested_logics
 
 
-def known_values(answers: Answers) -> dict[str, Any]:
+def template_context(answers: Answers) -> dict[str, Any]:
     """Return the values that a template may name."""
     computed = ("copyright", "interface_packages", "sections", "section_of", "robot")
     return {
@@ -19,8 +19,8 @@ def known_values(answers: Answers) -> dict[str, Any]:
         **{name: getattr(answers, name) for name in computed},
         **in_cpp(answers),
         **in_python(answers),
-        "linted": linted(answers),
-        "launch_tested": launch_tested(answers),
+        "linted": has_linters(answers),
+        "launch_tested": has_launch_test(answers),
         "first_words": partial(first_words, answers),
         "launch_test_packages": launch_test_packages(answers),
         "launch_packages": list(launch_packages(answers)),
@@ -35,7 +35,7 @@ def in_cpp(answers: Answers) -> dict[str, Any]:
     return {
         "cpp_nodes": answers.nodes_in("cpp"),
         "cpp_logics": answers.logics_in("cpp"),
-        "cpp_tests": logics_tested(answers, "cpp"),
+        "cpp_tests": tested_logics(answers, "cpp"),
         "cpp_messages": list(answers.messages_in("cpp")),
         "client_libraries": list(packages_of(answers.nodes_in("cpp"))),
         "build_depends": [key for key in answers.depends if is_library(key)],
@@ -56,7 +56,7 @@ def in_python(answers: Answers) -> dict[str, Any]:
         "python_nodes": nodes,
         "python_logics": answers.logics_in("python"),
         "python_needs": needs if nodes else [],
-        "python_tests": [*logics_tested(answers, "python"), *(["params"] if declaring and tested else [])],
+        "python_tests": [*tested_logics(answers, "python"), *(["params"] if declaring and tested else [])],
     }
 
 

@@ -18,7 +18,7 @@ from .user_text import UnescapedError
 OTHERS = (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, SyntaxError, TypeError, ValueError)
 
 
-class ValueFaultError(Exception):
+class TemplateValueError(Exception):
     """A fault in a value of template.toml; the cause says which."""
 
     def __init__(self, value: str) -> None:
@@ -32,27 +32,27 @@ def in_value(value: str) -> Iterator[None]:
     try:
         yield
     except (TemplateError, UnescapedError, *OTHERS) as error:
-        raise ValueFaultError(value) from error
+        raise TemplateValueError(value) from error
 
 
 @contextmanager
-def faults_of(asked: str, template: Template) -> Iterator[None]:
+def template_errors(asked: str, template: Template) -> Iterator[None]:
     """Say of which template a fault is, and where in it; raises ScaffoldError."""
     try:
         yield
-    except ValueFaultError as fault:
+    except TemplateValueError as fault:
         where = line_of(fault.value, template)
-        raise ScaffoldError(f"the template `{asked}`, {where}{said(fault.__cause__)}") from fault
+        raise ScaffoldError(f"the template `{asked}`, {where}{error_text(fault.__cause__)}") from fault
     except TemplateError as error:
-        raise ScaffoldError(f"the template `{asked}`, {place_of(error, template)}{said(error)}") from error
+        raise ScaffoldError(f"the template `{asked}`, {place_of(error, template)}{error_text(error)}") from error
     except (UnescapedError, *OTHERS) as error:
         where = place_of(error, template)
-        raise ScaffoldError(f"the template `{asked}`{f', {where}' if where else ''}{said(error)}") from error
+        raise ScaffoldError(f"the template `{asked}`{f', {where}' if where else ''}{error_text(error)}") from error
     except OwnFaultError as error:
         raise ScaffoldError(f"the template `{asked}`: {error}") from error
 
 
-def said(error: BaseException | None) -> str:
+def error_text(error: BaseException | None) -> str:
     if isinstance(error, TemplateNotFound):
         return f": there is no `{error.name}`"
     if isinstance(error, TemplateError):

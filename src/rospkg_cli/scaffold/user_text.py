@@ -22,7 +22,7 @@ class UnescapedError(Exception):
 
 
 @dataclass(frozen=True)
-class Told:
+class UserText:
     """A user's text: one line of printable characters, single blanks between words."""
 
     text: str
@@ -31,42 +31,42 @@ class Told:
         raise UnescapedError(f"a template prints {self.text!r} as it stands; it needs a filter such as `| xml`")
 
 
-def told(what: str, text: str) -> Told:
+def user_text(what: str, text: str) -> UserText:
     """Return a user's text on one line; raises ScaffoldError where a file could not hold it."""
     line = " ".join(text.split())
     for char in line:
         if unicodedata.category(char) in ("Cc", "Cs") or char in "\ufffe\uffff":
             shown = "bytes that are not UTF-8" if unicodedata.category(char) == "Cs" else f"U+{ord(char):04X}"
             raise ScaffoldError(f"{what} holds {shown}, which no XML file can; leave it out")
-    return Told(line)
+    return UserText(line)
 
 
-def plain(value: Told | str) -> str:
+def plain(value: UserText | str) -> str:
     """Return a text for a file without any syntax."""
-    return value.text if isinstance(value, Told) else value
+    return value.text if isinstance(value, UserText) else value
 
 
-def xml(value: Told | str) -> str:
+def xml(value: UserText | str) -> str:
     """Return a text for XML, in an element or an attribute."""
     return escape(plain(value), {'"': "&quot;"})
 
 
-def python(value: Told | str | int | float) -> str:
+def python(value: UserText | str | int | float) -> str:
     """Return a value as a Python literal, a text in single quotes where that needs no backslash."""
-    return repr(value.text if isinstance(value, Told) else value)
+    return repr(value.text if isinstance(value, UserText) else value)
 
 
-def cpp(value: Told | str | int | float) -> str:
+def cpp(value: UserText | str | int | float) -> str:
     """Return a value as a C++ literal."""
-    return json.dumps(value.text if isinstance(value, Told) else value)
+    return json.dumps(value.text if isinstance(value, UserText) else value)
 
 
-def yaml(value: Told | str | int | float) -> str:
+def yaml(value: UserText | str | int | float) -> str:
     """Return a value as YAML; a text is quoted, so that it stays one."""
-    return json.dumps(value.text if isinstance(value, Told) else value, ensure_ascii=False)
+    return json.dumps(value.text if isinstance(value, UserText) else value, ensure_ascii=False)
 
 
-def python_argument(value: Told | str, name: str, indent: int = 4) -> str:
+def python_argument(value: UserText | str, name: str, indent: int = 4) -> str:
     """Return `name='text',`; a text too long for the line goes into parentheses, piece by piece."""
     line = f"{' ' * indent}{name}={python(value)},"
     if len(line) <= WIDTH:
@@ -97,12 +97,12 @@ MARKUP = re.compile(
 )
 
 
-def markdown(value: Told | str) -> str:
+def markdown(value: UserText | str) -> str:
     """Return a text as a paragraph of Markdown in which nothing is markup."""
     return MARKUP.sub(r"\\\g<0>", plain(value))
 
 
-def comment(value: Told | str, mark: str = "#") -> str:
+def comment(value: UserText | str, mark: str = "#") -> str:
     """Return a text as lines of a comment, without the characters that are not shown (those that turn the direction of
     writing, say)."""
     text = plain(value)

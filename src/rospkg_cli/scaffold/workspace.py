@@ -10,12 +10,12 @@ from pathlib import Path
 
 from ..disk import DiskTree
 from ..engine.discovery.discover import packages_below
-from ..engine.discovery.incomplete_workspace import lists_others
-from ..engine.discovery.installed_packages import prefix_names
+from ..engine.discovery.incomplete_workspace import lists_more_packages
+from ..engine.discovery.installed_packages import installed_package_names
 from ..files import PackageFiles
 from ..index import NamesError
 from ..index.cache import names
-from ..package.collect_facts import gather
+from ..package.collect_facts import collect_facts
 from ..package.launch.file import LaunchFile
 from ..package.manifest import Manifest
 from ..package.package import Package
@@ -34,7 +34,7 @@ class Neighbour:
 
     @cached_property
     def facts(self) -> PackageFacts:
-        return gather(self.package, Targets(), self.package.folder, self.package.folder)
+        return collect_facts(self.package, Targets(), self.package.folder, self.package.folder)
 
     @property
     def launch_files(self) -> dict[str, frozenset[str]]:
@@ -60,7 +60,7 @@ def arguments_of(file: LaunchFile) -> Iterator[str]:
 
 
 @dataclass(frozen=True)
-class Around:
+class WorkspacePackages:
     trees: Mapping[str, Tree] = field(default_factory=dict)
     """Each package's files, by its name."""
     installed: frozenset[str] = frozenset()
@@ -70,10 +70,10 @@ class Around:
     index: Names = BUILT_IN
     """The names of the world outside."""
 
-    def with_package(self, name: str, tree: MemoryTree) -> Around:
+    def with_package(self, name: str, tree: MemoryTree) -> WorkspacePackages:
         return replace(self, trees={**self.trees, name: tree})
 
-    def without(self, name: str) -> Around:
+    def without(self, name: str) -> WorkspacePackages:
         return replace(self, trees={each: tree for each, tree in self.trees.items() if each != name})
 
     def named(self, name: str) -> Neighbour | None:
@@ -84,7 +84,7 @@ class Around:
         return Package(PackageFiles(self.trees[name], name))
 
 
-def around(into: Path) -> Around:
+def workspace_packages(into: Path) -> WorkspacePackages:
     """Return the packages below the nearest `src` that holds a folder; where there is none, those in the folder."""
     trees: dict[str, Tree] = {}
     folders = list(package_folders(into.absolute()))
@@ -92,11 +92,11 @@ def around(into: Path) -> Around:
         tree = DiskTree(folder)
         manifest = Package(PackageFiles(tree, folder.name)).parts(Manifest).only
         trees.setdefault((manifest.name if manifest else "") or folder.name, tree)
-    complete = not lists_others(None, [*folders, into.absolute()])
-    return Around(trees, prefix_names(os.environ), complete, fetched(os.environ))
+    complete = not lists_more_packages(None, [*folders, into.absolute()])
+    return WorkspacePackages(trees, installed_package_names(os.environ), complete, fetched_names(os.environ))
 
 
-def fetched(environment: Mapping[str, str]) -> Names:
+def fetched_names(environment: Mapping[str, str]) -> Names:
     """Return the names that were fetched; those that are built in where there are none, or none that can be read."""
     try:
         return names(environment)

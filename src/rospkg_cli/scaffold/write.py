@@ -9,21 +9,21 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from ..engine.fixing.remove_leftovers import is_over
-from ..engine.fixing.signals import stopped_by_signals, undisturbed
+from ..engine.fixing.remove_leftovers import has_ended
+from ..engine.fixing.signals import signals_ignored, stopped_by_signals
 from ..leftovers import STRAY
 from . import ScaffoldError
-from .render import Written
+from .render import RenderedFile
 
 
-def write_folder(target: Path, files: Iterable[Written]) -> None:
+def write_folder(target: Path, files: Iterable[RenderedFile]) -> None:
     """Write a folder that is not there yet, in one step; whatever interrupts it, nothing is left.
 
     Raises ScaffoldError where something stands at the target or the disk refuses.
     """
     made = missing_parents(target)
-    beside = hidden_beside(target)
-    remove_left_behind(target.parent)
+    beside = temporary_folder(target)
+    remove_leftovers(target.parent)
     with stopped_by_signals():
         try:
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -32,7 +32,7 @@ def write_folder(target: Path, files: Iterable[Written]) -> None:
             refuse_existing(target)
             beside.rename(target)
         except BaseException as error:
-            with undisturbed():
+            with signals_ignored():
                 shutil.rmtree(beside, ignore_errors=True)
                 for folder in made:
                     if folder.is_dir() and not any(folder.iterdir()):
@@ -42,17 +42,17 @@ def write_folder(target: Path, files: Iterable[Written]) -> None:
             raise
 
 
-def hidden_beside(target: Path) -> Path:
+def temporary_folder(target: Path) -> Path:
     """Return a name that nothing has, in the same folder; colcon looks into no hidden folder."""
     return target.parent / f".{target.name[:128]}.{os.getpid()}-{secrets.token_hex(6)}.rospkg-tmp"
 
 
-def remove_left_behind(folder: Path) -> None:
+def remove_leftovers(folder: Path) -> None:
     """Remove what runs of `new` that were killed left half written in a folder."""
     with suppress(OSError):
         for each in folder.iterdir():
             found = STRAY.fullmatch(each.name)
-            if found and each.is_dir() and not each.is_symlink() and is_over(each, int(found["process"])):
+            if found and each.is_dir() and not each.is_symlink() and has_ended(each, int(found["process"])):
                 shutil.rmtree(each, ignore_errors=True)
 
 
@@ -75,7 +75,7 @@ def missing_parents(target: Path) -> list[Path]:
     return [folder for folder in target.parents if not folder.exists()]
 
 
-def write(path: Path, file: Written) -> None:
+def write(path: Path, file: RenderedFile) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(file.entry.data)
     if file.entry.executable:

@@ -33,9 +33,9 @@ def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
 def load_plugins() -> None:
     """Make the rules known that the config of the current folder plugs in."""
     from ...config.file import find_config
-    from ...engine.run.rule_plugins import plug_in
+    from ...engine.run.rule_plugins import load_plugins
 
-    plug_in(find_config(Path()).plugins)
+    load_plugins(find_config(Path()).plugins)
 
 
 def rules(format: Annotated[str, Option("--format", metavar="FORMAT", help="text or json.")] = "text") -> None:

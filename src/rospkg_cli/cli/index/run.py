@@ -9,8 +9,8 @@ from pathlib import Path
 
 from ...config.file import own_config
 from ...control_characters import visible
-from ...index.cache import cache_file, keep, kept
-from ...index.file_url import place_of
+from ...index.cache import cache_file, cache_index, cached_index
+from ...index.file_url import index_url
 from ...index.update import make_index
 from ...ros.distros import DISTROS, distro, fault_of_name
 from ...ros.name_index import Index
@@ -31,12 +31,12 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
         if fault := fault_of_name(name):
             raise UsageError(fault)
     own = own_config().index
-    place = place_of(source, os.environ, own.get("source", ""))
+    place = index_url(source, os.environ, own.get("source", ""))
     path = cache_file(os.environ)
     with progress(not quiet) as say:
         wanted = distros or own.get("distros") or [each.name for each in DISTROS]
         index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"reading {n} of {of}: {what}"))
-    keep(index, os.environ)
+    cache_index(index, os.environ)
     if not quiet:
         afterwards(lambda: print("\n".join(shown(index, path))), "the names are kept")
     return 0
@@ -44,7 +44,7 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
 
 def status(format: str = "text") -> int:
     """Print what was fetched, as text or as JSON; return the exit status. Raises NamesError for a broken index."""
-    index = kept(os.environ)
+    index = cached_index(os.environ)
     if format == "json":
         print(json.dumps(None if index is None else document(index, cache_file(os.environ)), indent=2))
     elif index is None:

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from ...engine.fixing.apply import Changes, apply_fixes
 from ...engine.fixing.overlay import Overlay
-from ...engine.fixing.round import newly_broken
+from ...engine.fixing.round import newly_unreadable
 from ...engine.fixing.write import write_changes
 from ...engine.run.session import Session
-from ...engine.suppression.insert_ignores import ignores
+from ...engine.suppression.insert_ignores import ignore_comments
 from ...finding import Finding
 from ...report import Report
 from .. import UsageError
@@ -32,9 +32,9 @@ def add_ignores(reason: str, session: Session, report: Report) -> int:
 def silenced(session: Session, findings: tuple[Finding, ...], reason: str) -> tuple[Changes, list[Finding]]:
     """Return the changes that silence findings, and the findings that remain; files that would break are left out."""
     base = Overlay(session.tree)
-    fixes = list(ignores(session.tree, findings, reason))
+    fixes = list(ignore_comments(session.tree, findings, reason))
     changes, _ = apply_fixes(base, fixes)
-    for path in newly_broken(base, changes, session.scope.folders):
+    for path in newly_unreadable(base, changes, session.scope.folders):
         changes.pop(path, None)
     after = replace(session, tree=Overlay(session.tree, changes)).run()
     remaining = {(f.code, f.place.path, f.message) for f in after.findings}

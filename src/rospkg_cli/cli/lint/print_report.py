@@ -17,7 +17,7 @@ from ...report import Report, render
 from .session import LintOptions
 
 
-def show(options: LintOptions, report: Report, files: Sequence[tuple[str, Path]], stream: IO[str]) -> None:
+def print_report(options: LintOptions, report: Report, files: Sequence[tuple[str, Path]], stream: IO[str]) -> None:
     """Write every report that was asked for; raises WriteError."""
     for name, path in files:
         text = io.StringIO()

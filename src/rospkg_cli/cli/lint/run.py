@@ -11,10 +11,10 @@ from typing import IO
 from ...config.file import Config, find_config
 from ...current_folder import absolute, here
 from ...engine.baseline import apply_baseline, read_baseline, write_baseline
-from ...engine.config_filter import Judge
+from ...engine.config_filter import ConfigFilter
 from ...engine.discovery.locate import Located, locate
-from ...engine.fixing.fix import Repair, repair
-from ...engine.fixing.remove_leftovers import remove_strays
+from ...engine.fixing.fix import FixResults, fix_all
+from ...engine.fixing.remove_leftovers import remove_leftovers
 from ...engine.fixing.write import write_changes, write_text
 from ...engine.run.session import Results, Session
 from ...fence import Fence
@@ -26,7 +26,7 @@ from ..index.age import warn_of_age
 from ..progress import progress
 from ..streams import say
 from .add_ignores import add_ignores
-from .print_report import show
+from .print_report import print_report
 from .session import LintOptions, make_session, outputs
 
 
@@ -45,7 +45,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     config = find_config(nearest_folder(paths))
     located = locate(paths, options.workspace, config)
     session = make_session(options, config, located)
-    session.judge = judge_and_baseline(options, config, located)
+    session.judge = result_filter(options, config, located)
     outcome = run(options, session, located)
     report = Report(
         outcome.results,
@@ -58,16 +58,16 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     if options.diff:
         stream.writelines(unified(session.tree, outcome.changes))
     elif options.fix:
-        remove_strays(located.root / folder for folder in located.scope.given)
+        remove_leftovers(located.root / folder for folder in located.scope.given)
         write_changes(located.root, session.tree, outcome.changes, Fence(located.root, located.scope.folders))
     checked = bool(located.scope.given)
     if options.write_baseline and checked:
-        return adopt(options.write_baseline, report)
+        return save_baseline(options.write_baseline, report)
     if options.add_ignores is not None and checked:
         return add_ignores(options.add_ignores, session, report)
-    show(options, report, files, stream)
+    print_report(options, report, files, stream)
     warn_of_age(session.scope.index, outcome.results.findings)
-    return status(options, config, report, outcome)
+    return exit_status(options, config, report, outcome)
 
 
 def nearest_folder(paths: Sequence[Path]) -> Path:
@@ -75,9 +75,9 @@ def nearest_folder(paths: Sequence[Path]) -> Path:
     return common if common.is_dir() else common.parent
 
 
-def judge_and_baseline(options: LintOptions, config: Config, located: Located) -> Callable[[Session, Results], Results]:
+def result_filter(options: LintOptions, config: Config, located: Located) -> Callable[[Session, Results], Results]:
     """Return what sets findings aside: the config, then the baseline."""
-    judge = Judge(config, located.root, located.scope.given == frozenset(located.scope.folders))
+    judge = ConfigFilter(config, located.root, located.scope.given == frozenset(located.scope.folders))
     if options.baseline is None:
         return judge
     known, shown = read_baseline(options.baseline), relative_to(options.baseline, located.root)
@@ -89,20 +89,20 @@ def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
     return lambda path: Path(os.path.relpath(root / path, folder)).as_posix()
 
 
-def run(options: LintOptions, session: Session, located: Located) -> Repair:
+def run(options: LintOptions, session: Session, located: Located) -> FixResults:
     if not located.scope.given:
         shown = [str(path) for path in options.paths or (Path(),)]
-        return Repair(Results() if options.allow_empty else session.nothing(shown, located.hidden))
+        return FixResults(Results() if options.allow_empty else session.nothing(shown, located.hidden))
     with progress(not options.quiet) as session.phase:
         if not (options.fix or options.diff):
-            return Repair(session.run())
-        outcome = repair(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
+            return FixResults(session.run())
+        outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
     for finding, why in outcome.refused:
         say(f"the fix of {finding.code} in {finding.place.path} was taken back: {why}")
     return outcome
 
 
-def adopt(path: Path, report: Report) -> int:
+def save_baseline(path: Path, report: Report) -> int:
     """Write the baseline; return the exit status."""
     findings = report.results.findings
     write_text(path, write_baseline(findings, relative_to(path, report.root)))
@@ -110,7 +110,7 @@ def adopt(path: Path, report: Report) -> int:
     return 0
 
 
-def status(options: LintOptions, config: Config, report: Report, outcome: Repair) -> int:
+def exit_status(options: LintOptions, config: Config, report: Report, outcome: FixResults) -> int:
     """Return 3 after a fault of ours, 2 where nothing was checked, 1 where findings remain or a fix says so, else 0."""
     results = report.results
     codes = {finding.code for finding in results.findings}

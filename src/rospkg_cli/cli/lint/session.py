@@ -13,12 +13,12 @@ from ...config.required_version import fulfils
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
 from ...engine.run.process_pool import SERIAL_BELOW, ProcessPool
-from ...engine.run.rule_plugins import plug_in
+from ...engine.run.rule_plugins import load_plugins
 from ...engine.run.session import Pool, Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
 from ...index.cache import names
-from ...package.rule_settings import Settings
+from ...package.rule_settings import RuleSettings
 from ...report import FORMATS
 from ...ros.distros import Targets, fault_of_name
 from ...ros.names import BUILT_IN, Names
@@ -62,7 +62,7 @@ class LintOptions:
 def make_session(options: LintOptions, config: Config, located: Located) -> Session:
     """Return the run that the options and the config ask for; raises UsageError."""
     require_version(config)
-    plug_in(config.plugins, located.root, config.folder)
+    load_plugins(config.plugins, located.root, config.folder)
     for name in (*options.select, *options.ignore, *options.extend_select):
         if not codes_named(name):
             hint = did_you_mean(name, rule_names())
@@ -82,7 +82,7 @@ def make_session(options: LintOptions, config: Config, located: Located) -> Sess
         replace(located.scope, index=known_names()),
         selection.codes(),
         targets(options, config),
-        Settings(frozenset(config.build_types), config.plugins),
+        RuleSettings(frozenset(config.build_types), config.plugins),
         pool_for(options.jobs, len(located.scope.folders)),
     )
 

@@ -9,10 +9,10 @@ from ...report.color import wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
 from ...scaffold.family import plan_family, write_family
-from ...scaffold.target_folder import hidden_by
+from ...scaffold.target_folder import hidden_from_colcon
 from .. import UsageError
 from ..streams import afterwards, say
-from .run import NOTHING, defaults, said, shown_commands, shown_files, shown_tree
+from .run import NOTHING, command_lines, defaults, file_lines, finding_text, tree_lines
 
 
 def new_family(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
@@ -26,15 +26,15 @@ def new_family(request: Request, into: Path = Path(), dry_run: bool = False, col
             write_family(plans, into)
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
-    notes = [note for plan in plans for note in (*plan.notes, *(said(finding) for finding in plan.findings))]
-    for line in dict.fromkeys((*notes, *hidden_by(into))):
+    notes = [note for plan in plans for note in (*plan.notes, *(finding_text(finding) for finding in plan.findings))]
+    for line in dict.fromkeys((*notes, *hidden_from_colcon(into))):
         say(line)
     painted = wants_color(color, sys.stdout)
-    trees = [line for plan in plans for line in shown_tree(plan, painted)]
+    trees = [line for plan in plans for line in tree_lines(plan, painted)]
     if dry_run:
-        files = [line for plan in plans for line in shown_files(plan, painted)]
+        files = [line for plan in plans for line in file_lines(plan, painted)]
         print("\n".join((*trees, *files, NOTHING)))
     else:
-        lines = (*trees, *shown_commands(plans[-1], into, painted))
+        lines = (*trees, *command_lines(plans[-1], into, painted))
         afterwards(lambda: print("\n".join(lines)), "the packages are written")
     return 0

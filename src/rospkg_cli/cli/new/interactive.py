@@ -13,14 +13,14 @@ from ...control_characters import visible
 from ...ros.distros import DISTROS
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
-from ...scaffold.launch_format import FORMATS
-from ...scaffold.maintainer import who
+from ...scaffold.launch_format import LAUNCH_FORMATS
+from ...scaffold.maintainer import find_maintainer
 from ...scaffold.names import check_package_name
 from ...scaffold.node import default_nodes
 from ...scaffold.plan import LAUNCH, LICENSE, TESTS, make_plan, template_of
 from ...scaffold.resolve_request import distro_of
 from ...scaffold.template import Template, template_names
-from ...scaffold.test_level import TESTS as ALL_TESTS
+from ...scaffold.test_level import TEST_LEVELS
 from .. import UsageError
 from ..streams import say
 
@@ -61,11 +61,11 @@ QUESTIONS = (
     Question("depends", "Packages and rosdep keys that it uses, by commas"),
     Question(
         "launch",
-        f"Launch file: {', '.join(FORMATS)}",
+        f"Launch file: {', '.join(LAUNCH_FORMATS)}",
         lambda request, folder: LAUNCH,
         lambda template: template.launches,
     ),
-    Question("tests", f"Tests: {', '.join(ALL_TESTS)}", lambda request, folder: TESTS),
+    Question("tests", f"Tests: {', '.join(TEST_LEVELS)}", lambda request, folder: TESTS),
     Question(
         "distro",
         f"Distribution: {', '.join(each.name for each in DISTROS)}",
@@ -73,8 +73,8 @@ QUESTIONS = (
     ),
     Question("description", "What it does, in a sentence", lambda request, folder: "from its content"),
     Question("license", "License, as SPDX calls it", lambda request, folder: LICENSE),
-    Question("maintainer", "Maintainer", lambda request, folder: who("", "", folder).name.text),
-    Question("email", "E-mail", lambda request, folder: who("", "", folder).email),
+    Question("maintainer", "Maintainer", lambda request, folder: find_maintainer("", "", folder).name.text),
+    Question("email", "E-mail", lambda request, folder: find_maintainer("", "", folder).email),
 )
 
 
@@ -105,7 +105,7 @@ def all_answers(question: Question, request: Request, check: Callable[[Request],
 def answered(question: Question, request: Request, check: Callable[[Request], object], default: str) -> Request:
     """Ask until there is an answer that holds; nothing answered leaves the request as it is."""
     while True:
-        text = line(f"{question.text}{f' [{default}]' if default else ''}: ", question.text)
+        text = read_line(f"{question.text}{f' [{default}]' if default else ''}: ", question.text)
         if not text:
             return request
         value: Any = text
@@ -121,7 +121,7 @@ def answered(question: Question, request: Request, check: Callable[[Request], ob
         return asked
 
 
-def line(prompt: str, what: str) -> str:
+def read_line(prompt: str, what: str) -> str:
     """Return one line of what is typed; the prompt goes where all talk goes."""
     print(visible(prompt), end="", file=sys.stderr, flush=True)
     text = sys.stdin.readline()

@@ -13,12 +13,12 @@ from ...report.color import paint, wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
 from ...scaffold.existing_folder import compare
-from ...scaffold.file_tree import LINES, Row, draw, in_ascii
+from ...scaffold.file_tree import LINES, TreeRow, in_ascii, tree_rows
 from ...scaffold.names import check_package_name
 from ...scaffold.plan import Plan, make_plan
-from ...scaffold.target_folder import check_place, hidden_by, workspace_of
+from ...scaffold.target_folder import check_target, hidden_from_colcon, workspace_of
 from .. import UsageError
-from ..streams import afterwards, say, takes
+from ..streams import afterwards, can_encode, say
 from .write_package import show_difference, write_plan
 
 NOTHING = "\nNothing was written."
@@ -41,7 +41,7 @@ def new(
     target = into / request.name
     try:
         check_package_name(request.name)
-        check_place(into, target, bool(existing) or diff)
+        check_target(into, target, bool(existing) or diff)
         plan = make_plan(request, into, defaults(into))
         there = compare(target, plan.files)
         if diff:
@@ -49,14 +49,19 @@ def new(
         done = "" if dry_run else write_plan(target, plan, there, existing)
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
-    for line in (*filter(None, [done]), *plan.notes, *hidden_by(into), *(said(finding) for finding in plan.findings)):
+    for line in (
+        *filter(None, [done]),
+        *plan.notes,
+        *hidden_from_colcon(into),
+        *(finding_text(finding) for finding in plan.findings),
+    ):
         say(line)
     painted = wants_color(color, sys.stdout)
-    tree = shown_tree(plan, painted)
+    tree = tree_lines(plan, painted)
     if dry_run:
-        print("\n".join((*tree, *shown_files(plan, painted), NOTHING)))
+        print("\n".join((*tree, *file_lines(plan, painted), NOTHING)))
     else:
-        lines = (*tree, *shown_commands(plan, into, painted))
+        lines = (*tree, *command_lines(plan, into, painted))
         afterwards(lambda: print("\n".join(lines)), "the package is written")
     return 0
 
@@ -66,13 +71,13 @@ def defaults(into: Path) -> Mapping[str, str]:
     return {**own_config().new, **find_config(into).new}
 
 
-def said(finding: Finding) -> str:
+def finding_text(finding: Finding) -> str:
     return f"{finding.place.path}:{finding.place.line}: {finding.message} ({finding.code})"
 
 
-def shown_tree(plan: Plan, color: bool) -> Iterable[str]:
-    rows = draw(plan.answers.name, {visible(file.path): visible(file.about) for file in plan.files})
-    rows = rows if takes(sys.stdout, LINES) else in_ascii(rows)
+def tree_lines(plan: Plan, color: bool) -> Iterable[str]:
+    rows = tree_rows(plan.answers.name, {visible(file.path): visible(file.about) for file in plan.files})
+    rows = rows if can_encode(sys.stdout, LINES) else in_ascii(rows)
     width = max(len(row.drawn) for row in rows)
     for row in rows:
         yield (
@@ -82,11 +87,11 @@ def shown_tree(plan: Plan, color: bool) -> Iterable[str]:
         )
 
 
-def bold_folder(row: Row, color: bool) -> str:
+def bold_folder(row: TreeRow, color: bool) -> str:
     return row.drawn.replace(row.name, paint(row.name, "bold", color)) if row.name.endswith("/") else row.drawn
 
 
-def shown_commands(plan: Plan, into: Path, color: bool) -> Iterable[str]:
+def command_lines(plan: Plan, into: Path, color: bool) -> Iterable[str]:
     workspace = workspace_of(into)
     here = workspace == Path.cwd()
     yield "\nNext:" if here else f"\nNext, in {visible(str(workspace))}:"
@@ -94,8 +99,8 @@ def shown_commands(plan: Plan, into: Path, color: bool) -> Iterable[str]:
         yield f"  {paint(visible(command), 'cyan', color)}"
 
 
-def shown_files(plan: Plan, color: bool) -> Iterable[str]:
-    line = "──" if takes(sys.stdout, LINES) else "--"
+def file_lines(plan: Plan, color: bool) -> Iterable[str]:
+    line = "──" if can_encode(sys.stdout, LINES) else "--"
     for file in plan.files:
         text = no_command(visible_lines(file.entry.text.text))
         yield paint(f"\n{line} {plan.answers.name}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)

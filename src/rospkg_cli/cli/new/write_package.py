@@ -5,15 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 from ...control_characters import visible
-from ...scaffold.existing_folder import Difference, write_into
+from ...scaffold.existing_folder import FolderDifference, write_into
 from ...scaffold.plan import Plan
-from ...scaffold.render import Written
+from ...scaffold.render import RenderedFile
 from ...scaffold.write import is_there, write_folder
-from ...tree import Entry
+from ...tree import TreeEntry
 from ..diff import diff
 
 
-def write_plan(target: Path, plan: Plan, there: Difference, existing: str) -> str:
+def write_plan(target: Path, plan: Plan, there: FolderDifference, existing: str) -> str:
     """Write the package; return a sentence on what became of a folder that was there, else ""."""
     if not is_there(target):
         write_folder(target, plan.files)
@@ -28,9 +28,9 @@ def counted(files: int) -> str:
     return "1 file" if files == 1 else f"{files} files"
 
 
-def show_difference(plan: Plan, there: Difference, existing: str) -> int:
+def show_difference(plan: Plan, there: FolderDifference, existing: str) -> int:
     """Show what would be written; return 1 where that is anything, else 0."""
-    changes: list[tuple[Written, Entry | None]] = [(file, None) for file in there.missing]
+    changes: list[tuple[RenderedFile, TreeEntry | None]] = [(file, None) for file in there.missing]
     changes += there.other if existing != "skip" else ()
     for file, before in sorted(changes, key=lambda change: change[0].path):
         path = f"{plan.answers.name}/{file.path}"

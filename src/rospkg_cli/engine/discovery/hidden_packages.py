@@ -7,22 +7,22 @@ from pathlib import Path
 
 from .discover import marker_above, packages_below
 
-ONLY_WHEN_GIVEN = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
+VENDOR_FOLDERS = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
 """Folders of others' packages, or of half ones: reported on only when a path leads into them."""
 
 
-def hidden_below(paths: Iterable[Path]) -> str:
+def describe_hidden(paths: Iterable[Path]) -> str:
     """Say what hides packages that stand below the paths; nothing where there are none."""
     found = [(top, p) for top in map(Path.resolve, paths) if top.is_dir() for p in packages_below(top, marked=True)]
     if not found:
         return ""
-    marks = {hidden_by(top, package).relative_to(top).as_posix(): None for top, package in found}
+    marks = {hiding_path(top, package).relative_to(top).as_posix(): None for top, package in found}
     others = {1: "", 2: " and another marker"}.get(len(marks), f" and {len(marks) - 1} other markers")
     count = "one stands" if len(found) == 1 else f"{len(found)} stand"
     return f"{count} below, hidden by `{next(iter(marks))}`{others}"
 
 
-def hidden_by(top: Path, package: Path) -> Path:
+def hiding_path(top: Path, package: Path) -> Path:
     """Return the marker, or the folder of others' packages, for which a walk from `top` leaves a package out."""
-    folders = (folder for folder in (package, *package.parents) if folder.name in ONLY_WHEN_GIVEN)
+    folders = (folder for folder in (package, *package.parents) if folder.name in VENDOR_FOLDERS)
     return marker_above(package, top) or next(folders, package)

@@ -16,7 +16,7 @@ MAX_SUBMODULES = 10_000
 SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 
 
-def lists_others(around: Path | None, packages: Sequence[Path]) -> bool:
+def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:
     """Return whether something in a workspace, in a folder right below it or above one of the packages says so.
 
     Where there is no workspace around, the folder that holds the packages stands for it.
@@ -25,7 +25,7 @@ def lists_others(around: Path | None, packages: Sequence[Path]) -> bool:
         return False
     top = around or Path(os.path.commonpath([package.parent for package in packages]))
     above = {folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(top)}
-    return any(lists_some(folder) for folder in {top, *above, *(children(top) if around else ())})
+    return any(lists_packages(folder) for folder in {top, *above, *(children(top) if around else ())})
 
 
 def children(folder: Path) -> Iterator[Path]:
@@ -35,7 +35,7 @@ def children(folder: Path) -> Iterator[Path]:
         return
 
 
-def lists_some(folder: Path) -> bool:
+def lists_packages(folder: Path) -> bool:
     try:
         if any(each.name.endswith(LISTS) for each in folder.iterdir()):
             return True

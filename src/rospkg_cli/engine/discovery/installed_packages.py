@@ -10,7 +10,7 @@ INSTALLED = Path("/opt/ros")
 """Where Debian packages of ROS put each distribution."""
 
 
-def prefix_names(environment: Mapping[str, str], installed: Path = INSTALLED) -> frozenset[str]:
+def installed_package_names(environment: Mapping[str, str], installed: Path = INSTALLED) -> frozenset[str]:
     """Return the names in the resource index of every prefix of AMENT_PREFIX_PATH, and of /opt/ros/<distro>.
 
     Where ROS_DISTRO does not say which that is, of every distribution that is there.

@@ -13,9 +13,9 @@ from ...current_folder import absolute, here
 from ...fence import is_shared
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
-from .hidden_packages import ONLY_WHEN_GIVEN, hidden_below
-from .incomplete_workspace import lists_others
-from .installed_packages import prefix_names
+from .hidden_packages import VENDOR_FOLDERS, describe_hidden
+from .incomplete_workspace import lists_more_packages
+from .installed_packages import installed_package_names
 
 NO_CONFIG = Config()
 
@@ -51,11 +51,11 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
         folders=tuple(relative(p, root) for p in every),
         given=frozenset(relative(p, root) for p in kept),
         name=root.name,
-        complete=not lists_others(around, kept),
-        prefix_names=prefix_names(os.environ),
+        complete=not lists_more_packages(around, kept),
+        prefix_names=installed_package_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )
-    return Located(root, scope, "" if kept else "the config excludes them" if given else hidden_below(paths))
+    return Located(root, scope, "" if kept else "the config excludes them" if given else describe_hidden(paths))
 
 
 def each_once(packages: Iterable[Path]) -> list[Path]:
@@ -82,7 +82,7 @@ def packages_at(path: Path) -> list[Path]:
     around = enclosing_package(path if path.is_dir() else path.parent)
     if around:
         return [around]
-    return [p for p in packages_below(path) if not ONLY_WHEN_GIVEN.intersection(p.relative_to(path).parts)]
+    return [p for p in packages_below(path) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
 
 
 def is_excluded(path: Path, exclude: Iterable[tuple[Path, str]]) -> bool:

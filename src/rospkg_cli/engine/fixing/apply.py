@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 from ...finding import Chmod, Create, Delete, Edit, Fix, Move, Operation
 from ...source import Span
-from ...tree import Entry, Tree
+from ...tree import Tree, TreeEntry
 
-Changes = dict[str, Entry | None]
+Changes = dict[str, TreeEntry | None]
 """Path to its new entry; None where the file is gone."""
 
 
@@ -70,7 +70,7 @@ def apply_round(tree: Tree, round_: Round) -> Changes:
     return changes
 
 
-def edited(entry: Entry, edits: Sequence[Edit]) -> Entry:
+def edited(entry: TreeEntry, edits: Sequence[Edit]) -> TreeEntry:
     """Return the entry with the edits made, in the encoding and line ends that it had."""
     text = entry.text.text
     pieces: list[str] = []
@@ -78,13 +78,13 @@ def edited(entry: Entry, edits: Sequence[Edit]) -> Entry:
     for edit in sorted(edits, key=lambda e: e.span):
         pieces += [text[at : edit.span.start], edit.text]
         at = edit.span.end
-    return Entry(entry.kind, entry.text.encode("".join([*pieces, text[at:]])), entry.mode)
+    return TreeEntry(entry.kind, entry.text.encode("".join([*pieces, text[at:]])), entry.mode)
 
 
 def outcome(tree: Tree, operation: Operation) -> Changes:
     match operation:
         case Create(path, text, executable):
-            return {path: Entry("file", text.encode(), 0o755 if executable else 0o644)}
+            return {path: TreeEntry("file", text.encode(), 0o755 if executable else 0o644)}
         case Delete(path):
             return {path: None}
         case Move(path, to):
@@ -92,7 +92,7 @@ def outcome(tree: Tree, operation: Operation) -> Changes:
         case Chmod(path, executable):
             entry = tree.entry(path)
             bits = (entry.mode & 0o444) >> 2
-            return {path: Entry(entry.kind, entry.data, entry.mode | bits if executable else entry.mode & ~0o111)}
+            return {path: TreeEntry(entry.kind, entry.data, entry.mode | bits if executable else entry.mode & ~0o111)}
         case _:
             raise TypeError(f"{type(operation).__name__} is not an operation on a whole file")
 

@@ -9,7 +9,7 @@ from ...finding import Finding, Safety
 from ...package.run_events import RuleCrash
 from ..run.session import Results, Session
 from .apply import Changes
-from .oscillation import MAX_ROUNDS, restless
+from .oscillation import MAX_ROUNDS, oscillating
 from .overlay import Overlay
 from .round import one_round
 
@@ -21,7 +21,7 @@ Ban = tuple[str, str]
 
 
 @dataclass
-class Repair:
+class FixResults:
     """What fixing came to."""
 
     results: Results
@@ -33,7 +33,7 @@ class Repair:
     """Findings whose fix was taken back, and why."""
 
 
-def repair(session: Session, safety: Sequence[Safety]) -> Repair:
+def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
     """Fix everything that may be fixed and that the session's judge leaves; it always ends.
 
     Each round applies at least one fix or is the last. A fix that is still wanted after MAX_ROUNDS never comes to
@@ -43,32 +43,32 @@ def repair(session: Session, safety: Sequence[Safety]) -> Repair:
     banned: set[Ban] = set()
     refused: list[tuple[Finding, str]] = []
     for _ in range(MAX_STARTS):
-        found, left = repair_without(session, first, safety, banned)
+        found, left = fix_without(session, first, safety, banned)
         if not left:
             found.refused = refused + found.refused
-            found.changes = {p: e for p, e in found.changes.items() if e != original(session, p)}
+            found.changes = {p: e for p, e in found.changes.items() if e != original_entry(session, p)}
             return found
-        guilty = restless(found.applied, left)
+        guilty = oscillating(found.applied, left)
         refused += [(each, "it wants the same again after each repair; please report this") for each in guilty]
         banned |= {(each.code, each.place.path) for each in guilty}
-    return Repair(first, refused=refused)
+    return FixResults(first, refused=refused)
 
 
-def repair_without(
+def fix_without(
     session: Session, first: Results, safety: Sequence[Safety], banned: set[Ban]
-) -> tuple[Repair, list[Finding]]:
+) -> tuple[FixResults, list[Finding]]:
     """Return what MAX_ROUNDS of fixing come to, and the findings whose fix is wanted even then."""
-    found, taken_back, crashes = Repair(first), set[tuple[str, str, str]](), list[RuleCrash]()
+    found, taken_back, crashes = FixResults(first), set[tuple[str, str, str]](), list[RuleCrash]()
 
     def wanted() -> list[Finding]:
         may_be = [f for f in found.results.findings if f.fix and f.fix.safety in safety]
-        return [f for f in may_be if identity(f) not in taken_back and (f.code, f.place.path) not in banned]
+        return [f for f in may_be if finding_key(f) not in taken_back and (f.code, f.place.path) not in banned]
 
     for _ in range(MAX_ROUNDS):
         if not (left := wanted()):
             break
         changes, applied, refused = one_round(Overlay(session.tree, found.changes), session.scope.folders, left)
-        taken_back |= {identity(each.finding) for each in refused}
+        taken_back |= {finding_key(each.finding) for each in refused}
         found.refused += [(each.finding, each.why) for each in refused]
         crashes += [each.crash for each in refused if each.crash]
         if applied:
@@ -80,11 +80,11 @@ def repair_without(
     return found, wanted()
 
 
-def identity(finding: Finding) -> tuple[str, str, str]:
+def finding_key(finding: Finding) -> tuple[str, str, str]:
     return finding.code, finding.place.path, finding.message
 
 
-def original(session: Session, path: str) -> object:
+def original_entry(session: Session, path: str) -> object:
     try:
         return session.tree.entry(path)
     except OSError:

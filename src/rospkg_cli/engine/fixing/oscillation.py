@@ -11,7 +11,7 @@ MAX_ROUNDS = 12
 """Fixes that touch each other wait for the next round; real packages need four at most."""
 
 
-def restless(applied: Sequence[Finding], left: Sequence[Finding]) -> list[Finding]:
+def oscillating(applied: Sequence[Finding], left: Sequence[Finding]) -> list[Finding]:
     """Return, one for each code and path, the wanted findings whose like was repaired most often; never nothing."""
     times = Counter((each.code, each.place.path) for each in applied)
     once = {(each.code, each.place.path): each for each in left}

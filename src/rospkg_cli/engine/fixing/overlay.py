@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ...tree import Entry, Kind, Tree
+from ...tree import Kind, Tree, TreeEntry
 from .apply import Changes
 
 
@@ -19,7 +19,7 @@ class Overlay:
         found |= {path: entry.kind for path, entry in self.changes.items() if entry is not None}
         return dict(sorted(found.items()))
 
-    def entry(self, path: str) -> Entry:
+    def entry(self, path: str) -> TreeEntry:
         if path not in self.changes:
             return self.base.entry(path)
         found = self.changes[path]

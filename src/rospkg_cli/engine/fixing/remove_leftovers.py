@@ -14,15 +14,15 @@ OLD = 600.0
 """Seconds after which a temporary file is nobody's, where it can't be asked whether its process lives."""
 
 
-def remove_strays(folders: Iterable[Path]) -> None:
+def remove_leftovers(folders: Iterable[Path]) -> None:
     """Remove them from packages; a file that can't be removed is left."""
-    for stray, process in strays_below(folders):
-        if is_over(stray, process):
+    for stray, process in leftovers_below(folders):
+        if has_ended(stray, process):
             with suppress(OSError):
                 stray.unlink()
 
 
-def strays_below(folders: Iterable[Path]) -> Iterator[tuple[Path, int]]:
+def leftovers_below(folders: Iterable[Path]) -> Iterator[tuple[Path, int]]:
     """Yield our temporary files below some folders, with the number of the process that made each."""
     waiting = list(folders)
     while waiting:
@@ -38,7 +38,7 @@ def strays_below(folders: Iterable[Path]) -> Iterator[tuple[Path, int]]:
                 yield Path(entry.path), int(found["process"])
 
 
-def is_over(stray: Path, process: int) -> bool:
+def has_ended(stray: Path, process: int) -> bool:
     """Return whether the process that wrote a file has ended."""
     if os.name != "posix":
         with suppress(OSError):

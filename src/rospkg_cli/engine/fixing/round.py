@@ -36,11 +36,11 @@ def one_round(
     left = [each for each in wanted if id(each) not in failing]
     while left:
         changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])
-        broken = newly_broken(tree, changes, folders)
+        broken = newly_unreadable(tree, changes, folders)
         if not broken:
             done = {fix.operations for fix in taken}
             return changes, [each for each in left if each.fix and each.fix.operations in done], refused
-        guilty = breakers(tree, folders, left, broken)
+        guilty = breaking_fixes(tree, folders, left, broken)
         path, why = next(iter(broken.items()))
         refused += [Refusal(each, f"it would break `{path}`: {why}") for each in guilty]
         gone = set(map(id, guilty))
@@ -68,28 +68,32 @@ def cannot_apply(tree: Overlay, finding: Finding) -> Refusal | None:
     return None
 
 
-def breakers(tree: Overlay, folders: Sequence[str], left: Sequence[Finding], broken: dict[str, str]) -> list[Finding]:
+def breaking_fixes(
+    tree: Overlay, folders: Sequence[str], left: Sequence[Finding], broken: dict[str, str]
+) -> list[Finding]:
     """Return the findings whose fix breaks a file by itself; all that touch one where only several together do."""
     touching = [each for each in left if each.fix and any(o.path in broken for o in each.fix.operations)] or list(left)
     if len(touching) > MAX_TRIED:
         return touching
-    guilty = [each for each in touching if each.fix and newly_broken(tree, apply_fixes(tree, [each.fix])[0], folders)]
+    guilty = [
+        each for each in touching if each.fix and newly_unreadable(tree, apply_fixes(tree, [each.fix])[0], folders)
+    ]
     return guilty or touching
 
 
-def newly_broken(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
+def newly_unreadable(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
     """Return the changed files that could be read before and can't be after, with what is wrong.
 
     A file that was broken already, and is only now read because another was made, is nobody's fault.
     """
     after = Overlay(tree.base, {**tree.changes, **changes})
     touched = {folder for path in changes for folder in folders if not folder or path.startswith(folder + "/")}
-    broken = {path: why for path, why in unreadable(after, touched).items() if path in changes}
-    before = unreadable(tree, touched) if broken else {}
+    broken = {path: why for path, why in unreadable_files(after, touched).items() if path in changes}
+    before = unreadable_files(tree, touched) if broken else {}
     return {path: why for path, why in broken.items() if path not in before}
 
 
-def unreadable(tree: Tree, folders: set[str]) -> dict[str, str]:
+def unreadable_files(tree: Tree, folders: set[str]) -> dict[str, str]:
     """Return the files of some packages that can't be read, with what is wrong."""
     found: dict[str, str] = {}
     for folder in folders:

@@ -27,7 +27,7 @@ def stopped_by_signals() -> Iterator[None]:
 
 
 @contextmanager
-def undisturbed() -> Iterator[None]:
+def signals_ignored() -> Iterator[None]:
     """Let no signal end what must come to its end."""
     with handled_by(signal.SIG_IGN, ENDING):
         yield

@@ -10,7 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from ...fence import Fence
-from ...tree import Entry, LeadsOutError, Tree
+from ...tree import LeadsOutError, Tree, TreeEntry
 from .apply import Changes
 
 
@@ -45,7 +45,7 @@ def write_changes(root: Path, tree: Tree, changes: Changes, fence: Fence | None 
     return written
 
 
-def write_change(target: Path, path: str, tree: Tree, entry: Entry | None, fence: Fence) -> None:
+def write_change(target: Path, path: str, tree: Tree, entry: TreeEntry | None, fence: Fence) -> None:
     """Write one change; raises OSError."""
     fence.check(path)
     try:
@@ -65,7 +65,7 @@ def write_change(target: Path, path: str, tree: Tree, entry: Entry | None, fence
         write_file(target, entry, check)
 
 
-def write_file(target: Path, entry: Entry, check: Callable[[], None] = lambda: None) -> None:
+def write_file(target: Path, entry: TreeEntry, check: Callable[[], None] = lambda: None) -> None:
     """Replace a file in one step; a link stays a link to the file that is replaced. Raises OSError.
 
     `check` may object at the last moment. A process that is killed leaves at most a file that
@@ -96,7 +96,7 @@ def write_file(target: Path, entry: Entry, check: Callable[[], None] = lambda: N
 def write_text(target: Path, text: str) -> None:
     """Write a report or a baseline; raises WriteError."""
     try:
-        write_file(target, Entry("file", text.encode("utf-8", "backslashreplace")))
+        write_file(target, TreeEntry("file", text.encode("utf-8", "backslashreplace")))
     except OSError as error:
         raise WriteError(f"`{target}` can't be written: {error.strerror or error}") from error
 

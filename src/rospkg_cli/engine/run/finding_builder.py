@@ -8,14 +8,14 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from ...files import PackageFiles
-from ...finding import Edit, Finding, Fix, Hit, Move, Operation, Place
+from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation
 from ...rule import Rule
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 
 
 @dataclass
-class Stamper:
+class FindingBuilder:
     """Stamps the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""
 
     files: PackageFiles
@@ -40,11 +40,11 @@ class Stamper:
         except UnreadableError:
             return Source(path, "")
 
-    def place(self, path: str, span: Span) -> Place:
+    def place(self, path: str, span: Span) -> Location:
         source = self.source(path)
         end = max(span.start, min(span.end, len(source.text)))
         start = min(span.start, len(source.text))
-        return Place(self.resolve(path), Span(start, end), *source.position(start), *source.position(end))
+        return Location(self.resolve(path), Span(start, end), *source.position(start), *source.position(end))
 
     def stamp(self, rule: Rule[Any], hit: Hit) -> Finding:
         place, source = self.place(hit.path, hit.span), self.source(hit.path)

@@ -9,31 +9,31 @@ from typing import TypeVar
 
 from ...package.collect_facts import unknown_facts
 from ...package.package_facts import PackageFacts
-from ...package.rule_settings import Settings
+from ...package.rule_settings import RuleSettings
 from ...package.run_events import RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Tree
-from .rule_plugins import plug_in
+from .rule_plugins import load_plugins
 from .session import Pool, Scope
-from .worker import Checked, Shard
+from .worker import PackageResults, Worker
 
 T = TypeVar("T")
 
 SERIAL_BELOW = 40
 """With fewer packages starting processes costs more than it saves."""
 
-_shard: Shard | None = None
+_worker: Worker | None = None
 
 
 class ProcessPool(Pool):
     """One process a shard, so that the models a process has read are there when it checks."""
 
-    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings, jobs: int) -> None:
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings, jobs: int) -> None:
         self.name = scope.name
         self.parts = parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
         self.workers = [
-            ProcessPoolExecutor(1, initializer=start_shard, initargs=(tree, part, targets, settings, scope.name))
+            ProcessPoolExecutor(1, initializer=start_worker, initargs=(tree, part, targets, settings, scope.name))
             for part in parts
         ]
 
@@ -54,11 +54,11 @@ class ProcessPool(Pool):
                 found += map(lost, part)
         return found
 
-    def gather(self) -> list[PackageFacts]:
-        return self.everywhere(gather_shard, lambda folder: unknown_facts(folder, self.name))
+    def collect_facts(self) -> list[PackageFacts]:
+        return self.everywhere(gather_facts, lambda folder: unknown_facts(folder, self.name))
 
-    def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
-        found = self.everywhere(check_shard, lambda folder: lost_package(folder, workspace), workspace, codes)
+    def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
+        found = self.everywhere(check_packages, lambda folder: lost_package(folder, workspace), workspace, codes)
         return [each for each in found if each.folder in workspace.given]
 
     def close(self) -> None:
@@ -66,26 +66,26 @@ class ProcessPool(Pool):
             worker.shutdown()
 
 
-def lost_package(folder: str, workspace: Workspace) -> Checked:
+def lost_package(folder: str, workspace: Workspace) -> PackageResults:
     """Return what is left of a package whose process died: a crash to tell."""
     path = f"{folder}/package.xml" if folder else "package.xml"
     error = "its process was ended by the system; try --jobs 1"
-    return Checked(
+    return PackageResults(
         folder, crashes=(RuleCrash("the whole package", workspace.at(folder).name, path, error, "check of"),)
     )
 
 
-def start_shard(tree: Tree, folders: Sequence[str], targets: Targets, settings: Settings, name: str) -> None:
-    global _shard
-    plug_in(settings.plugins)
-    _shard = Shard(tree, folders, targets, settings, name)
+def start_worker(tree: Tree, folders: Sequence[str], targets: Targets, settings: RuleSettings, name: str) -> None:
+    global _worker
+    load_plugins(settings.plugins)
+    _worker = Worker(tree, folders, targets, settings, name)
 
 
-def gather_shard() -> list[PackageFacts]:
-    assert _shard is not None
-    return _shard.gather()
+def gather_facts() -> list[PackageFacts]:
+    assert _worker is not None
+    return _worker.collect_facts()
 
 
-def check_shard(workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
-    assert _shard is not None
-    return _shard.check(workspace, codes)
+def check_packages(workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
+    assert _worker is not None
+    return _worker.run_rules(workspace, codes)

@@ -14,25 +14,25 @@ from ...files import PackageFiles
 from ...package.package import Package
 from ...package.package_facts import PackageFacts
 from ...package.readers import READERS
-from ...package.rule_settings import Settings
+from ...package.rule_settings import RuleSettings
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...unreadable import Unreadable
 
-Field = tuple[type, bool, bool]
+InputPart = tuple[type, bool, bool]
 """The type of a part; whether it may be absent; whether all of them are wanted as a tuple."""
 
 
-class Slices:
+class InputBuilder:
     """All slices of one package, each kind built once."""
 
-    def __init__(self, package: Package, workspace: Workspace, targets: Targets, settings: Settings) -> None:
+    def __init__(self, package: Package, workspace: Workspace, targets: Targets, settings: RuleSettings) -> None:
         self.package = package
         self.provided: dict[type, Any] = {
             PackageFiles: package.files,
             Workspace: workspace,
             Targets: targets,
-            Settings: settings,
+            RuleSettings: settings,
             PackageFacts: workspace.at(package.folder),
         }
         self.built: dict[type, list[Any]] = {Unreadable: []}
@@ -50,7 +50,7 @@ class Slices:
         return self.built[kind]
 
     def join(self, kind: type) -> Iterator[Any]:
-        options = [self.options(*part) for part in fields_of(kind)]
+        options = [self.options(*input_part) for input_part in input_parts(kind)]
         return (kind(*chosen) for chosen in itertools.product(*options))
 
     def options(self, kind: type, optional: bool, every: bool) -> list[Any]:
@@ -64,15 +64,15 @@ class Slices:
 
 
 @cache
-def fields_of(kind: type) -> tuple[Field, ...]:
+def input_parts(kind: type) -> tuple[InputPart, ...]:
     """Return the parts of a joined slice, as its annotations name them; raises TypeError for what is none."""
     if not dataclasses.is_dataclass(kind):
         raise TypeError(f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models")
     hints = typing.get_type_hints(kind)
-    return tuple(part(hints[field.name]) for field in dataclasses.fields(kind) if field.init)
+    return tuple(input_part(hints[field.name]) for field in dataclasses.fields(kind) if field.init)
 
 
-def part(hint: Any) -> Field:
+def input_part(hint: Any) -> InputPart:
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin in (typing.Union, types.UnionType):
         return next(a for a in arguments if a is not type(None)), True, False

@@ -22,7 +22,7 @@ from .finding_builder import rule_by_code
 GROUP = "rospkg_cli.rules"
 CODE = re.compile(r"[A-Z]{3}[0-9]{3}")
 
-LOADED: set[str] = set()
+LOADED_PLUGINS: set[str] = set()
 """The names of the plug-ins whose rules are known."""
 
 
@@ -30,14 +30,14 @@ class PluginError(Exception):
     """A plug-in that can't be used; the message says which and what to do."""
 
 
-def plug_in(names: Iterable[str], *linted: Path) -> None:
+def load_plugins(names: Iterable[str], *linted: Path) -> None:
     """Make the rules of the named plug-ins known, once; raises PluginError, for one in a linted folder too."""
     for name in names:
-        load(name, (Path.cwd(), *linted))
+        load_plugin(name, (Path.cwd(), *linted))
 
 
-def load(name: str, linted: tuple[Path, ...]) -> None:
-    if name in LOADED:
+def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
+    if name in LOADED_PLUGINS:
         return
     there = {point.name: point for point in entry_points(group=GROUP)}
     if name not in there:
@@ -51,7 +51,7 @@ def load(name: str, linted: tuple[Path, ...]) -> None:
         if code in own or not CODE.fullmatch(code):
             why = f"is that of our `{own[code]}`" if code in own else "is not three capitals and three digits"
             raise PluginError(f"plugins: `{name}` has a rule `{code}`, and that code {why}")
-    LOADED.add(name)
+    LOADED_PLUGINS.add(name)
     PLUGGED_IN.update(found)
     all_rules.cache_clear()
     codes_named.cache_clear()

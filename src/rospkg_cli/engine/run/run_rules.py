@@ -10,8 +10,8 @@ from typing import Any
 from ...finding import Finding, Hit
 from ...package.run_events import RuleCrash
 from ...rule import Rule
-from .finding_builder import Stamper
-from .rule_inputs import Slices
+from .finding_builder import FindingBuilder
+from .rule_inputs import InputBuilder
 
 MAX_HITS = 2_000
 """Nobody reads more findings of one rule in one package; what comes after them is said in one."""
@@ -28,7 +28,9 @@ def run_rule(rule: Rule[Any], slices: Iterable[Any], package: str) -> Iterator[H
         yield hit
 
 
-def check(slices: Slices, rules: Iterable[Rule[Any]], stamper: Stamper) -> Iterator[Finding | RuleCrash]:
+def run_rules(
+    slices: InputBuilder, rules: Iterable[Rule[Any]], stamper: FindingBuilder
+) -> Iterator[Finding | RuleCrash]:
     """Run the rules over one package; a rule that raises is reported and the others go on."""
     for rule in rules:
         try:

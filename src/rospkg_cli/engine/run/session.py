@@ -9,19 +9,19 @@ from typing import Any
 from ...files import PackageFiles
 from ...finding import Finding
 from ...package.package_facts import PackageFacts
-from ...package.rule_settings import Settings
-from ...package.run_events import HAPPENINGS, NothingChecked, RuleCrash
+from ...package.rule_settings import RuleSettings
+from ...package.run_events import RUN_EVENTS, NoPackagesFound, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.names import BUILT_IN, Names
 from ...rule import Rule
 from ...tree import Tree
-from ..suppression.suppression_index import Silence
+from ..suppression.suppression_index import SuppressionIndex
 from .crashes import one_each
-from .finding_builder import Stamper, rule_by_code
-from .rule_inputs import Slices
-from .run_rules import check
-from .worker import Checked, Shard
+from .finding_builder import FindingBuilder, rule_by_code
+from .rule_inputs import InputBuilder
+from .run_rules import run_rules
+from .worker import PackageResults, Worker
 
 
 @dataclass(frozen=True)
@@ -56,24 +56,24 @@ class Results:
 class Pool:
     """Runs everything in this process; `engine.run.pool` has the one that spreads it over several."""
 
-    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: Settings) -> None:
-        self.shard = Shard(tree, scope.folders, targets, settings, scope.name)
+    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings) -> None:
+        self.worker = Worker(tree, scope.folders, targets, settings, scope.name)
 
-    def gather(self) -> list[PackageFacts]:
-        return self.shard.gather()
+    def collect_facts(self) -> list[PackageFacts]:
+        return self.worker.collect_facts()
 
-    def check(self, workspace: Workspace, codes: Sequence[str]) -> list[Checked]:
-        return self.shard.check(workspace, codes)
+    def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
+        return self.worker.run_rules(workspace, codes)
 
     def close(self) -> None:
         """Release what the pool holds."""
 
 
-def print_nothing(_: str) -> None:
+def no_progress(_: str) -> None:
     """Keep quiet about progress."""
 
 
-def unjudged(_: Session, results: Results) -> Results:
+def keep_all(_: Session, results: Results) -> Results:
     return results
 
 
@@ -83,11 +83,11 @@ class Session:
     scope: Scope
     codes: frozenset[str]
     targets: Targets = field(default_factory=Targets)
-    settings: Settings = field(default_factory=Settings)
-    make_pool: Callable[[Tree, Scope, Targets, Settings], Pool] = Pool
-    judge: Callable[[Session, Results], Results] = unjudged
+    settings: RuleSettings = field(default_factory=RuleSettings)
+    make_pool: Callable[[Tree, Scope, Targets, RuleSettings], Pool] = Pool
+    judge: Callable[[Session, Results], Results] = keep_all
     """Sets aside what the config or a baseline ignores."""
-    phase: Callable[[str], None] = print_nothing
+    phase: Callable[[str], None] = no_progress
     """Is told what the run is at."""
 
     def run(self) -> Results:
@@ -96,10 +96,10 @@ class Session:
         self.phase(f"reading {count}")
         pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
         try:
-            facts = sorted(pool.gather(), key=lambda f: f.folder)
+            facts = sorted(pool.collect_facts(), key=lambda f: f.folder)
             workspace = self.link(facts)
             self.phase(f"checking {len(self.scope.given)} of {count}")
-            checked = pool.check(workspace, sorted(self.codes))
+            checked = pool.run_rules(workspace, sorted(self.codes))
         finally:
             pool.close()
         return self.judge(self, self.collect(workspace, checked))
@@ -109,11 +109,11 @@ class Session:
         around = (scope.given, scope.complete, scope.prefix_names, scope.repositories)
         return Workspace(tuple(facts), *around, scope.index)
 
-    def collect(self, workspace: Workspace, checked: Sequence[Checked]) -> Results:
+    def collect(self, workspace: Workspace, checked: Sequence[PackageResults]) -> Results:
         over_all = list(self.over_all(workspace))
         findings = [f for each in checked for f in each.findings] + [r for r in over_all if isinstance(r, Finding)]
         crashes = [c for each in checked for c in each.crashes] + [r for r in over_all if isinstance(r, RuleCrash)]
-        silence = Silence([s for each in checked for s in each.suppressions], self.codes)
+        silence = SuppressionIndex([s for each in checked for s in each.suppressions], self.codes)
         judged = silence.apply(findings)
         crashes = one_each(crashes)
         happened: list[Any] = [*silence.unused(), *silence.unknown(), *crashes]
@@ -129,7 +129,7 @@ class Session:
 
     def over_all(self, workspace: Workspace) -> Iterable[Finding | RuleCrash]:
         rules = [r for r in map(rule_by_code, sorted(self.codes)) if r.over is Workspace]
-        return check(Given(workspace), rules, self.stamper(workspace))
+        return run_rules(Given(workspace), rules, self.stamper(workspace))
 
     def report(self, workspace: Workspace | None, happened: Sequence[object]) -> list[Finding]:
         """Turn what happened in the run itself into findings, by the RPK rules."""
@@ -138,7 +138,7 @@ class Session:
         return [
             stamper.stamp(rule, hit)
             for rule in rules
-            if rule.over in HAPPENINGS
+            if rule.over in RUN_EVENTS
             for each in happened
             if isinstance(each, rule.over)
             for hit in rule.check(each)
@@ -151,16 +151,16 @@ class Session:
         findings = sorted((*results.findings, *said), key=lambda f: f.sort_key)
         return replace(results, findings=tuple(findings), crashes=(*results.crashes, *told))
 
-    def stamper(self, workspace: Workspace) -> Stamper:
+    def stamper(self, workspace: Workspace) -> FindingBuilder:
         files = PackageFiles(self.tree)
-        return RootStamper(files, files, "", workspace)
+        return RootFindingBuilder(files, files, "", workspace)
 
     def nothing(self, paths: Sequence[str], hidden: str = "") -> Results:
         """Return the results of a run that found no package."""
-        return Results(tuple(self.report(Workspace(), [NothingChecked(tuple(paths), hidden)])))
+        return Results(tuple(self.report(Workspace(), [NoPackagesFound(tuple(paths), hidden)])))
 
 
-class Given(Slices):
+class Given(InputBuilder):
     """The one slice of rules over the whole workspace."""
 
     def __init__(self, workspace: Workspace) -> None:
@@ -168,7 +168,7 @@ class Given(Slices):
 
 
 @dataclass
-class RootStamper(Stamper):
+class RootFindingBuilder(FindingBuilder):
     """Stamps hits whose paths are relative to the root of the run; the package is the one that the path is in."""
 
     workspace: Workspace

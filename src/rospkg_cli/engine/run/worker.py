@@ -8,25 +8,25 @@ from dataclasses import dataclass, field
 
 from ...files import PackageFiles
 from ...finding import Finding
-from ...package.collect_facts import gather, unknown_facts
+from ...package.collect_facts import collect_facts, unknown_facts
 from ...package.package import Package
 from ...package.package_facts import PackageFacts
-from ...package.rule_settings import Settings
-from ...package.run_events import HAPPENINGS, RuleCrash
+from ...package.rule_settings import RuleSettings
+from ...package.run_events import RUN_EVENTS, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Tree
 from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
-from .finding_builder import Stamper, rule_by_code
-from .rule_inputs import Slices
-from .run_rules import check
+from .finding_builder import FindingBuilder, rule_by_code
+from .rule_inputs import InputBuilder
+from .run_rules import run_rules
 
-NO_SETTINGS = Settings()
+NO_SETTINGS = RuleSettings()
 
 
 @dataclass(frozen=True)
-class Checked:
+class PackageResults:
     """What came out of one package."""
 
     folder: str
@@ -37,11 +37,11 @@ class Checked:
 
 
 @dataclass
-class Shard:
+class Worker:
     tree: Tree
     folders: Sequence[str]
     targets: Targets
-    settings: Settings = NO_SETTINGS
+    settings: RuleSettings = NO_SETTINGS
     name: str = "package"
     """What a package in the root is called when its manifest does not say."""
     packages: dict[str, Package] = field(default_factory=dict)
@@ -49,31 +49,31 @@ class Shard:
     def __post_init__(self) -> None:
         self.packages = {f: Package(PackageFiles(self.tree.sub(f), f, self.tree)) for f in self.folders}
 
-    def gather(self) -> list[PackageFacts]:
+    def collect_facts(self) -> list[PackageFacts]:
         return [self.facts(folder, package) for folder, package in self.packages.items()]
 
     def facts(self, folder: str, package: Package) -> PackageFacts:
         """Return a package's facts; of one that we fail on, nothing but its folder is known to the others."""
         try:
-            return gather(package, self.targets, folder, self.name)
+            return collect_facts(package, self.targets, folder, self.name)
         except Exception:
             package.crashes["PackageFacts"] = traceback.format_exc()
             return unknown_facts(folder, self.name)
 
-    def check(self, workspace: Workspace, codes: Iterable[str]) -> list[Checked]:
+    def run_rules(self, workspace: Workspace, codes: Iterable[str]) -> list[PackageResults]:
         """Run the rules (without those over the whole workspace) over the given packages of this shard."""
-        rules = [r for r in map(rule_by_code, codes) if r.over not in HAPPENINGS | {Workspace}]
+        rules = [r for r in map(rule_by_code, codes) if r.over not in RUN_EVENTS | {Workspace}]
         whole = PackageFiles(self.tree)
         found = []
         for folder in self.folders:
             if folder not in workspace.given:
                 continue
             package = self.packages[folder]
-            stamper = Stamper(package.files, whole, workspace.at(folder).name)
-            results = list(check(Slices(package, workspace, self.targets, self.settings), rules, stamper))
+            stamper = FindingBuilder(package.files, whole, workspace.at(folder).name)
+            results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings), rules, stamper))
             results += reader_crashes(package, stamper.package, stamper.crash_path)
             found.append(
-                Checked(
+                PackageResults(
                     folder,
                     tuple(r for r in results if isinstance(r, Finding)),
                     tuple(r for r in results if isinstance(r, RuleCrash)),

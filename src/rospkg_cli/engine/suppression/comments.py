@@ -12,7 +12,7 @@ from pathlib import PurePosixPath
 from ...files import PackageFiles
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from .file_head import Head
+from .file_head import FileHead
 
 COMMENT = re.compile(
     r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]{0,1000})\](?P<reason>[^\n]*)"
@@ -55,7 +55,7 @@ def suppressions_in(files: PackageFiles) -> Iterator[Suppression]:
 
 def in_source(source: Source, path: str) -> Iterator[Suppression]:
     real = python_comments(source) if path.endswith(".py") else None
-    head = Head(source)
+    head = FileHead(source)
     for match in COMMENT.finditer(source.text):
         line = source.position(match.start())[0]
         if real is not None and line not in real:

@@ -15,16 +15,16 @@ Keys = tuple[str, ...]
 """The keys that lead to a value from the top of the config: ("per-path", "src/*", "ignore", "XML104")."""
 
 
-def complaints(
+def rule_name_events(
     config: Config, path: str, text: str, used: Set[Keys], ran: Set[str]
 ) -> Iterator[UnknownRuleName | UnusedSuppression]:
     """Yield the names that no rule has, and the ignores that silenced nothing although all of their rules ran.
 
     `text` is what the config file holds now; names that a fix took out of it are not spoken of.
     """
-    for keys in entries(config):
+    for keys in rule_name_keys(config):
         found = toml.entry(text, (*config.table, *keys))
-        span = found[0] if found else somewhere(text, keys[-1])
+        span = found[0] if found else first_occurrence(text, keys[-1])
         if span is None:
             continue
         codes = codes_named(keys[-1])
@@ -34,7 +34,7 @@ def complaints(
             yield UnusedSuppression(path, span, keys[-1], found[1] if found else None)
 
 
-def entries(config: Config) -> Iterator[Keys]:
+def rule_name_keys(config: Config) -> Iterator[Keys]:
     """Yield the keys of every rule name in the config."""
     for key, names in (("select", config.select), ("extend-select", config.extend_select)):
         yield from ((key, name) for name in names)
@@ -45,6 +45,6 @@ def entries(config: Config) -> Iterator[Keys]:
         yield from ((section.key, section.pattern, "severity", name) for name in section.severity)
 
 
-def somewhere(text: str, name: str) -> Span | None:
+def first_occurrence(text: str, name: str) -> Span | None:
     at = text.find(name)
     return Span(at, at + len(name)) if at >= 0 else None

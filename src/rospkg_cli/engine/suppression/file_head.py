@@ -12,7 +12,7 @@ MAX_STEPS = 20_000
 """So many blanks, comments and instructions are looked at in all; a head that goes on for longer is none."""
 
 
-class Head:
+class FileHead:
     """Asked from the top of a file to its end, and read on from where the last answer left it."""
 
     def __init__(self, source: Source) -> None:

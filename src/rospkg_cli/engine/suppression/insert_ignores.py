@@ -15,7 +15,7 @@ HASH = frozenset({".py", ".cfg", ".txt", ".cmake", ".yaml", ".yml", ".msg", ".sr
 SLASHES = frozenset({".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx"})
 
 
-def ignores(tree: Tree, findings: Iterable[Finding], reason: str) -> Iterator[Fix]:
+def ignore_comments(tree: Tree, findings: Iterable[Finding], reason: str) -> Iterator[Fix]:
     """Yield the insertion of one comment for each line that has findings; none where a file takes no comments."""
     lines: dict[tuple[str, int], set[str]] = defaultdict(set)
     for finding in findings:
@@ -26,13 +26,13 @@ def ignores(tree: Tree, findings: Iterable[Finding], reason: str) -> Iterator[Fi
         at = source.line_span(line)
         excerpt = source.slice(at)
         indent = excerpt[: len(excerpt) - len(excerpt.lstrip())]
-        comment = written(path, f"rospkg: ignore[{', '.join(sorted(codes))}]", reason)
+        comment = comment_text(path, f"rospkg: ignore[{', '.join(sorted(codes))}]", reason)
         if line == 1 and excerpt.startswith(("<?xml", "#!")):
             continue
         yield Fix(f"Ignore {', '.join(sorted(codes))}", (Edit(path, Span(at.start, at.start), f"{indent}{comment}\n"),))
 
 
-def written(path: str, words: str, reason: str) -> str:
+def comment_text(path: str, words: str, reason: str) -> str:
     """Return the comment in the language of the file; `--` can't stand in one of XML."""
     reason = " ".join(reason.split())
     if PurePosixPath(path).suffix in XML:

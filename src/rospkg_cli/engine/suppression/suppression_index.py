@@ -19,7 +19,7 @@ MAX_GUESSES = 100
 
 
 @dataclass
-class Silence:
+class SuppressionIndex:
     """All ignore comments of a run; `ran` are the codes of the rules that ran."""
 
     comments: Sequence[Suppression]
