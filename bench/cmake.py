@@ -74,7 +74,7 @@ def astray(text: str) -> str:
 def is_refused(text: str) -> bool:
     """Return whether our reader takes a text for CMake."""
     found = parse(Source("CMakeLists.txt", text))
-    return bool(found.faults or nest(found.commands)[1])
+    return bool(found.problems or nest(found.commands)[1])
 
 
 def cmake_refuses(text: str, cmake: str, folder: Path) -> bool:
@@ -112,7 +112,7 @@ def evaluated(folders: Sequence[Path]) -> Counter[str]:
             count["arguments"] += sum(len(call.words) for call in cmake.calls)
             count["arguments with a hole"] += sum("\0" in text for call in cmake.calls for text in call.texts)
             count["cut short"] += bool(cmake.stopped)
-            count["read files that we can't see"] += cmake.clouded
+            count["read files that we can't see"] += cmake.reads_unknown_files
         count["broken"] += bool(parts.broken)
     print(
         "evaluated: " + ", ".join(f"{number} {what}" for what, number in count.items()) + f"; at most {slowest:.2f} s"

@@ -30,7 +30,7 @@ from pathlib import Path
 
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.languages.cmake.evaluated_command import EvaluatedCommand
-from rospkg_cli.languages.cmake.values import BINARY, PREFIX, SOURCE, UNKNOWN, Word, split
+from rospkg_cli.languages.cmake.values import BINARY, PREFIX, SOURCE, UNKNOWN, Word, split_list
 from rospkg_cli.package.cmake.cmake_project import CMake
 
 from .cmake_world import World, make_world, name_of, open_package
@@ -81,7 +81,7 @@ def fits(call: EvaluatedCommand, args: Sequence[str]) -> bool:
     """Return whether arguments, as many as are written, are such as our words leave open."""
     pairs = list(call.by_argument())
     return len(pairs) == len(args) and all(
-        argument_fits(words, [arg] if argument.kind != "unquoted" else [each for each in split(arg) if each])
+        argument_fits(words, [arg] if argument.kind != "unquoted" else [each for each in split_list(arg) if each])
         for (argument, words), arg in zip(pairs, args, strict=True)
     )
 
@@ -125,7 +125,7 @@ def compare(cmake: CMake, real: Sequence[tuple[Place, tuple[str, ...]]], verdict
             missed.append((place, args, [shown(cmake.calls[i]) for i in ours[place]]))
     last = max(used, default=-1)
     for place, args, instead in missed:
-        seen = any(file.path == place[0] for file in cmake.files) or not cmake.clouded
+        seen = any(file.path == place[0] for file in cmake.files) or not cmake.reads_unknown_files
         verdict.note("missed" if seen else "unseen", place[2], f"{place[0]}:{place[1]} {place[2]}({' '.join(args)})"
                      + "".join(f"\n{'':13}ours: {each}" for each in instead[:3]))  # fmt: skip
     for place, indices in ours.items():

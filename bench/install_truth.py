@@ -116,7 +116,7 @@ def can_be_built(package: Path) -> bool:
     if cmake is None or not cmake.ends_a_package or cmake.interface_targets:
         return False
     here = {*real_packages(), "Threads"}
-    makes = any(target.built and not target.call.testing for target in cmake.targets)
+    makes = any(target.is_built and not target.call.testing for target in cmake.targets)
     return not makes or all(found.name in here or found.call.testing for found in cmake.packages)
 
 

@@ -22,7 +22,7 @@ TEXTS = st.one_of(st.text(max_size=60), st.lists(st.sampled_from(PIECES), max_si
 
 def commands(text: str) -> list[tuple[str, list[tuple[str, str]]]]:
     found = parse(Source("CMakeLists.txt", text))
-    assert not found.faults
+    assert not found.problems
     return [(c.name, [(a.kind, a.text) for a in c.arguments]) for c in found.commands]
 
 
@@ -50,7 +50,7 @@ def test_any_text_can_be_parsed(text: str) -> None:
             assert command.inner.start <= argument.span.start < argument.span.end <= command.inner.end
             if argument.kind != "bracket":
                 assert text[argument.inner.start : argument.inner.end] == argument.text
-    assert all(0 <= f.span.start < f.span.end <= len(text) for f in found.faults)
+    assert all(0 <= f.span.start < f.span.end <= len(text) for f in found.problems)
 
 
 def test_arguments_keep_their_kind() -> None:
@@ -81,7 +81,7 @@ def test_arguments_keep_their_kind() -> None:
     ],
 )
 def test_what_cmake_accepts(text: str) -> None:
-    assert parse(Source("CMakeLists.txt", text)).faults == ()
+    assert parse(Source("CMakeLists.txt", text)).problems == ()
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_what_cmake_accepts(text: str) -> None:
 def test_the_place_of_a_fault(text: str, said: str) -> None:
     start, end = text.index("«"), text.index("»") - 1
     found = parse(Source("CMakeLists.txt", text.replace("«", "").replace("»", "")))
-    first = found.faults[0]
+    first = found.problems[0]
     assert said in first.message
     assert (first.span.start, first.span.end) == (start, end)
 
@@ -113,13 +113,13 @@ def test_the_place_of_a_fault(text: str, said: str) -> None:
 def test_what_follows_a_fault_is_still_read() -> None:
     found = parse(Source("CMakeLists.txt", "project(a)\nset(B c\n\nfind_package(d)\ne(\n)\n"))
     assert [c.name for c in found.commands] == ["project", "find_package", "e"]
-    assert len(found.faults) == 1
+    assert len(found.problems) == 1
 
 
 def test_recovery_comes_to_an_end() -> None:
     """A quote inside a string that was found unclosed must not be found again and again."""
     found = parse(Source("CMakeLists.txt", 'a("b\nc(d)\ne("f)\ng(h"\ni(\n' * 30))
-    assert 1 <= len(found.faults) <= 20
+    assert 1 <= len(found.problems) <= 20
 
 
 def test_blocks() -> None:

@@ -42,7 +42,7 @@ def to_libexec(cmake: CMake, astray: MisplacedExecutable) -> tuple[Edit, ...]:
 
 def is_executable(cmake: CMake, name: str) -> bool:
     target = cmake.target(name)
-    return target is not None and target.executable
+    return target is not None and target.is_executable
 
 
 def is_destination(cmake: CMake, arguments: tuple[CommandArgument, ...], argument: CommandArgument) -> bool:

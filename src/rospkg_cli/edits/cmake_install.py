@@ -61,7 +61,7 @@ def install_executable(cmake: CMake, target: Target) -> Edit:
 
 def said(cmake: CMake, target: Target) -> str:
     """Return what CMakeLists.txt calls a target: as it is written, where that means the same everywhere in it."""
-    raw = cmake.raw(target.word)
+    raw = cmake.source_text(target.word)
     everywhere = target.call.path == cmake.root.path and cmake.root.is_top(target.call.command)
     return raw if everywhere or "$" not in raw.replace("${PROJECT_NAME}", "") else target.name
 
@@ -91,7 +91,7 @@ def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
     def fits(rule: InstallRule) -> bool:
         targets = [cmake.target(word.text) for word in rule.items]
         same = rule.export.text == export if rule.export is not None else not export
-        return rule.kind == "TARGETS" and same and all(each is not None and each.library for each in targets)
+        return rule.kind == "TARGETS" and same and all(each is not None and each.is_library for each in targets)
 
     indent = cmake.root.indent
     places = [f"EXPORT {export}"] if export else []
@@ -154,4 +154,4 @@ def only_executables(cmake: CMake, rule: InstallRule) -> bool:
     targets = [cmake.target(word.text) for word in rule.items]
     places = set((rule.destinations or {}).values())
     right = places == {f"lib/{cmake.project_name}"} and rule.export is None
-    return right and all(each is not None and each.executable for each in targets)
+    return right and all(each is not None and each.is_executable for each in targets)

@@ -1,6 +1,6 @@
 """Conditions of package.xml, by the grammar of REP-149: comparisons of strings, `and`, `or`, parentheses.
 
-A variable that nobody can know here (any but those of the ROS environment) makes what depends on it unknown: None.
+Only the variables of the ROS environment have known values; a condition that depends on any other is unknown: None.
 """
 
 from __future__ import annotations
@@ -10,6 +10,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+
+from ..source import Span
+from .syntax_problem import SyntaxProblem, SyntaxProblemError
 
 TOKEN = re.compile(
     r"""\s*(?:(?P<paren>[()])|(?P<op>==|!=|<=|>=|<|>)|(?P<word>and|or)(?![A-Za-z0-9_-])"""
@@ -25,14 +28,6 @@ OPERATORS: Mapping[str, Callable[[str, str], bool]] = {
 }
 
 
-class ConditionError(ValueError):
-    """The text is not a condition; `at` is the offset where it stops being one."""
-
-    def __init__(self, message: str, at: int) -> None:
-        super().__init__(message)
-        self.at = at
-
-
 @dataclass(frozen=True, slots=True)
 class Operand:
     """A literal or a `$variable`; `text` without quotes and `$`."""
@@ -43,7 +38,7 @@ class Operand:
     at: int
 
     def value(self, variables: Mapping[str, str]) -> str | None:
-        """Return what it stands for; None for a variable that is not known."""
+        """Return the text; of a variable its value, None where that is unknown."""
         return variables.get(self.text) if self.variable else self.text
 
 
@@ -87,11 +82,11 @@ Condition = Comparison | Junction
 
 @lru_cache(maxsize=512)
 def parse_condition(text: str) -> Condition:
-    """Parse a condition; raises ConditionError."""
+    """Parse a condition; raises SyntaxProblemError."""
     parser = ConditionParser(text)
     found = parser.junction("or")
     if parser.kind:
-        raise ConditionError(f"`{parser.token}` is not expected", parser.at)
+        raise parser.error(f"`{parser.token}` is not expected", parser.at, len(parser.token))
     return found
 
 
@@ -100,12 +95,13 @@ Environments = Sequence[Mapping[str, str]]
 
 
 def evaluate_condition(text: str | None, variables: Mapping[str, str]) -> bool | None:
-    """Return whether a condition holds; None for what can't be told or read. No condition holds."""
+    """Return whether a condition holds; None where that is unknown, or where the text
+    is not a condition. Without a condition (None) the answer is True."""
     if text is None:
         return True
     try:
         return parse_condition(text).holds(variables)
-    except ConditionError:
+    except SyntaxProblemError:
         return None
 
 
@@ -115,12 +111,12 @@ def may_hold(text: str | None, environments: Environments) -> bool:
 
 
 def always_holds(text: str | None, environments: Environments) -> bool:
-    """Return whether a condition surely holds for every target."""
+    """Return whether a condition certainly holds for every target."""
     return all(evaluate_condition(text, variables) for variables in environments)
 
 
 def can_hold_together(one: str | None, other: str | None, environments: Environments) -> bool:
-    """Return whether two conditions surely hold at once for one of the targets; equal ones do wherever they hold."""
+    """Return whether two conditions certainly hold at once for one target; equal ones do so wherever they hold."""
     if one == other:
         return may_hold(one, environments)
     return any(evaluate_condition(one, each) and evaluate_condition(other, each) for each in environments)
@@ -138,11 +134,16 @@ class ConditionParser:
         if match is None:
             rest = self.text[self.end :]
             if rest.strip():
-                raise ConditionError(f"`{rest.split()[0]}` is not expected", self.end + len(rest) - len(rest.lstrip()))
+                first = rest.split()[0]
+                raise self.error(f"`{first}` is not expected", self.end + len(rest) - len(rest.lstrip()), len(first))
             self.kind = self.token = ""
             return
         self.kind = match.lastgroup or ""
         self.token, self.at, self.end = match.group(self.kind), match.start(self.kind), match.end()
+
+    def error(self, message: str, at: int, length: int = 0) -> SyntaxProblemError:
+        """Return what to raise for a piece of the text."""
+        return SyntaxProblemError(SyntaxProblem(Span(at, at + length), message))
 
     def junction(self, word: str) -> Condition:
         parts = [self.part(word)]
@@ -158,11 +159,11 @@ class ConditionParser:
             return self.comparison()
         self.depth += 1
         if self.depth > 50:
-            raise ConditionError("more than 50 parentheses", self.at)
+            raise self.error("more than 50 parentheses", self.at)
         self.step()
         found = self.junction("or")
         if (self.kind, self.token) != ("paren", ")"):
-            raise ConditionError("`)` is missing", self.at)
+            raise self.error("`)` is missing", self.at)
         self.depth -= 1
         self.step()
         return found
@@ -170,14 +171,14 @@ class ConditionParser:
     def comparison(self) -> Comparison:
         left = self.operand()
         if self.kind != "op":
-            raise ConditionError("a comparison (`==`, `!=`, `<`, `<=`, `>`, `>=`) is missing", self.at)
+            raise self.error("a comparison (`==`, `!=`, `<`, `<=`, `>`, `>=`) is missing", self.at)
         sign = self.token
         self.step()
         return Comparison(left, sign, self.operand())
 
     def operand(self) -> Operand:
         if self.kind not in ("variable", "quoted", "literal", "word"):  # `and` is a value where one is wanted
-            raise ConditionError("a `$VARIABLE` or a value is missing", self.at)
+            raise self.error("a `$VARIABLE` or a value is missing", self.at)
         text = {"variable": self.token[1:], "quoted": self.token[1:-1]}.get(self.kind, self.token)
         found = Operand(text, self.kind == "variable", self.kind == "quoted", self.at)
         self.step()

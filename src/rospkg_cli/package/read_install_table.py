@@ -34,7 +34,7 @@ class InstalledFacts(NamedTuple):
     """What PackageFacts says of a table."""
 
     executables: frozenset[str] = frozenset()
-    astray: frozenset[str] = frozenset()
+    misplaced_executables: frozenset[str] = frozenset()
     share_files: frozenset[str] = frozenset()
     modules: frozenset[str] = frozenset()
     unknown: frozenset[UnknownField] = frozenset({"executables", "share_files", "modules"})
@@ -62,7 +62,7 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
 def forgotten(reading: Reading) -> frozenset[str]:
     """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
     found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
-    return frozenset(each.target.name for each in found if each.target.executable)
+    return frozenset(each.target.name for each in found if each.target.is_executable)
 
 
 def has_malformed(reading: Reading) -> bool:

@@ -71,7 +71,7 @@ class AmentTargetDependencies:
         distribution first."""
         cmake = self.package.cmake
         runs: dict[tuple[str, int], list[EvaluatedCommand]] = {}
-        idle = [call for call in cmake.idle if call.name == REMOVED]
+        idle = [call for call in cmake.unreachable if call.name == REMOVED]
         for call in cmake.named(REMOVED):
             runs.setdefault((call.path, call.command.span.start), []).append(call)
         for call in idle:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import BINARY, UNKNOWN
 from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
@@ -66,7 +66,7 @@ class ComponentRegistration:
         """Yield the components of a target that nothing makes."""
         references = TargetReferences(self.package.cmake)
         cmake = self.package.cmake
-        if not cmake.complete or cmake.clouded:
+        if not cmake.complete or cmake.reads_unknown_files:
             return
         for component in self.sure():
             if component.target.text not in references.names and UNKNOWN not in references.names:
@@ -74,7 +74,7 @@ class ComponentRegistration:
 
     def without_source(self) -> Iterator[Component]:
         """Yield the components whose class no source registers under that name."""
-        if self.macros or self.generated or self.package.cmake.clouded:
+        if self.macros or self.generated or self.package.cmake.reads_unknown_files:
             return
         names = {each.name for each in self.in_sources}
         seen: set[str] = set()
@@ -86,7 +86,7 @@ class ComponentRegistration:
     def without_cmake(self) -> Iterator[RegisteredClass]:
         """Yield the classes that a source of a target registers and no call of CMake does."""
         cmake = self.package.cmake
-        if not cmake.complete or cmake.clouded or any(not c.plugin.known for c in cmake.components):
+        if not cmake.complete or cmake.reads_unknown_files or any(not c.plugin.known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
         there = [each.name for each in self.in_sources]
@@ -101,7 +101,7 @@ class ComponentRegistration:
         cmake = self.package.cmake
         names = {component.target.text for component in cmake.components}
         targets = [target for name in names if (target := cmake.target(name)) is not None]
-        return frozenset(p for t in targets for w in t.sources if (p := located(w.text, t.call.folder)))
+        return frozenset(p for t in targets for w in t.sources if (p := path_in_package(w.text, t.call.folder)))
 
 
 def name_of(argument: CppArgument) -> str:

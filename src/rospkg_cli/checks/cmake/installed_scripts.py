@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import Copy, copies
 from ...unreadable import UnreadableError
@@ -86,13 +86,13 @@ class InstalledScripts:
         except OSError:
             return True
 
-    def forgotten(self) -> Iterator[tuple[str, Copy]]:
+    def uninstalled(self) -> Iterator[tuple[str, Copy]]:
         """Yield the scripts beside installed ones that no rule installs, each with one that is."""
         cmake = self.package.cmake
         if any(rule.kind == "CODE" or rule.destination is None for rule in cmake.installs if rule.kind != "TARGETS"):
             return
         programs = {copy.source: copy for copy in self.copies if copy.rule.kind == "PROGRAMS"}
-        named = {path for call in cmake.calls for text in call.texts if (path := located(text, call.folder))}
+        named = {path for call in cmake.calls for text in call.texts if (path := path_in_package(text, call.folder))}
         for folder in sorted({posixpath.dirname(path) for path in programs}):
             beside = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
             for path in cmake.package.paths:

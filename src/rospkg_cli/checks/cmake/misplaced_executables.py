@@ -59,7 +59,7 @@ class MisplacedExecutables:
                 continue
             for word in rule.items:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
-                if target is not None and target.executable:
+                if target is not None and target.is_executable:
                     place, name = artifacts.place(rule, target), artifacts.file_name(target)
                     if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
                         yield MisplacedExecutable(
@@ -87,7 +87,7 @@ class MisplacedExecutables:
     def uses_ros(self, target: str, depth: int = 0) -> bool:
         """Return whether a target is linked with ROS, itself or through another target of the package."""
         for link in self.links.of(target):
-            text = link.word.text if link.word.known else self.package.cmake.raw(link.word)
+            text = link.word.text if link.word.known else self.package.cmake.source_text(link.word)
             if ROS.fullmatch(text.strip('"${}').partition("::")[0]):
                 return True
             own = self.links.own(text)

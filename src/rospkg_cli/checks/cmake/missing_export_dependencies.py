@@ -47,7 +47,7 @@ class ExportedDependencies:
         don't find, neither by name nor with another one."""
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
-        unclear = not cmake.complete or cmake.clouded or automatic or UNKNOWN in self.exported
+        unclear = not cmake.complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
         plugins = bool(cmake.named(PLUGINS))
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
         if unclear or not self.headers.installed or unused:
@@ -74,7 +74,7 @@ class ExportedDependencies:
             return link.word.text
         if "::" in link.word.text and link.word.known:
             return link.word.text.partition("::")[0]
-        match = VARIABLE.fullmatch(self.headers.package.cmake.raw(link.word).strip('"'))
+        match = VARIABLE.fullmatch(self.headers.package.cmake.source_text(link.word).strip('"'))
         return match.group(1) if match else ""
 
     @cached_property
@@ -92,7 +92,9 @@ class ExportedDependencies:
         old = {text for call in cmake.named("ament_export_libraries") if not call.folder for text in call.texts}
         named = self.targets | old
         targets = (cmake.target(name) for name in named)
-        return frozenset(each.name for each in targets if each is not None and each.library and not each.call.testing)
+        return frozenset(
+            each.name for each in targets if each is not None and each.is_library and not each.call.testing
+        )
 
     @cached_property
     def calls(self) -> tuple[EvaluatedCommand, ...]:

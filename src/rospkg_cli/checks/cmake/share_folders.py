@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
 from ...ros.share_layout import FOLDERS, LAUNCH
@@ -25,10 +25,10 @@ class RuntimeFolders:
     package: CMakePackage
     table: InstallTable
 
-    def forgotten(self) -> Iterator[str]:
+    def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where something can't be told."""
         cmake = self.package.cmake
-        if not self.table.knows("share") or not cmake.complete or not cmake.ends_a_package or cmake.clouded:
+        if not self.table.knows("share") or not cmake.complete or not cmake.ends_a_package or cmake.reads_unknown_files:
             return
         for folder in FOLDERS:
             if self.useful(folder) and not self.is_installed(folder) and not self.is_named(folder):
@@ -91,5 +91,5 @@ class RuntimeFolders:
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the paths that a call's arguments may be, whatever they stand for."""
     for text in call.texts:
-        if (path := located(text, call.folder)) and ("/" in path or "." in path or path in FOLDERS):
+        if (path := path_in_package(text, call.folder)) and ("/" in path or "." in path or path in FOLDERS):
             yield path

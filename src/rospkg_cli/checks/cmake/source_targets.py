@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.cmake_project import CMake
@@ -41,7 +41,7 @@ class SourceTargets:
     def below(self, target: Target) -> tuple[frozenset[str], bool]:
         """Return what a target takes of a folder."""
         assert target.folder is not None
-        folder = located(target.folder.text, target.call.folder)
+        folder = path_in_package(target.folder.text, target.call.folder)
         return (frozenset() if folder is None else frozenset(self.cmake.package.below(folder))), folder is not None
 
     def targets_of(self, path: str) -> frozenset[str]:
@@ -55,5 +55,5 @@ class SourceTargets:
 
 def located_all(words: Sequence[Word], call: EvaluatedCommand) -> tuple[frozenset[str], bool]:
     """Return the paths in the package that some words name, and whether these are all."""
-    paths = [None if word.maybe else located(word.text, call.folder) for word in words]
+    paths = [None if word.maybe else path_in_package(word.text, call.folder) for word in words]
     return frozenset(path for path in paths if path), None not in paths

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Collection, Iterable, Mapping
 
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.file import CppFile
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
@@ -62,18 +62,18 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[st
     """Return the files that any command names: one that is run for tests alone, or one that always is."""
     found: set[str] = set()
     for target in cmake.targets:
-        base = located(target.folder.text, target.call.folder) if target.folder is not None else None
+        base = path_in_package(target.folder.text, target.call.folder) if target.folder is not None else None
         if base is not None and target.call.testing is testing:
             found |= {path for path in files if path.startswith(f"{base}/")}
     for call in cmake.calls:
         if call.testing is testing:
-            paths = (located(word.text, call.folder) for word in call.words)
+            paths = (path_in_package(word.text, call.folder) for word in call.words)
             found |= {path for path in paths if path is not None and path in files}
     return found
 
 
 def are_sources_known(cmake: CMake) -> bool:
     """Return whether it can be told what every target is made of."""
-    folders = (located(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
+    folders = (path_in_package(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
     words = (word.known for target in cmake.targets for word in target.sources)
     return cmake.complete and all(words) and None not in folders

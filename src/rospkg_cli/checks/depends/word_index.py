@@ -42,7 +42,7 @@ class WordIndex:
                     found[purpose].update(WORD.findall(self.files.source(path).text))
                 except UnreadableError:
                     continue
-        for call in (*self.cmake.calls, *self.cmake.idle) if self.cmake else ():
+        for call in (*self.cmake.calls, *self.cmake.unreachable) if self.cmake else ():
             for word in call.words:
                 found["test" if call.testing else "build"].update(WORD.findall(word.text))
         found["run"].update(element.tag for element in self.manifest.exports)

@@ -63,7 +63,7 @@ class PluginPackage:
     @cached_property
     def entries(self) -> tuple[DescribedPlugin, ...]:
         """What CMake exports and what is C++, in order; nothing of ROS 1, where package.xml does that."""
-        if not self.facts.ament:
+        if not self.facts.is_ament:
             return ()
         return tuple(
             DescribedPlugin(description, plugin)
@@ -74,20 +74,20 @@ class PluginPackage:
         )
 
     @cached_property
-    def legible(self) -> bool:
+    def is_readable(self) -> bool:
         """Whether all sources could be read, and CMake could be followed."""
         paths = sum(path.endswith(SUFFIXES) for path in self.files.paths)
         return self.cmake.complete and len(self.sources) == paths
 
-    def unmade(self) -> Iterator[DescribedPlugin]:
+    def without_source(self) -> Iterator[DescribedPlugin]:
         """Yield the entries whose class is exported by no source, as far as that can be told."""
-        if self.legible:
+        if self.is_readable:
             for entry in self.entries:
                 exported = spaceless(entry.type) in self._types
-                if not exported and self.is_ours(entry) and not is_registered_otherwise(self.sources, entry.type):
+                if not exported and self.is_own(entry) and not is_registered_otherwise(self.sources, entry.type):
                     yield entry
 
-    def is_ours(self, entry: DescribedPlugin) -> bool:
+    def is_own(self, entry: DescribedPlugin) -> bool:
         """Return whether the library of an entry is made of sources that can be seen, or of nothing that is known."""
         target = self.library(entry.library)
         if target is not None:
@@ -97,7 +97,7 @@ class PluginPackage:
     def sees_all_libraries(self, name: str) -> bool:
         """Return whether every library that may have a name is known: made by CMake, of a known name."""
         fetched = any(call.name in FETCHES for call in self.cmake.calls)
-        known = all(each.word.known for each in self.cmake.targets if each.library)
+        known = all(each.word.known for each in self.cmake.targets if each.is_library)
         known = known and not any(UNKNOWN in new for new in self.cmake.output_names.values())
         return self.cmake.complete and known and not fetched and not self.prebuilt.intersection(stems(name))
 
@@ -112,7 +112,7 @@ class PluginPackage:
         named = {new: target for target, new in self.cmake.output_names.items() if UNKNOWN not in new}
         for stem in stems(name):
             target = self.cmake.target(named.get(stem, stem))
-            if target is not None and target.library:
+            if target is not None and target.is_library:
                 return target.name
         return None
 
@@ -128,7 +128,7 @@ class PluginPackage:
     @cached_property
     def compiled_exports(self) -> tuple[ExportedClass, ...]:
         """The exported classes of sources that certainly go into a library that is installed for use."""
-        if not self.facts.ament:
+        if not self.facts.is_ament:
             return ()
         return tuple(
             each
@@ -139,7 +139,7 @@ class PluginPackage:
     def undescribed(self) -> Iterator[ExportedClass]:
         """Yield the exported classes that no description names, of libraries that are there for plug-ins."""
         libraries = {self.library(entry.library) for entry in self.entries}
-        meant = {found.type for entry in self.unmade() if (found := self.meant(entry)) is not None}
+        meant = {found.type for entry in self.without_source() if (found := self.suggestion(entry)) is not None}
         for each in self.compiled_exports:
             for_plugins = not self.entries or libraries.intersection(self.libraries_of(each))
             if each.base in COMPONENTS:
@@ -165,10 +165,10 @@ class PluginPackage:
         return [
             each.name
             for each in targets
-            if each is not None and each.library and not each.call.testing and not each.call.maybe
+            if each is not None and each.is_library and not each.call.testing and not each.call.maybe
         ]
 
-    def meant(self, entry: DescribedPlugin) -> ExportedClass | None:
+    def suggestion(self, entry: DescribedPlugin) -> ExportedClass | None:
         """Return the one exported class without an entry that an entry may mean: of its name, or its base and library.
 
         None where there is none, or more than one.

@@ -56,7 +56,7 @@ class ExhaustedError(Exception):
 
 @dataclass(frozen=True)
 class Frame:
-    """Where the machine is."""
+    """Where the interpreter is."""
 
     path: str
     """The file whose commands are run."""
@@ -66,7 +66,7 @@ class Frame:
     """CMAKE_CURRENT_SOURCE_DIR, relative to the package."""
     testing: bool = False
     maybe: bool = False
-    idle: bool = False
+    is_unreachable: bool = False
     """Nothing of it is really run: a branch that is never taken, a loop over nothing."""
     depth: int = 0
     inside: str = ""

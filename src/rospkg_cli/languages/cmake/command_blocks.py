@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from .syntax import CommandInvocation, Fault
+from ..syntax_problem import SyntaxProblem
+from .syntax import CommandInvocation
 
 CLOSED_BY = {
     "if": "endif",
@@ -39,11 +40,11 @@ class Block:
         return self.branches[0].command
 
 
-def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation | Block], list[Fault]]:
+def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation | Block], list[SyntaxProblem]]:
     """Return the commands of a file with their blocks, and what is badly nested."""
     top: list[CommandInvocation | Block] = []
     stack: list[Block] = []
-    faults: list[Fault] = []
+    problems: list[SyntaxProblem] = []
     for command in commands:
         body = stack[-1].branches[-1].body if stack else top
         if command.name in CLOSED_BY:
@@ -52,18 +53,18 @@ def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation 
             stack.append(block)
         elif command.name in BETWEEN:
             if not stack or not may_have_alternative(stack[-1]):
-                faults.append(misplaced(command, stack))
+                problems.append(misplaced(command, stack))
             else:
                 stack[-1].branches.append(Branch(command))
         elif command.name in OPENED_BY:
             if not stack or CLOSED_BY[stack[-1].command.name] != command.name:
-                faults.append(misplaced(command, stack))
+                problems.append(misplaced(command, stack))
             else:
                 stack.pop().end = command
         else:
             body.append(command)
-    faults += [unclosed(block.command) for block in stack]
-    return top, faults
+    problems += [unclosed(block.command) for block in stack]
+    return top, problems
 
 
 def may_have_alternative(block: Block) -> bool:
@@ -71,13 +72,17 @@ def may_have_alternative(block: Block) -> bool:
     return block.command.name == "if" and block.branches[-1].command.name != "else"
 
 
-def misplaced(command: CommandInvocation, stack: Sequence[Block]) -> Fault:
+def misplaced(command: CommandInvocation, stack: Sequence[Block]) -> SyntaxProblem:
     if not stack:
         wanted = OPENED_BY.get(command.name, "if")
-        return Fault(command.name_span, f"`{command.name}` stands outside of any `{wanted}`")
+        return SyntaxProblem(command.name_span, f"`{command.name}` stands outside of any `{wanted}`")
     opened = stack[-1].command.name
-    return Fault(command.name_span, f"`{command.name}` stands where `{CLOSED_BY[opened]}` should close `{opened}`")
+    return SyntaxProblem(
+        command.name_span, f"`{command.name}` stands where `{CLOSED_BY[opened]}` should close `{opened}`"
+    )
 
 
-def unclosed(command: CommandInvocation) -> Fault:
-    return Fault(command.name_span, f"`{command.name}` is never closed: `{CLOSED_BY[command.name]}()` is missing")
+def unclosed(command: CommandInvocation) -> SyntaxProblem:
+    return SyntaxProblem(
+        command.name_span, f"`{command.name}` is never closed: `{CLOSED_BY[command.name]}()` is missing"
+    )

@@ -11,11 +11,11 @@ from .evaluated_command import EvaluatedCommand
 from .file import ROOT
 from .file_command import run_file
 from .interpreter import Interpreter
+from .list_command import run_list
 from .string_commands import run_get_filename_component, run_string
 from .targets import MAKERS
 from .values import BINARY, SOURCE, UNKNOWN
 from .variable_commands import (
-    run_list,
     run_math,
     run_option,
     run_parse_arguments,
@@ -33,103 +33,103 @@ FIRST_IS_OUTPUT = ("find_program", "find_library", "find_path", "find_file", "ge
                    "try_run", "cmake_host_system_information", "aux_source_directory")  # fmt: skip
 
 
-def run_project(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_project(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
-        top = machine.frame.folder == ""
-        here = posixpath.join(SOURCE, machine.frame.folder).rstrip("/")
-        there = posixpath.join(BINARY, machine.frame.folder).rstrip("/")
+        top = interpreter.frame.folder == ""
+        here = posixpath.join(SOURCE, interpreter.frame.folder).rstrip("/")
+        there = posixpath.join(BINARY, interpreter.frame.folder).rstrip("/")
         for prefix in ("PROJECT", name):
-            machine.set_text(f"{prefix}_SOURCE_DIR", here)
-            machine.set_text(f"{prefix}_BINARY_DIR", there)
-        machine.set_text("PROJECT_NAME", name)
+            interpreter.set_text(f"{prefix}_SOURCE_DIR", here)
+            interpreter.set_text(f"{prefix}_BINARY_DIR", there)
+        interpreter.set_text("PROJECT_NAME", name)
         if top:
-            machine.set_text("CMAKE_PROJECT_NAME", name)
+            interpreter.set_text("CMAKE_PROJECT_NAME", name)
 
 
-def run_find_package(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_find_package(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """What is required was found, or the configuration stopped."""
     for name in call.texts[:1]:
         if "REQUIRED" in call.texts and not call.maybe:
-            machine.set_text(f"{name}_FOUND", "1")
-        machine.touched.update({f"{name}_FOUND", f"{name.upper()}_FOUND"})
+            interpreter.set_text(f"{name}_FOUND", "1")
+        interpreter.possibly_assigned.update({f"{name}_FOUND", f"{name.upper()}_FOUND"})
 
 
-def run_include(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Run a file of the package; a module of CMake's own (`include(CTest)`) sets nothing that matters here."""
     if not call.words or NAME.fullmatch(call.texts[0]):
         return
-    path = machine.path(call.texts[0])
-    if path is not None and machine.files.holds(path):
-        machine.file(path)
+    path = interpreter.path(call.texts[0])
+    if path is not None and interpreter.files.holds(path):
+        interpreter.file(path)
     else:
-        machine.clouded = True
+        interpreter.has_unknown_code = True
 
 
-def run_add_subdirectory(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
-    folder = machine.path(call.texts[0]) if call.texts else None
-    if folder is None or not machine.files.holds(posixpath.join(folder, ROOT)):
-        machine.clouded = True
+    folder = interpreter.path(call.texts[0]) if call.texts else None
+    if folder is None or not interpreter.files.holds(posixpath.join(folder, ROOT)):
+        interpreter.has_unknown_code = True
         return
-    outer = machine.scope
-    machine.scope = VariableScope(outer)
+    outer = interpreter.scope
+    interpreter.scope = VariableScope(outer)
     try:
-        machine.file(posixpath.join(folder, ROOT), folder)
+        interpreter.file(posixpath.join(folder, ROOT), folder)
     finally:
-        machine.scope = outer
+        interpreter.scope = outer
 
 
-def run_target(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_target(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     for text in call.texts[:1]:
         if UNKNOWN not in text and not call.maybe:
-            machine.targets[text] = machine.targets.get(text, True) and call.testing
+            interpreter.targets[text] = interpreter.targets.get(text, True) and call.testing
 
 
-def run_message(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_message(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if call.texts[:1] == ("FATAL_ERROR",):
         raise LeaveError("fatal")
 
 
-def leave(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
-    def run(machine: Interpreter, call: EvaluatedCommand) -> None:
+def leave_by(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
+    def run(interpreter: Interpreter, call: EvaluatedCommand) -> None:
         raise LeaveError(how)
 
     return run
 
 
-def unseen(machine: Interpreter, call: EvaluatedCommand) -> None:
+def has_unknown_effects(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """What FetchContent brings is read as part of the package."""
-    machine.clouded = True
+    interpreter.has_unknown_code = True
 
 
-def first_is_output(machine: Interpreter, call: EvaluatedCommand) -> None:
+def set_first_unknown(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
-        machine.set(name, machine.hole())
+        interpreter.set(name, interpreter.unknown())
 
 
-def run_python_install_dir(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_python_install_dir(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """`ament_get_python_install_dir(name)`"""
     for name in call.texts[:1]:
-        machine.set_text(name, PYTHON)
+        interpreter.set_text(name, PYTHON)
 
 
-def named_outputs(machine: Interpreter, call: EvaluatedCommand) -> None:
+def set_outputs_unknown(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """What execute_process and the like write is unknown."""
     for keyword, name in zip(call.texts, call.texts[1:], strict=False):
         if keyword in OUTPUT_KEYWORDS:
-            machine.set(name, machine.hole())
+            interpreter.set(name, interpreter.unknown())
 
 
-def foreign(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_unknown_command(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """A command of another package may set any variable whose name it is given."""
     for text in call.texts:
         if NAME.fullmatch(text):
-            machine.touched.add(text)
-            if machine.scope.get(text) is not None:
-                machine.set(text, machine.hole())
+            interpreter.possibly_assigned.add(text)
+            if interpreter.scope.get(text) is not None:
+                interpreter.set(text, interpreter.unknown())
 
 
-def nothing(machine: Interpreter, call: EvaluatedCommand) -> None:
+def has_no_effect(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Only recorded."""
 
 
@@ -153,8 +153,8 @@ HARMLESS = frozenset(
 """Commands that set no variable of the caller."""
 
 COMMANDS: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]] = {
-    **dict.fromkeys(HARMLESS, nothing),
-    **dict.fromkeys(FIRST_IS_OUTPUT, first_is_output),
+    **dict.fromkeys(HARMLESS, has_no_effect),
+    **dict.fromkeys(FIRST_IS_OUTPUT, set_first_unknown),
     "set": run_set,
     "unset": run_unset,
     "option": run_option,
@@ -165,17 +165,17 @@ COMMANDS: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]] = {
     "string": run_string,
     "get_filename_component": run_get_filename_component,
     "file": run_file,
-    "execute_process": named_outputs,
+    "execute_process": set_outputs_unknown,
     "ament_get_python_install_dir": run_python_install_dir,
-    "fetchcontent_makeavailable": unseen,
-    "fetchcontent_populate": unseen,
+    "fetchcontent_makeavailable": has_unknown_effects,
+    "fetchcontent_populate": has_unknown_effects,
     "project": run_project,
     "find_package": run_find_package,
     "include": run_include,
     "add_subdirectory": run_add_subdirectory,
     **dict.fromkeys(MAKERS.keys() - {"rclcpp_components_register_node"}, run_target),
     "message": run_message,
-    "return": leave("return"),
-    "break": leave("break"),
-    "continue": leave("continue"),
+    "return": leave_by("return"),
+    "break": leave_by("break"),
+    "continue": leave_by("continue"),
 }

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from .regex import search, steps
-from .values import UNKNOWN, Value, Word, joined
+from .regex import max_steps, search
+from .values import UNKNOWN, Value, Word, list_to_text
 
 Truth = bool | None
 
@@ -56,15 +56,15 @@ class ConditionContext(Protocol):
         """Count what a comparison costs."""
 
 
-def both(a: Truth, b: Truth) -> Truth:
+def and_(a: Truth, b: Truth) -> Truth:
     return False if a is False or b is False else True if a and b else None
 
 
-def either(a: Truth, b: Truth) -> Truth:
+def or_(a: Truth, b: Truth) -> Truth:
     return True if a or b else False if a is False and b is False else None
 
 
-def negated(a: Truth) -> Truth:
+def not_(a: Truth) -> Truth:
     return None if a is None else not a
 
 
@@ -99,20 +99,20 @@ class Condition:
         found = self.conjunction()
         while self.peek() == "OR":
             self.take()
-            found = either(found, self.conjunction())
+            found = or_(found, self.conjunction())
         return found
 
     def conjunction(self) -> Truth:
         found = self.negation()
         while self.peek() == "AND":
             self.take()
-            found = both(found, self.negation())
+            found = and_(found, self.negation())
         return found
 
     def negation(self) -> Truth:
         if self.peek() == "NOT":
             self.take()
-            return negated(self.negation())
+            return not_(self.negation())
         return self.test()
 
     def test(self) -> Truth:
@@ -132,7 +132,7 @@ class Condition:
         a, b = self.content(left), self.content(right)
         if operator == "IN_LIST":
             value = self.world.variable(right.text)
-            return None if UNKNOWN in a else contains(value or (), a)
+            return None if UNKNOWN in a else list_contains(value or (), a)
         if operator == "MATCHES":
             b = right.text
         if UNKNOWN in a or UNKNOWN in b:
@@ -140,19 +140,19 @@ class Condition:
         if operator in STRINGS:
             return STRINGS[operator](a, b)
         if operator == "MATCHES":
-            self.world.spend(steps(b, a) >> 6)
+            self.world.spend(max_steps(b, a) >> 6)
             return search(b, a)
         if operator in NUMBERS:
             numbers = [float(match.group(1)) for text in (a, b) if (match := NUMBER_FIRST.match(text))]
             return NUMBERS[operator](*numbers) if len(numbers) == 2 else False if a.strip() else None
-        return versions(operator.removeprefix("VERSION_"), a, b)
+        return compare_versions(operator.removeprefix("VERSION_"), a, b)
 
     def content(self, word: Word) -> str:
         """Return a word, or what the variable of that name holds."""
         if word.maybe:
             return UNKNOWN
         value = None if word.quoted or UNKNOWN in word.text else self.world.operand(word.text)
-        return word.text if value is None else joined(value)
+        return word.text if value is None else list_to_text(value)
 
     def truth(self, word: Word) -> Truth:
         if word.maybe or UNKNOWN in word.text:
@@ -164,7 +164,7 @@ class Condition:
         value = self.world.variable(word.text)
         if value is None:
             return False
-        text = joined(value)
+        text = list_to_text(value)
         return None if UNKNOWN in text else as_constant(text) is not False
 
 
@@ -177,14 +177,14 @@ def as_constant(text: str) -> Truth:
     return None
 
 
-def contains(value: Value, text: str) -> Truth:
+def list_contains(value: Value, text: str) -> Truth:
     sure = [word.text for word in value if not word.maybe]
     if text in sure:
         return True
     return None if any(word.maybe or UNKNOWN in word.text for word in value) else False
 
 
-def versions(operator: str, a: str, b: str) -> Truth:
+def compare_versions(operator: str, a: str, b: str) -> Truth:
     if operator not in NUMBERS or not (VERSION.fullmatch(a) and VERSION.fullmatch(b)):
         return None
     pair = [[int(part) for part in text.split(".")] for text in (a, b)]

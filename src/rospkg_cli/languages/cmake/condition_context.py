@@ -21,29 +21,29 @@ FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z][A-Z_]*")
 
 @dataclass
 class InterpreterContext:
-    machine: Interpreter
+    interpreter: Interpreter
 
     def variable(self, name: str) -> Value | None:
         """Return a variable's value; None where it is not set; a hole where that can't be told."""
-        found = self.machine.known(name)
+        found = self.interpreter.value_if_set(name)
         if found is not None or not IDENTIFIER.fullmatch(name):
             return found
-        return None if self.machine.settled(name) else self.machine.hole()
+        return None if self.interpreter.is_surely_unset(name) else self.interpreter.unknown()
 
     def operand(self, name: str) -> Value | None:
         """Return what a word in a comparison stands for; None where it is only a word."""
-        found = self.machine.known(name)
+        found = self.interpreter.value_if_set(name)
         return self.variable(name) if found is None and FROM_OUTSIDE.fullmatch(name) else found
 
     def spend(self, cost: int) -> None:
-        self.machine.spend(cost)
+        self.interpreter.spend(cost)
 
     def holds(self, test: str, name: str) -> Truth:
         match test:
             case "EXISTS" | "IS_DIRECTORY":
                 return self.exists(name, folder=test == "IS_DIRECTORY")
             case "COMMAND":
-                return True if name.lower() in self.machine.functions else None
+                return True if name.lower() in self.interpreter.functions else None
             case "TARGET":
                 return self.is_made(name)
             case "DEFINED":
@@ -57,16 +57,16 @@ class InterpreterContext:
 
     def is_made(self, target: str) -> Truth:
         """Return whether a target is there; of one that is made for tests, that is known where tests are built."""
-        for_tests = self.machine.targets.get(target)
-        if for_tests is None or (for_tests and not self.machine.frame.testing and self.machine.assume != "ON"):
+        for_tests = self.interpreter.targets.get(target)
+        if for_tests is None or (for_tests and not self.interpreter.frame.testing and self.interpreter.assume != "ON"):
             return None
         return True
 
     def exists(self, text: str, folder: bool) -> Truth:
-        path = self.machine.path(text)
+        path = self.interpreter.path(text)
         if path is None or text.startswith((BINARY, PREFIX)):
             return None
-        files = self.machine.files
+        files = self.interpreter.files
         return not path or (files.is_there(path) and not (folder and files.holds(path)))
 
     def defined(self, name: str) -> Truth:

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from .call_stack import Frame, LeaveError
 from .command_blocks import Block, Branch
-from .condition import Truth, both, evaluate, negated
+from .condition import Truth, and_, evaluate, not_
 from .condition_context import InterpreterContext
-from .functions import define, run_block
+from .functions import define_function, run_block
 from .interpreter import Interpreter
 from .loops import run_foreach, run_while
 from .variable_scope import Snapshot
@@ -18,78 +18,80 @@ Reached = tuple[Truth, Truth]
 """Whether a place is reached with BUILD_TESTING on, and off."""
 
 
-def run_if(machine: Interpreter, block: Block) -> None:
+def run_if(interpreter: Interpreter, block: Block) -> None:
     """Run the branches that may be taken, each on its own, and unite what they leave behind."""
-    live: Reached = (True, not machine.frame.testing)
-    before = machine.save()
+    live: Reached = (True, not interpreter.frame.testing)
+    before = interpreter.save()
     ends: list[Snapshot] = []
     left: list[Reached] = []
     for branch in block.branches:
-        reached, live = split(live, verdict(machine, branch, live))
+        reached, live = split_reached(live, evaluate_branch(interpreter, branch, live))
         if reached == (False, False):
-            machine.try_out(branch.body)
+            interpreter.run_unreachable(branch.body)
             continue
-        machine.scope.restore(before)
-        how = run_branch(machine, branch, reached)
-        if is_sure(machine, reached) and how:
+        interpreter.scope.restore(before)
+        how = run_branch(interpreter, branch, reached)
+        if is_certain(interpreter, reached) and how:
             raise LeaveError(how)
         if how == "return":
             left.append(reached)
         elif how != "fatal":
-            ends.append(machine.save())
+            ends.append(interpreter.save())
     if live != (False, False):
         ends.append(before)
-    machine.scope.restore(before)
+    interpreter.scope.restore(before)
     if not ends:
         raise LeaveError("return" if left else "fatal")
-    machine.unite(ends)
+    interpreter.unite(ends)
     for reached in left:
-        machine.frame = after_leaving(machine.frame, reached)
+        interpreter.frame = frame_after_return(interpreter.frame, reached)
 
 
-def verdict(machine: Interpreter, branch: Branch, live: Reached) -> Reached:
+def evaluate_branch(interpreter: Interpreter, branch: Branch, live: Reached) -> Reached:
     """Return whether a branch's condition holds with BUILD_TESTING on, and off."""
     if branch.command.name == "else":
         return True, True
     found: list[Truth] = []
     for assumed, alive in zip(("ON", "OFF"), live, strict=True):
-        machine.assume = assumed
+        interpreter.assume = assumed
         found.append(
-            evaluate(machine.words(branch.command), InterpreterContext(machine)) if alive is not False else False
+            evaluate(interpreter.words(branch.command), InterpreterContext(interpreter))
+            if alive is not False
+            else False
         )
-    machine.assume = None
+    interpreter.assume = None
     return found[0], found[1]
 
 
-def split(live: Reached, verdict: Reached) -> tuple[Reached, Reached]:
+def split_reached(live: Reached, evaluate_branch: Reached) -> tuple[Reached, Reached]:
     """Return when a branch is reached, and when what follows it is."""
-    reached = both(live[0], verdict[0]), both(live[1], verdict[1])
-    return reached, (both(live[0], negated(verdict[0])), both(live[1], negated(verdict[1])))
+    reached = and_(live[0], evaluate_branch[0]), and_(live[1], evaluate_branch[1])
+    return reached, (and_(live[0], not_(evaluate_branch[0])), and_(live[1], not_(evaluate_branch[1])))
 
 
-def is_sure(machine: Interpreter, reached: Reached) -> bool:
+def is_certain(interpreter: Interpreter, reached: Reached) -> bool:
     """Return whether a branch is always taken where its block is."""
-    return reached[0] is True and (machine.frame.testing or reached[1] is True)
+    return reached[0] is True and (interpreter.frame.testing or reached[1] is True)
 
 
-def run_branch(machine: Interpreter, branch: Branch, reached: Reached) -> str:
+def run_branch(interpreter: Interpreter, branch: Branch, reached: Reached) -> str:
     """Run a branch; return how it left its file or loop, or "".
 
     colcon builds with BUILD_TESTING on: what runs only without it is a `maybe`.
     """
     testing = reached[1] is False
     sure = reached[0] is True and (testing or reached[1] is True)
-    frame = machine.frame
+    frame = interpreter.frame
     inner = replace(frame, testing=frame.testing or testing, maybe=frame.maybe or not sure)
     try:
-        with machine.framed(inner):
-            machine.body(branch.body)
+        with interpreter.enter_frame(inner):
+            interpreter.body(branch.body)
     except LeaveError as leave:
         return leave.how
     return ""
 
 
-def after_leaving(frame: Frame, reached: Reached) -> Frame:
+def frame_after_return(frame: Frame, reached: Reached) -> Frame:
     """Return the frame behind a block of which a branch ended in `return`: what follows runs only without it."""
     if reached[0] is False:
         return replace(frame, testing=True, maybe=frame.maybe or reached[1] is None)
@@ -102,7 +104,7 @@ BLOCKS: Mapping[str, Callable[[Interpreter, Block], None]] = {
     "if": run_if,
     "foreach": run_foreach,
     "while": run_while,
-    "function": define,
-    "macro": define,
+    "function": define_function,
+    "macro": define_function,
     "block": run_block,
 }

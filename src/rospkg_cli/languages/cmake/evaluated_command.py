@@ -48,7 +48,7 @@ class EvaluatedCommand:
         return self.words[0] if self.words else None
 
     @property
-    def open_ended(self) -> bool:
+    def may_have_more(self) -> bool:
         """Whether there may be more arguments than are known."""
         return any(word.text == UNKNOWN for word in self.words)
 
@@ -89,7 +89,7 @@ def flags_and_values(
     return found, values, rest
 
 
-def located(text: str, folder: str) -> str | None:
+def path_in_package(text: str, folder: str) -> str | None:
     """Return a path relative to the package ("" for the package itself).
 
     None where it is unknown, generated, or outside the package.

@@ -10,8 +10,9 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...source import Source, Span
 from ...unreadable import UnreadableError
+from ..syntax_problem import SyntaxProblem
 from .command_blocks import Block, nest
-from .syntax import CMakeSyntax, CommandInvocation, Fault, parse
+from .syntax import CMakeSyntax, CommandInvocation, parse
 
 ROOT = "CMakeLists.txt"
 MAX_LENGTH = 500_000
@@ -84,18 +85,18 @@ def read_file(files: PackageFiles, path: str) -> CMakeFile:
         message = f"`{path}` is not read: it has more than {MAX_LENGTH:,} characters; split what is generated in it off"
         raise UnreadableError(path, Span(0, 0), message, skipped=True)
     syntax = parse(source)
-    body, faults = nest(syntax.commands)
-    refuse(path, syntax.faults or tuple(faults))
+    body, problems = nest(syntax.commands)
+    raise_first(path, syntax.problems or tuple(problems))
     return CMakeFile(syntax, body)
 
 
-def refuse(path: str, faults: tuple[Fault, ...]) -> None:
-    if faults:
-        first = faults[0]
+def raise_first(path: str, problems: tuple[SyntaxProblem, ...]) -> None:
+    if problems:
+        first = problems[0]
         raise UnreadableError(path, first.span, f"`{path}` is not valid CMake: {first.message}")
 
 
-def names_set(file: CMakeFile) -> Iterator[str]:
+def assigned_names(file: CMakeFile) -> Iterator[str]:
     """Yield the names of variables that a file sets somewhere by a literal name."""
     for command in file.syntax.commands:
         at = SETTERS.get(command.name)

@@ -15,15 +15,15 @@ OUTPUTS = {"READ": 1, "STRINGS": 1, "RELATIVE_PATH": 0, "TO_CMAKE_PATH": 1, "TO_
            "SIZE": 1, "TIMESTAMP": 1, "READ_SYMLINK": 1, "MD5": 1, "SHA1": 1, "SHA256": 1}  # fmt: skip
 
 
-def run_file(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_file(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     operation = "".join(call.texts[:1]).upper()
     if operation in ("GLOB", "GLOB_RECURSE"):
-        run_glob(machine, call, recurse=operation == "GLOB_RECURSE")
+        run_glob(interpreter, call, recurse=operation == "GLOB_RECURSE")
     elif operation in OUTPUTS and len(call.words) > OUTPUTS[operation] + 1:
-        machine.set(call.texts[OUTPUTS[operation] + 1], machine.hole())
+        interpreter.set(call.texts[OUTPUTS[operation] + 1], interpreter.unknown())
 
 
-def run_glob(machine: Interpreter, call: EvaluatedCommand, recurse: bool) -> None:
+def run_glob(interpreter: Interpreter, call: EvaluatedCommand, recurse: bool) -> None:
     """Set a variable to what the patterns match, each path at the place of its pattern."""
     words = list(call.words[2:])
     relative: Word | None = None
@@ -39,44 +39,44 @@ def run_glob(machine: Interpreter, call: EvaluatedCommand, recurse: bool) -> Non
             patterns.append(word)
     if len(call.words) < 2:
         return
-    base = machine.path(relative.text) if relative else None
+    base = interpreter.path(relative.text) if relative else None
     found: list[Word] = []
     for pattern in patterns:
-        paths = matches(machine, pattern, recurse, folders)
+        paths = matching_paths(interpreter, pattern, recurse, folders)
         if paths is None or (relative and base is None):
             found.append(replace(pattern, text=UNKNOWN))
         else:
-            found += [replace(pattern, text=shown(path, base)) for path in paths]
-    machine.set(call.texts[1], tuple({word.text: word for word in found}.values()))
+            found += [replace(pattern, text=path_as_written(path, base)) for path in paths]
+    interpreter.set(call.texts[1], tuple({word.text: word for word in found}.values()))
 
 
-def matches(machine: Interpreter, pattern: Word, recurse: bool, folders: bool) -> list[str] | None:
-    path = machine.path(pattern.text)
+def matching_paths(interpreter: Interpreter, pattern: Word, recurse: bool, folders: bool) -> list[str] | None:
+    path = interpreter.path(pattern.text)
     if path is None:
         return None
-    candidates: Sequence[str] = machine.places if folders else machine.files.every
-    machine.spend(len(candidates) >> 1)
+    candidates: Sequence[str] = interpreter.places if folders else interpreter.files.every
+    interpreter.spend(len(candidates) >> 1)
     if not recurse:
         return glob(path, candidates)
     folder, last = posixpath.split(path)
-    return deep(machine, folder, last, candidates)
+    return match_recursively(interpreter, folder, last, candidates)
 
 
-def deep(machine: Interpreter, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
+def match_recursively(interpreter: Interpreter, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
     """Return what fits the last part of a pattern anywhere below what fits its folder."""
-    roots = [""] if not folder else glob(folder, machine.places)
+    roots = [""] if not folder else glob(folder, interpreter.places)
     names = glob(last, {posixpath.basename(path) for path in candidates})
     if roots is None or names is None:
         return None
-    machine.spend(len(roots) * len(candidates) >> 3)
+    interpreter.spend(len(roots) * len(candidates) >> 3)
     wanted = set(names)
-    return list(dict.fromkeys(p for p in below(roots, candidates) if posixpath.basename(p) in wanted))
+    return list(dict.fromkeys(p for p in paths_below(roots, candidates) if posixpath.basename(p) in wanted))
 
 
-def below(roots: Sequence[str], paths: Sequence[str]) -> Iterator[str]:
+def paths_below(roots: Sequence[str], paths: Sequence[str]) -> Iterator[str]:
     prefixes = tuple(f"{root}/" if root else "" for root in roots)
     return (path for path in paths if path.startswith(prefixes))
 
 
-def shown(path: str, base: str | None) -> str:
+def path_as_written(path: str, base: str | None) -> str:
     return posixpath.join(SOURCE, path) if base is None else posixpath.relpath(path, base or ".")

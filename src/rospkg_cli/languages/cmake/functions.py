@@ -16,59 +16,61 @@ AGAIN = re.compile(r"\$\{|\\")
 """What a macro evaluates once more where it uses an argument."""
 
 
-def run_block(machine: Interpreter, block: Block) -> None:
+def run_block(interpreter: Interpreter, block: Block) -> None:
     """Run `block()` in a scope of its own; with PROPAGATE the named variables go out of it."""
-    words = [word.text for word in machine.words(block.command)]
+    words = [word.text for word in interpreter.words(block.command)]
     names = words[words.index("PROPAGATE") + 1 :] if "PROPAGATE" in words else []
-    inner = machine.scope = VariableScope(machine.scope)
+    inner = interpreter.scope = VariableScope(interpreter.scope)
     try:
-        machine.body(block.branches[0].body)
+        interpreter.body(block.branches[0].body)
     finally:
-        machine.scope = inner.around or inner
+        interpreter.scope = inner.around or inner
     for name in names:
-        machine.scope.set(name, inner.variables.get(name, ()))
+        interpreter.scope.set(name, inner.variables.get(name, ()))
 
 
-def define(machine: Interpreter, block: Block) -> None:
+def define_function(interpreter: Interpreter, block: Block) -> None:
     """Remember a function or a macro."""
-    words = [word.text for word in machine.words(block.command)]
+    words = [word.text for word in interpreter.words(block.command)]
     if words and UNKNOWN not in words[0]:
         macro = block.command.name == "macro"
-        function = FunctionDefinition(block.command, block.branches[0].body, machine.frame.path, words[1:], macro)
-        machine.functions[words[0].lower()] = function
+        function = FunctionDefinition(block.command, block.branches[0].body, interpreter.frame.path, words[1:], macro)
+        interpreter.functions[words[0].lower()] = function
 
 
-def invoke(machine: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> None:
+def call_function(interpreter: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> None:
     """Run a function in a scope of its own, or a macro in that of its caller."""
-    bound = arguments(machine, function, call)
-    frame = machine.frame
+    bound = parameter_values(interpreter, function, call)
+    frame = interpreter.frame
     name = function.command.arguments[0].text
     inner = replace(frame, path=function.path, depth=frame.depth + 1, inside=name)
     inner = replace(inner, bindings=bound if function.macro else {})
-    scope = machine.scope
+    scope = interpreter.scope
     if not function.macro:
-        machine.scope = VariableScope(scope, dict(bound))
+        interpreter.scope = VariableScope(scope, dict(bound))
     try:
-        with machine.framed(inner):
-            machine.body(function.body)
+        with interpreter.enter_frame(inner):
+            interpreter.body(function.body)
     except LeaveError as leave:
         if leave.how != "return" or function.macro:
             raise
     finally:
-        machine.scope = scope
+        interpreter.scope = scope
 
 
-def arguments(machine: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> dict[str, Value]:
+def parameter_values(
+    interpreter: Interpreter, function: FunctionDefinition, call: EvaluatedCommand
+) -> dict[str, Value]:
     """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
     words, count = call.words, len(function.parameters)
     if function.macro:
         words = tuple(replace(word, text=UNKNOWN, quoted=False) if AGAIN.search(word.text) else word for word in words)
     whole = any(word.text == UNKNOWN or word.maybe for word in words[:count])
     bound: dict[str, Value] = {"ARGV": as_value(words)}
-    bound["ARGN"] = machine.hole() if whole else as_value(words[count:])
+    bound["ARGN"] = interpreter.unknown() if whole else as_value(words[count:])
     for index, name in enumerate(function.parameters):
-        bound[name] = machine.hole() if whole else as_value(words[index : index + 1])
+        bound[name] = interpreter.unknown() if whole else as_value(words[index : index + 1])
     for index, word in enumerate(words[:20]):
-        bound[f"ARGV{index}"] = machine.hole() if whole else as_value([word])
-    bound["ARGC"] = machine.hole() if whole or call.open_ended else (machine.word(str(len(words))),)
+        bound[f"ARGV{index}"] = interpreter.unknown() if whole else as_value([word])
+    bound["ARGC"] = interpreter.unknown() if whole or call.may_have_more else (interpreter.word(str(len(words))),)
     return bound

@@ -72,12 +72,12 @@ def next_token(text: str, at: int) -> CMakeToken:
         case "paren":
             return CMakeToken("(" if found == "(" else ")", found, at)
         case "open":
-            return bracket(text, at, found)
+            return bracket_token(text, at, found)
         case _:
             return CMakeToken("identifier" if IDENTIFIER.fullmatch(found) else "unquoted", found, at)
 
 
-def bracket(text: str, at: int, opening: str) -> CMakeToken:
+def bracket_token(text: str, at: int, opening: str) -> CMakeToken:
     """Return a bracket argument or comment; `#[[` without an end swallows the rest, as it does in CMake."""
     closing = "]" + "=" * opening.count("=") + "]"
     end = text.find(closing, at + len(opening))

@@ -15,34 +15,34 @@ from .values import UNKNOWN, Value, Word, as_value
 MAX_ROUNDS = 500
 
 
-def run_foreach(machine: Interpreter, block: Block) -> None:
-    words = machine.words(block.command)
+def run_foreach(interpreter: Interpreter, block: Block) -> None:
+    words = interpreter.words(block.command)
     if not words:
         return
     name, rest = words[0].text, words[1:]
-    values = loop_values(machine, rest)
-    before = machine.scope.get(name)
+    values = loop_values(interpreter, rest)
+    before = interpreter.scope.get(name)
     if values is None:
-        run_maybe(machine, block, {name: machine.hole()})
+        run_maybe(interpreter, block, {name: interpreter.unknown()})
     elif not values:
-        machine.scope.set(name, machine.hole())
-        machine.try_out(block.branches[0].body)
+        interpreter.scope.set(name, interpreter.unknown())
+        interpreter.run_unreachable(block.branches[0].body)
     else:
-        run_rounds(machine, block, name, values)
+        run_rounds(interpreter, block, name, values)
     if before is None:
-        machine.scope.variables.pop(name, None)
+        interpreter.scope.variables.pop(name, None)
     else:
-        machine.scope.set(name, before)
+        interpreter.scope.set(name, before)
 
 
-def run_rounds(machine: Interpreter, block: Block, name: str, values: Sequence[Word]) -> None:
+def run_rounds(interpreter: Interpreter, block: Block, name: str, values: Sequence[Word]) -> None:
     for word in values[:MAX_ROUNDS]:
         if word.maybe or word.text == UNKNOWN:
-            run_maybe(machine, block, {name: (replace(word, maybe=False),)})
+            run_maybe(interpreter, block, {name: (replace(word, maybe=False),)})
             continue
-        machine.scope.set(name, as_value([word]))
+        interpreter.scope.set(name, as_value([word]))
         try:
-            machine.body(block.branches[0].body)
+            interpreter.body(block.branches[0].body)
         except LeaveError as leave:
             if leave.how == "break":
                 return
@@ -50,25 +50,25 @@ def run_rounds(machine: Interpreter, block: Block, name: str, values: Sequence[W
                 raise
 
 
-def run_maybe(machine: Interpreter, block: Block, variables: Mapping[str, Value]) -> None:
+def run_maybe(interpreter: Interpreter, block: Block, variables: Mapping[str, Value]) -> None:
     """Run a body that may run any number of times, and unite what it leaves behind with what was."""
-    before = machine.save()
+    before = interpreter.save()
     for name, value in variables.items():
-        machine.scope.set(name, value)
+        interpreter.scope.set(name, value)
     try:
-        with machine.framed(replace(machine.frame, maybe=True)):
-            machine.body(block.branches[0].body)
+        with interpreter.enter_frame(replace(interpreter.frame, maybe=True)):
+            interpreter.body(block.branches[0].body)
     except LeaveError as leave:
         if leave.how == "fatal":
-            machine.scope.restore(before)
+            interpreter.scope.restore(before)
             return
-    machine.unite([before, machine.save()])
+    interpreter.unite([before, interpreter.save()])
 
 
-def loop_values(machine: Interpreter, words: Sequence[Word]) -> list[Word] | None:
+def loop_values(interpreter: Interpreter, words: Sequence[Word]) -> list[Word] | None:
     """Return what a foreach goes over, None where that is unknown as a whole."""
     if words and words[0].text == "RANGE" and not words[0].quoted:
-        return number_range([word.text for word in words[1:]], machine)
+        return range_values([word.text for word in words[1:]], interpreter)
     if not (words and words[0].text == "IN" and not words[0].quoted):
         return list(words)
     found: list[Word] = []
@@ -79,29 +79,29 @@ def loop_values(machine: Interpreter, words: Sequence[Word]) -> list[Word] | Non
         elif mode == "ZIP_LISTS":
             return None
         else:
-            found += machine.value(word.text) if mode == "LISTS" else [word]
+            found += interpreter.value(word.text) if mode == "LISTS" else [word]
     return found
 
 
-def number_range(texts: list[str], machine: Interpreter) -> list[Word] | None:
+def range_values(texts: list[str], interpreter: Interpreter) -> list[Word] | None:
     if not all(text.isdecimal() and len(text) < 6 for text in texts) or not 1 <= len(texts) <= 3:
         return None
     numbers = [int(text) for text in texts]
     start, stop = (0, numbers[0]) if len(numbers) == 1 else (numbers[0], numbers[1])
     step = numbers[2] if len(numbers) == 3 else 1
-    return [machine.word(str(n)) for n in range(start, stop + 1, step)[:MAX_ROUNDS]] if step else None
+    return [interpreter.word(str(n)) for n in range(start, stop + 1, step)[:MAX_ROUNDS]] if step else None
 
 
-def run_while(machine: Interpreter, block: Block) -> None:
+def run_while(interpreter: Interpreter, block: Block) -> None:
     for _ in range(MAX_ROUNDS):
-        truth = evaluate(machine.words(block.command), InterpreterContext(machine))
+        truth = evaluate(interpreter.words(block.command), InterpreterContext(interpreter))
         if truth is False:
             return
         if truth is None:
-            run_maybe(machine, block, {})
+            run_maybe(interpreter, block, {})
             return
         try:
-            machine.body(block.branches[0].body)
+            interpreter.body(block.branches[0].body)
         except LeaveError as leave:
             if leave.how == "break":
                 return

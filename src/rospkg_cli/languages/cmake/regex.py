@@ -12,7 +12,7 @@ REPEATED_GROUP = re.compile(r"\)[*+]|\(\?")
 
 
 @cache
-def compiled(pattern: str) -> tuple[re.Pattern[str], int] | None:
+def compile_regex(pattern: str) -> tuple[re.Pattern[str], int] | None:
     """Return the pattern and the power with which its time may grow, None where it is not run here.
 
     CMake knows `.`, `[]`, `*`, `+`, `?`, `|`, `()`, `^`, `$`; braces are ordinary characters.
@@ -26,15 +26,15 @@ def compiled(pattern: str) -> tuple[re.Pattern[str], int] | None:
         return None
 
 
-def steps(pattern: str, subject: str) -> int:
+def max_steps(pattern: str, subject: str) -> int:
     """Return how many steps a search may take at most, 0 where it is not tried."""
-    found = compiled(pattern)
+    found = compile_regex(pattern)
     most = 0 if found is None else (len(subject) + 1) ** found[1]
     return most if most <= MAX_STEPS else 0
 
 
-def usable(pattern: str, subject: str) -> re.Pattern[str] | None:
-    found = compiled(pattern)
+def affordable_regex(pattern: str, subject: str) -> re.Pattern[str] | None:
+    found = compile_regex(pattern)
     if found is None or (len(subject) + 1) ** found[1] > MAX_STEPS:
         return None
     return found[0]
@@ -42,19 +42,19 @@ def usable(pattern: str, subject: str) -> re.Pattern[str] | None:
 
 def search(pattern: str, subject: str) -> bool | None:
     """Return whether a pattern fits somewhere in a text; None where that is not tried."""
-    found = usable(pattern, subject)
+    found = affordable_regex(pattern, subject)
     return None if found is None else found.search(subject) is not None
 
 
 def find_all(pattern: str, subject: str) -> list[str] | None:
     """Return all matches; None where that is not tried."""
-    found = usable(pattern, subject)
+    found = affordable_regex(pattern, subject)
     return None if found is None else [match.group() for match in found.finditer(subject)]
 
 
 def replace_all(pattern: str, replacement: str, subject: str) -> str | None:
     """Return the text with every match replaced (`\\1` names a group); None where that is not tried."""
-    found = usable(pattern, subject)
+    found = affordable_regex(pattern, subject)
     if found is None:
         return None
 

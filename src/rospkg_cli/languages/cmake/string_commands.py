@@ -5,32 +5,32 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
-from .evaluated_command import EvaluatedCommand, located
+from .evaluated_command import EvaluatedCommand, path_in_package
 from .interpreter import Interpreter
-from .regex import find_all, replace_all, steps
-from .values import MAX_TEXT, SOURCE, UNKNOWN, joined
+from .regex import find_all, max_steps, replace_all
+from .values import MAX_TEXT, SOURCE, UNKNOWN, list_to_text
 
 
-def run_string(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_string(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     operation, rest = "".join(call.texts[:1]).upper(), list(call.texts[1:])
     if operation == "REGEX" and rest:
         operation, rest = f"REGEX {rest[0].upper()}", rest[1:]
     if operation in ("APPEND", "PREPEND") and rest:
-        held, added = joined(machine.value(rest[0])), "".join(rest[1:])
-        machine.set_text(rest[0], held + added if operation == "APPEND" else added + held)
+        held, added = list_to_text(interpreter.value(rest[0])), "".join(rest[1:])
+        interpreter.set_text(rest[0], held + added if operation == "APPEND" else added + held)
         return
-    output = output_of(operation, rest)
+    output = output_position(operation, rest)
     if output is None:
         return
     name = rest.pop(output)
     unknown = any(UNKNOWN in text for text in rest)
     if not unknown and operation.startswith("REGEX"):
-        machine.spend(steps(rest[0], "".join(rest[1:])) >> 6)
-    found = None if unknown else result(operation, rest)
-    machine.set_text(name, None if found is None or len(found) > MAX_TEXT else found)
+        interpreter.spend(max_steps(rest[0], "".join(rest[1:])) >> 6)
+    found = None if unknown else string_result(operation, rest)
+    interpreter.set_text(name, None if found is None or len(found) > MAX_TEXT else found)
 
 
-def output_of(operation: str, rest: Sequence[str]) -> int | None:
+def output_position(operation: str, rest: Sequence[str]) -> int | None:
     """Return which argument names the variable that is set."""
     at = {
         "REPLACE": 2, "REGEX REPLACE": 2, "REGEX MATCH": 1, "REGEX MATCHALL": 1, "TOLOWER": 1, "TOUPPER": 1,
@@ -41,7 +41,7 @@ def output_of(operation: str, rest: Sequence[str]) -> int | None:
     return None if at is None or not rest or at >= len(rest) else at % len(rest)
 
 
-def result(operation: str, rest: Sequence[str]) -> str | None:
+def string_result(operation: str, rest: Sequence[str]) -> str | None:
     """Return the text that an operation gives, None where that is not evaluated."""
     match operation, list(rest):
         case "REPLACE", [old, new, *texts] if old:
@@ -81,14 +81,14 @@ def is_count(text: str) -> bool:
     return text.isdecimal() and len(text) < 10
 
 
-def run_get_filename_component(machine: Interpreter, call: EvaluatedCommand) -> None:
+def run_get_filename_component(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if len(call.texts) < 3:
         return
     name, text, wanted = call.texts[:3]
-    machine.set_text(name, None if UNKNOWN in text else component(text, wanted, machine.frame.folder))
+    interpreter.set_text(name, None if UNKNOWN in text else path_component(text, wanted, interpreter.frame.folder))
 
 
-def component(text: str, wanted: str, folder: str) -> str | None:
+def path_component(text: str, wanted: str, folder: str) -> str | None:
     base = posixpath.basename(text)
     match wanted:
         case "NAME":
@@ -104,7 +104,7 @@ def component(text: str, wanted: str, folder: str) -> str | None:
         case "LAST_EXT":
             return posixpath.splitext(base)[1]
         case "ABSOLUTE" | "REALPATH":
-            path = located(text, folder)
+            path = path_in_package(text, folder)
             return posixpath.join(SOURCE, path).rstrip("/") if path is not None else None
         case _:
             return None

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...source import Source, Span
+from ..syntax_problem import SyntaxProblem
 from .lexer import CMakeToken, tokens
 from .parse_errors import unclosed, unexpected
 
@@ -18,7 +19,7 @@ ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
 
 BLANK = ("space", "newline", "comment", "bracket comment")
 COMMAND_LINE = re.compile(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
-MAX_FAULTS = 20
+MAX_PROBLEMS = 20
 """After so many the rest of a file is left alone: each may read to the end."""
 
 
@@ -50,12 +51,6 @@ class CommandInvocation:
     """Between the parentheses."""
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
-    span: Span
-    message: str
-
-
 @dataclass(frozen=True)
 class CMakeSyntax:
     """The commands of a file, in order; behind a fault, those that can be told again."""
@@ -63,15 +58,15 @@ class CMakeSyntax:
     source: Source
     commands: tuple[CommandInvocation, ...]
     comments: tuple[Span, ...]
-    faults: tuple[Fault, ...]
+    problems: tuple[SyntaxProblem, ...]
 
 
 def parse(source: Source) -> CMakeSyntax:
     """Parse a text; never raises, and goes on behind a fault with the next line that looks like a command."""
     parser = CMakeParser(source)
     parser.run()
-    parser.faults.sort(key=lambda fault: fault.span)
-    return CMakeSyntax(source, tuple(parser.commands), tuple(parser.comments), tuple(parser.faults))
+    parser.problems.sort(key=lambda fault: fault.span)
+    return CMakeSyntax(source, tuple(parser.commands), tuple(parser.comments), tuple(parser.problems))
 
 
 @dataclass
@@ -83,11 +78,11 @@ class CMakeParser:
     """How many characters were read before it showed that they are to be read again."""
     commands: list[CommandInvocation] = field(default_factory=list)
     comments: list[Span] = field(default_factory=list)
-    faults: list[Fault] = field(default_factory=list)
+    problems: list[SyntaxProblem] = field(default_factory=list)
 
     def run(self) -> None:
         at, text = 0, self.source.text
-        while at < len(text) and len(self.faults) < MAX_FAULTS and self.reread <= len(text):
+        while at < len(text) and len(self.problems) < MAX_PROBLEMS and self.reread <= len(text):
             at = self.file(at)
 
     def file(self, at: int) -> int:
@@ -131,13 +126,13 @@ class CMakeParser:
                 return None
             if token.kind == "bad":
                 return self.fault(token, unclosed(token))
-            if glued(before, token.kind):
+            if lacks_blank(before, token.kind):
                 return self.fault(token, "a blank is missing before this argument")
             depth += {"(": 1, ")": -1}.get(token.kind, 0)
             before = token.kind
             self.note(token)
             if token.kind not in BLANK:
-                arguments.append(argument(token))
+                arguments.append(argument_of(token))
         return self.fault(
             CMakeToken("bad", name.text + "(", name.start), f"`{name.text}(` is never closed: a `)` is missing"
         )
@@ -148,7 +143,7 @@ class CMakeParser:
         if (opening := self.swallowing(start)) is not None:
             start, message = opening, '`"` is never closed: the string goes on into the next command'
         length = len(token.text.split("\n", 1)[0]) if start == token.start else 1
-        self.faults.append(Fault(Span(start, start + max(length, 1)), message))
+        self.problems.append(SyntaxProblem(Span(start, start + max(length, 1)), message))
         again = COMMAND_LINE.search(self.source.text, self.source.text.find("\n", start) + 1 or len(self.source.text))
         resume = again.start() if again else len(self.source.text)
         self.reread += max(0, self.read_to - resume)
@@ -166,14 +161,14 @@ class CMakeParser:
         return None
 
 
-def glued(before: str, kind: str) -> bool:
+def lacks_blank(before: str, kind: str) -> bool:
     """Return whether a blank is missing that CMake insists on: on both sides of a bracket."""
     if kind in BLANK or kind in ("(", ")") or before in ("space", "newline", "comment", "("):
         return False
     return "bracket" in (before, kind) or before == "bracket comment"
 
 
-def argument(token: CMakeToken) -> CommandArgument:
+def argument_of(token: CMakeToken) -> CommandArgument:
     match token.kind:
         case "quoted":
             return CommandArgument("quoted", token.text[1:-1], token.span)

@@ -32,20 +32,20 @@ class Target:
         return self.word.text
 
     @property
-    def built(self) -> bool:
+    def is_built(self) -> bool:
         """Whether a build makes a file of it that can be installed."""
         return self.kind != "other" and not self.options & {"INTERFACE", "ALIAS", "IMPORTED", "UNKNOWN", "OBJECT"}
 
     @property
-    def library(self) -> bool:
+    def is_library(self) -> bool:
         return self.kind == "library"
 
     @property
-    def executable(self) -> bool:
+    def is_executable(self) -> bool:
         return self.kind == "executable"
 
 
-def added(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
+def target_with_sources(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     """`add_executable`, `add_library`, their ament_auto forms, and commands that pass arguments on to them."""
 
     def make(call: EvaluatedCommand) -> Iterator[Target]:
@@ -58,7 +58,7 @@ def added(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     return make
 
 
-def named(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
+def target_in_its_own_way(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     """Commands whose first argument is a target that they make in their own way."""
 
     def make(call: EvaluatedCommand) -> Iterator[Target]:
@@ -82,27 +82,27 @@ def component_executable(call: EvaluatedCommand) -> Iterator[Target]:
 
 
 MAKERS: Mapping[str, Callable[[EvaluatedCommand], Iterator[Target]]] = {
-    "add_executable": added("executable"),
-    "ament_auto_add_executable": added("executable"),
-    "cuda_add_executable": added("executable"),
-    "add_library": added("library"),
-    "ament_auto_add_library": added("library"),
-    "cuda_add_library": added("library"),
-    "pybind11_add_module": added("library"),
-    "python3_add_library": added("library"),
-    "nanobind_add_module": added("library"),
-    "ament_add_gtest": named("executable"),
-    "ament_add_gmock": named("executable"),
-    "ament_add_gtest_executable": named("executable"),
-    "ament_add_gmock_executable": named("executable"),
-    "ament_add_google_benchmark": named("executable"),
-    "ament_auto_add_gtest": named("executable"),
-    "ament_add_ros_isolated_gtest": named("executable"),
-    "ament_add_ros_isolated_gmock": named("executable"),
-    "add_rostest_with_parameters_gtest": named("executable"),
-    "add_rostest_with_parameters_gmock": named("executable"),
-    "add_custom_target": named("other"),
-    "rosidl_generate_interfaces": named("other"),
+    "add_executable": target_with_sources("executable"),
+    "ament_auto_add_executable": target_with_sources("executable"),
+    "cuda_add_executable": target_with_sources("executable"),
+    "add_library": target_with_sources("library"),
+    "ament_auto_add_library": target_with_sources("library"),
+    "cuda_add_library": target_with_sources("library"),
+    "pybind11_add_module": target_with_sources("library"),
+    "python3_add_library": target_with_sources("library"),
+    "nanobind_add_module": target_with_sources("library"),
+    "ament_add_gtest": target_in_its_own_way("executable"),
+    "ament_add_gmock": target_in_its_own_way("executable"),
+    "ament_add_gtest_executable": target_in_its_own_way("executable"),
+    "ament_add_gmock_executable": target_in_its_own_way("executable"),
+    "ament_add_google_benchmark": target_in_its_own_way("executable"),
+    "ament_auto_add_gtest": target_in_its_own_way("executable"),
+    "ament_add_ros_isolated_gtest": target_in_its_own_way("executable"),
+    "ament_add_ros_isolated_gmock": target_in_its_own_way("executable"),
+    "add_rostest_with_parameters_gtest": target_in_its_own_way("executable"),
+    "add_rostest_with_parameters_gmock": target_in_its_own_way("executable"),
+    "add_custom_target": target_in_its_own_way("other"),
+    "rosidl_generate_interfaces": target_in_its_own_way("other"),
     "generate_parameter_library": generated_interface,
     "generate_parameter_module": generated_interface,
     "rclcpp_components_register_node": component_executable,
@@ -116,7 +116,7 @@ def targets_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Target]:
             yield from maker(call)
 
 
-def by_name(targets: Iterable[Target]) -> dict[str, Target]:
+def targets_by_name(targets: Iterable[Target]) -> dict[str, Target]:
     """Return the targets whose names are known; the first of a name counts."""
     found: dict[str, Target] = {}
     for target in targets:

@@ -54,22 +54,22 @@ def cost(words: Sequence[Word]) -> int:
     return len(words) + (sum(len(word.text) for word in words) >> 4)
 
 
-def joined(value: Sequence[Word]) -> str:
+def list_to_text(value: Sequence[Word]) -> str:
     """Return a list as the string that it is in CMake, a hole where that can't be told."""
     if any(word.maybe for word in value):
         return UNKNOWN
     if cost(value) > MAX_TEXT:
         return UNKNOWN
-    text = ";".join(map(escaped, (word.text for word in value)))
+    text = ";".join(map(escape_element, (word.text for word in value)))
     return text if len(text) <= MAX_TEXT else UNKNOWN
 
 
-def escaped(text: str) -> str:
+def escape_element(text: str) -> str:
     """Return an element as it stands in a list: `;` needs no escape inside square brackets."""
-    return text.replace(";", "\\;") if ";" in text and len(list(split(text))) > 1 else text
+    return text.replace(";", "\\;") if ";" in text and len(list(split_list(text))) > 1 else text
 
 
-def split(text: str) -> Iterator[str]:
+def split_list(text: str) -> Iterator[str]:
     """Yield the elements of a list: `;` parts them, unless it is escaped or stands in square brackets."""
     depth, start, at = 0, 0, 0
     while at < len(text):
@@ -118,7 +118,7 @@ def words_of(
     """Return what an argument stands for: one word if it is quoted, else any number of them."""
 
     def value_of(kind: str, name: str) -> str:
-        return env(name) if kind == "ENV" else joined(variable(name))
+        return env(name) if kind == "ENV" else list_to_text(variable(name))
 
     if argument.kind in ("bracket", "paren"):
         return [Word(argument.text, path, argument.span, quoted=argument.kind == "bracket")]
@@ -128,7 +128,7 @@ def words_of(
     if whole := PLAIN_REFERENCE.fullmatch(argument.text):
         return [with_position(word, argument, path) for word in variable(whole.group(1)) if word.text]
     text = without_uncertain_separators(substitute(argument.text, value_of))
-    return [Word(each, path, argument.span) for each in split(text) if each]
+    return [Word(each, path, argument.span) for each in split_list(text) if each]
 
 
 def without_uncertain_separators(text: str) -> str:
@@ -146,18 +146,18 @@ def as_value(words: Iterable[Word]) -> Value:
     found: list[Word] = []
     for word in words:
         if ";" in word.text:
-            found += [replace(word, text=each) for each in split(word.text)]
+            found += [replace(word, text=each) for each in split_list(word.text)]
         else:
             found.append(word)
-    return () if len(found) == 1 and not found[0].text else bounded(tuple(found))
+    return () if len(found) == 1 and not found[0].text else limited(tuple(found))
 
 
-def bounded(value: Value) -> Value:
+def limited(value: Value) -> Value:
     """Return a list, a hole where it is too long to be kept."""
     return value if len(value) <= MAX_WORDS else (replace(value[0], text=UNKNOWN, maybe=False),)
 
 
-def merge(values: Sequence[Value]) -> Value:
+def merge_branches(values: Sequence[Value]) -> Value:
     """Return what a variable holds after branches that ended with these values.
 
     Elements that only some branches have become `maybe`; where none of the values holds all the others, it's a hole.
@@ -168,11 +168,11 @@ def merge(values: Sequence[Value]) -> Value:
     longest = max(values, key=len)
     if not all(is_within(texts(value), texts(longest)) for value in values):
         return (replace(longest[0], text=UNKNOWN, maybe=False),)
-    common = frozenset(range(len(longest))).intersection(*(certain_in(value, longest) for value in values))
+    common = frozenset(range(len(longest))).intersection(*(certain_elements(value, longest) for value in values))
     return tuple(word if at in common else replace(word, maybe=True) for at, word in enumerate(longest))
 
 
-def certain_in(shorter: Value, longer: Value) -> frozenset[int]:
+def certain_elements(shorter: Value, longer: Value) -> frozenset[int]:
     """Return which elements of a list are certainly those of another, which is within it."""
     rest = enumerate(longer)
     found = ((next(at for at, there in rest if there.text == word.text), word) for word in shorter)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from .values import Value, merge
+from .values import Value, merge_branches
 
 Snapshot = tuple[dict[str, Value], ...]
 
@@ -54,5 +54,5 @@ class VariableScope:
                 values = [level.get(name, ()) for level in levels]
                 same = all(value is values[0] for value in values)
                 compared += 0 if same else sum(map(len, values))
-                scope.variables[name] = values[0] if same else merge(values)
+                scope.variables[name] = values[0] if same else merge_branches(values)
         return compared

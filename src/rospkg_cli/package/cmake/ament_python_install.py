@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...files import PackageFiles
-from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.values import Word
 from ...source import Span
 from ...unreadable import UnreadableError
@@ -27,7 +27,7 @@ def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[Inst
     _, values, _ = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
     for place in values.get("SCRIPTS_DESTINATION", [])[:1]:
         given = next(iter(values.get("SETUP_CFG", [])), None)
-        path = located(given.text if given else "setup.cfg", call.folder)
+        path = path_in_package(given.text if given else "setup.cfg", call.folder)
         folder = below_prefix(place.text)
         if path is None or folder is None or (given and not files.exists(path)):
             yield unknown(place if folder is None else given or place, "which scripts setup.cfg makes can't be told")

@@ -21,10 +21,10 @@ class Artifacts:
     def place(self, rule: InstallRule, target: Target) -> str | None:
         """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
         given = rule.destinations or {}
-        kind = "RUNTIME" if target.executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
+        kind = "RUNTIME" if target.is_executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
         if kind in given or "" in given:
             return given.get(kind, given.get(""))
-        return "bin" if target.executable else "lib"
+        return "bin" if target.is_executable else "lib"
 
     def file_name(self, target: Target) -> str:
         """Return the name of a target's file; a library of no said kind is taken for a shared one.
@@ -33,8 +33,8 @@ class Artifacts:
         """
         name = self.cmake.output_names.get(target.name, target.name)
         python = target.call.name in PYTHON_MODULES
-        start = "" if python or target.executable else "lib"
-        end = "" if target.executable else ".a" if "STATIC" in target.options else ".so"
+        start = "" if python or target.is_executable else "lib"
+        end = "" if target.is_executable else ".a" if "STATIC" in target.options else ".so"
         return self.prefixes.get(target.name, start) + name + self.suffixes.get(target.name, end)
 
     @cached_property

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import BINARY, UNKNOWN, Word
 from ...source import Span
 from ...tree import LINKED
@@ -73,7 +73,7 @@ class CMakeTableBuilder:
     def targets(self, rule: InstallRule) -> Iterator[InstalledFile]:
         for word in rule.items:
             target = self.cmake.target(word.text)
-            place = self.artifacts.place(rule, target) if target is not None and target.built else None
+            place = self.artifacts.place(rule, target) if target is not None and target.is_built else None
             if target is not None and place is not None:
                 yield self.row(
                     posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
@@ -86,7 +86,7 @@ class CMakeTableBuilder:
             for target in self.cmake.targets:
                 if target.call.name == "ament_auto_add_executable" and UNKNOWN not in target.name:
                     yield self.row(f"{place}/{self.artifacts.file_name(target)}", "", target.word, target.call)
-                elif target.call.name == "ament_auto_add_library" and target.built and UNKNOWN not in target.name:
+                elif target.call.name == "ament_auto_add_library" and target.is_built and UNKNOWN not in target.name:
                     yield self.row(f"lib/{self.artifacts.file_name(target)}", "", target.word, target.call)
             scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
             for path in self.cmake.package.below("include"):
@@ -126,12 +126,12 @@ class CMakeTableBuilder:
             yield UnknownPart(what, self.why(where), where.path if where else rule.call.path, span)
 
     def why(self, word: Word | None) -> str:
-        raw = " ".join(self.cmake.raw(word).split()) if word is not None else ""
+        raw = " ".join(self.cmake.source_text(word).split()) if word is not None else ""
         return f"`{raw}` can't be evaluated" if raw else "what it installs can't be evaluated"
 
     def is_link(self, word: Word, rule: InstallRule) -> bool:
         """Return whether a folder is a link, behind which we do not look."""
-        path = located(word.text, rule.call.folder) or ""
+        path = path_in_package(word.text, rule.call.folder) or ""
         return self.cmake.package.tree.files().get(path.rstrip("/")) in LINKED
 
     def may_install(self, call: EvaluatedCommand) -> bool:

@@ -8,14 +8,14 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 
 from ...files import PackageFiles, Reading
-from ...languages.cmake.commands import COMMANDS, foreign
+from ...languages.cmake.commands import COMMANDS, run_unknown_command
 from ...languages.cmake.control_flow import BLOCKS
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT, CMakeFile
-from ...languages.cmake.functions import invoke
+from ...languages.cmake.functions import call_function
 from ...languages.cmake.interpreter import Interpreter
 from ...languages.cmake.syntax import CommandInvocation
-from ...languages.cmake.targets import MAKERS, Target, by_name, targets_of
+from ...languages.cmake.targets import MAKERS, Target, targets_by_name, targets_of
 from ...languages.cmake.values import UNKNOWN, Word
 from ...unreadable import Unreadable
 from .ament_installs import install_rules
@@ -36,7 +36,7 @@ class CMake:
     """Commands in branches that are never taken and loops over nothing."""
     stopped: str = ""
     """Why the run was cut short: then nothing may be concluded from what is absent."""
-    clouded: bool = False
+    reads_unknown_files: bool = False
     """Whether it reads files that we can't see: they may make any target."""
 
     @property
@@ -70,13 +70,13 @@ class CMake:
         defined = [command for command in commands if command.name in ("function", "macro") and command.arguments]
         return frozenset(command.arguments[0].text.lower() for command in defined)
 
-    def raw(self, word: Word) -> str:
+    def source_text(self, word: Word) -> str:
         """Return what stands in the file where a word was written: `${LIBRARY}`, `"a b"`."""
         return self.file(word.path).source.slice(word.span)
 
-    def shown(self, word: Word) -> str:
+    def quoted(self, word: Word) -> str:
         """Return a word for a message, with what stands in the file where that is something else."""
-        raw = self.raw(word).strip('"')
+        raw = self.source_text(word).strip('"')
         return f"`{word.text}`" if raw == word.text or not raw else f"`{word.text}` (`{raw}`)"
 
     @cached_property
@@ -92,12 +92,12 @@ class CMake:
             return self._by_name.get(names[0], [])
         return [call for call in self.calls if call.name in names]
 
-    def speaks_of(self, path: str) -> bool:
+    def mentions_file(self, path: str) -> bool:
         """Return whether a command names a file, with its suffixes or without, or a test of launch may do so."""
         name = path.rpartition("/")[2]
         wanted = (name, name.partition(".")[0], name.rpartition(".")[0])
         for call in self.calls:
-            if call.open_ended and any(each in call.name for each in ("launch", "ros_test", "pytest")):
+            if call.may_have_more and any(each in call.name for each in ("launch", "ros_test", "pytest")):
                 return True
             for last in (text.rpartition("/")[2] for text in call.texts):
                 if last in wanted or (
@@ -139,7 +139,7 @@ class CMake:
 
     @cached_property
     def _targets_by_name(self) -> dict[str, Target]:
-        return by_name(self.targets)
+        return targets_by_name(self.targets)
 
     def target(self, name: str) -> Target | None:
         return self._targets_by_name.get(name)
@@ -192,10 +192,12 @@ def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
     """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
     if not is_built_with_cmake(reading):
         return
-    machine = Interpreter(reading.files, COMMANDS, BLOCKS, invoke, foreign)
+    machine = Interpreter(
+        reading.files, commands=COMMANDS, blocks=BLOCKS, invoke=call_function, run_unknown_command=run_unknown_command
+    )
     machine.run()
     if machine.broken:
         yield from machine.broken
     else:
         files, calls, idle = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.idle)
-        yield CMake(reading.files, files, calls, idle, machine.stopped, machine.clouded)
+        yield CMake(reading.files, files, calls, idle, machine.stopped, machine.has_unknown_code)

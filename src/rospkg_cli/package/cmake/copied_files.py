@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...files import PackageFiles
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.regex import glob_pattern, search
 from ...languages.cmake.values import SOURCE, Word
 from .install_rules import InstallRule, Pattern
@@ -39,7 +39,7 @@ def copies(rule: InstallRule, files: PackageFiles) -> Iterator[Copy]:
     if rule.destination is None:
         return
     for item in rule.items:
-        path = located(item.text, rule.call.folder)
+        path = path_in_package(item.text, rule.call.folder)
         if path is None:
             continue
         if rule.kind == "DIRECTORY":

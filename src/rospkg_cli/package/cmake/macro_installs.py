@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.values import Word
 from ..install_table import PYTHON
 from .cmake_project import CMake
@@ -55,7 +55,12 @@ def parameters(call: EvaluatedCommand, name: str) -> Iterator[MacroInstall]:
         return
     yield f"include/{name}/{first.text}.hpp", "", first, call
     for word in call.words[2:3]:
-        yield f"include/{name}/{posixpath.basename(word.text)}", located(word.text, call.folder) or "", word, call
+        yield (
+            f"include/{name}/{posixpath.basename(word.text)}",
+            path_in_package(word.text, call.folder) or "",
+            word,
+            call,
+        )
 
 
 def version_header(call: EvaluatedCommand, project: str) -> Iterator[MacroInstall]:
@@ -82,5 +87,5 @@ def config_extras(call: EvaluatedCommand, cmake: CMake, name: str) -> Iterator[M
     for word in words:
         file = posixpath.basename(word.text)
         if word.known and file.endswith((".cmake", ".cmake.in")):
-            source = located(word.text, call.folder) if file.endswith(".cmake") else None
+            source = path_in_package(word.text, call.folder) if file.endswith(".cmake") else None
             yield f"share/{name}/cmake/{file.removesuffix('.in')}", source or "", word, call

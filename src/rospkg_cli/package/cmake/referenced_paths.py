@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, located
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.targets import targets_of
 from ...languages.cmake.values import Word
 from .cmake_project import CMake
@@ -53,7 +53,7 @@ class ReferencedPaths:
     def all(self) -> Iterator[ReferencedPath]:
         for target in self.cmake.targets:
             yield from self.named(target.sources, "source", target.call)
-        for target in targets_of(self.cmake.idle):
+        for target in targets_of(self.cmake.unreachable):
             yield from self.named(target.sources, "source", replace(target.call, maybe=True))
         for call in self.cmake.named("target_sources"):
             yield from self.named(sources_in(call), "source", call)
@@ -64,7 +64,7 @@ class ReferencedPaths:
 
     def named(self, words: Iterable[Word], use: Use, call: EvaluatedCommand) -> Iterator[ReferencedPath]:
         for word in words:
-            path = located(word.text, call.folder)
+            path = path_in_package(word.text, call.folder)
             if path is not None and word.text and not word.text.startswith("-"):
                 yield ReferencedPath(path, word, use, call)
 
@@ -75,20 +75,20 @@ class ReferencedPaths:
             return True
         if named.use == "source" and is_prefix_of_any(f"{path}.", files.paths):
             return True
-        return path in self.made or posixpath.basename(path) in self.made_names
+        return path in self.written_paths or posixpath.basename(path) in self.written_names
 
     @property
     def calls(self) -> tuple[EvaluatedCommand, ...]:
-        return self.cmake.calls + self.cmake.idle
+        return self.cmake.calls + self.cmake.unreachable
 
     @cached_property
-    def made(self) -> frozenset[str]:
+    def written_paths(self) -> frozenset[str]:
         """The paths in the package that commands write."""
-        found = (located(word.text, call.folder) for call in self.calls for word in files_written_by(call))
+        found = (path_in_package(word.text, call.folder) for call in self.calls for word in files_written_by(call))
         return frozenset(path for path in found if path)
 
     @cached_property
-    def made_names(self) -> frozenset[str]:
+    def written_names(self) -> frozenset[str]:
         """The names of all files that commands write, wherever."""
         words = (word for call in self.calls for word in files_written_by(call))
         return frozenset(posixpath.basename(word.text) for word in words if not word.text.endswith("\0"))

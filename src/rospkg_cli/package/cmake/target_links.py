@@ -79,12 +79,12 @@ class Links:
         if self.cmake.named("ament_auto_package", "autoware_ament_auto_package"):
             automatic = ("ament_auto_add_library", "ament_auto_add_executable")
             named |= {target.name for target in self.cmake.targets if target.call.name in automatic}
-        components = {each.executable.text for each in self.cmake.components if each.executable is not None}
+        components = {each.is_executable.text for each in self.cmake.components if each.is_executable is not None}
         return frozenset(named | components)
 
     def shared(self, target: Target) -> bool:
         """Return whether a library is loaded at run time: a shared one, or one of no type where ROS makes it shared."""
-        if not target.library or not target.built or "STATIC" in target.options:
+        if not target.is_library or not target.is_built or "STATIC" in target.options:
             return False
         if target.options & {"SHARED", "MODULE"}:
             return True

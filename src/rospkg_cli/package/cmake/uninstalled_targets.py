@@ -53,7 +53,7 @@ class UninstalledTargets:
         for target in self.candidates():
             if target.name in stopping:
                 continue
-            if target.executable and not target.call.maybe and not self.is_used(target):
+            if target.is_executable and not target.call.maybe and not self.is_used(target):
                 yield UninstalledTarget(target, "")
             elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)):
                 yield UninstalledTarget(target, needed)
@@ -61,7 +61,7 @@ class UninstalledTargets:
     def candidates(self) -> Iterator[Target]:
         for target in self.cmake.targets:
             sure = UNKNOWN not in target.name and not target.word.maybe
-            if target.call.name not in MADE_BY or not sure or target.call.testing or not target.built:
+            if target.call.name not in MADE_BY or not sure or target.call.testing or not target.is_built:
                 continue
             if target.name not in self.links.installed and "EXCLUDE_FROM_ALL" not in target.options:
                 yield target

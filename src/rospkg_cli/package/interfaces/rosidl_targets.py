@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import Word
 from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
@@ -59,24 +59,24 @@ class GeneratedInterfaces:
         )
 
     @property
-    def is_told(self) -> bool:
+    def is_complete(self) -> bool:
         """Whether every file that is generated is known."""
         return self.cmake.complete and all(each.word.known for each in self.listed) and bool(self.listed)
 
-    def left_out(self) -> Iterator[InterfaceFile]:
+    def unlisted(self) -> Iterator[InterfaceFile]:
         """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""
         listed = {each.path for each in self.listed}
         for interface in self.interfaces:
-            if self.is_told and interface.path not in listed and interface.folder.rpartition("/")[2] in KINDS:
+            if self.is_complete and interface.path not in listed and interface.folder.rpartition("/")[2] in KINDS:
                 yield interface
 
-    def absent(self) -> Iterator[ListedInterface]:
+    def missing(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
         named = ReferencedPaths(self.cmake)
         for each in self.listed:
             certain = each.word.known and not each.word.maybe and not each.target.call.maybe
             if certain and each.path and not self.cmake.package.exists(each.path):
-                made = each.path in named.made or posixpath.basename(each.path) in named.made_names
+                made = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
                 if not made:
                     yield each
 
@@ -135,4 +135,4 @@ def listed_path(word: Word, target: InterfaceTarget) -> str | None:
     if text.startswith("/") and ":" in text:
         base, _, own = text.rpartition(":")
         text = f"{base}/{own}"
-    return located(text, target.call.folder) if word.known else None
+    return path_in_package(text, target.call.folder) if word.known else None

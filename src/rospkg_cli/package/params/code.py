@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...files import Reading
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cpp.read import SUFFIXES
 from ...unreadable import UnreadableError
@@ -29,7 +29,7 @@ def node_code(reading: Reading) -> tuple[NodeCode, ...]:
             names = [component.plugin.text, *([component.executable.text] if component.executable else [])]
             found += [NodeCode(name, frozenset({path})) for name in names]
     for target in cmake.targets:
-        if target.executable and target.word.known:
+        if target.is_executable and target.word.known:
             found.append(NodeCode(target.name, frozenset(sources(cmake, target))))
     return tuple(found)
 
@@ -48,9 +48,9 @@ def registrations(reading: Reading) -> Iterator[tuple[str, str]]:
 
 def sources(cmake: CMake, target: Target) -> Iterator[str]:
     for word in target.sources:
-        path = located(word.text, target.call.folder)
+        path = path_in_package(word.text, target.call.folder)
         if path:
             yield path
-    folder = located(target.folder.text, target.call.folder) if target.folder else None
+    folder = path_in_package(target.folder.text, target.call.folder) if target.folder else None
     if folder is not None:
         yield from (path for path in cmake.package.below(folder) if path.endswith(SUFFIXES))

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ...files import Reading
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 from ...source import Source, Span
 from ...suggest import did_you_mean
@@ -77,7 +77,7 @@ def library_files(reading: Reading) -> Iterator[tuple[str, bool]]:
     """Yield each file of definitions, and whether a header with validators is given beside it."""
     cmake = reading.parts(CMake).only
     for call in cmake.named(*COMMANDS) if cmake else ():
-        if len(call.words) > 1 and (path := located(call.words[1].text, call.folder)):
+        if len(call.words) > 1 and (path := path_in_package(call.words[1].text, call.folder)):
             yield path, len(call.words) > 2
     modules = reading.parts(Modules).only
     setup = modules.at("setup.py") if modules else None

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...files import PackageFiles, Reading
-from ...languages.cmake.evaluated_command import located
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.xml.parser import read_xml
 from ...source import Span
 from ...unreadable import Unreadable, UnreadableError
@@ -51,7 +51,7 @@ def by_cmake(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
         for call in cmake.named(EXPORT):
             if len(call.words) > 1 and call.words[0].known and call.words[1].known:
                 base, file = call.words[:2]
-                path = located(file.text, call.folder)
+                path = path_in_package(file.text, call.folder)
                 if path:
                     exported = DescriptionExport(base.text, base.span, call.path, file.span, True, call.testing)
                     yield path, exported

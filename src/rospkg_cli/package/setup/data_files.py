@@ -23,7 +23,7 @@ Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
 class DataFile:
     """One source of an entry."""
 
-    said: SetupText
+    setup_text: SetupText
     place: Span
     """Where it stands in its list."""
     source: str | None
@@ -84,16 +84,16 @@ def entry(path: str, item: Sequence, place: Span, index: int, folder: SandboxFil
         return DataEntry(path, item.span, place, None, None, unknown=unknown, shape="" if unknown else "length")
     target, sources = item.items
     destination = SetupText.of(path, target) if isinstance(target, Text) else None
-    unknown = () if destination else (doubt(target),)
+    unknown = () if destination else (unknown_value(target),)
     if isinstance(sources, Text):
         texts, places, shape = [sources], [sources.span], "text-sources"
     elif isinstance(sources, Sequence):
         texts = [each for each in sources.items if isinstance(each, Text)]
         places = [p for each, p in zip(sources.items, sources.places, strict=True) if isinstance(each, Text)]
-        unknown += tuple(doubt(each) for each in sources.items if not isinstance(each, Text))
+        unknown += tuple(unknown_value(each) for each in sources.items if not isinstance(each, Text))
         shape = shape or ("tuple-sources" if sources.kind == "tuple" else "")
     else:
-        texts, places, unknown = [], [], (*unknown, doubt(sources))
+        texts, places, unknown = [], [], (*unknown, unknown_value(sources))
     files = [
         file(path, each, where, destination, index, folder, cwd) for each, where in zip(texts, places, strict=True)
     ]
@@ -112,7 +112,7 @@ def file(
     return DataFile(SetupText.of(path, source), place, own, target, index, absolute)
 
 
-def doubt(value: Value) -> Unknown:
+def unknown_value(value: Value) -> Unknown:
     return value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
 
 

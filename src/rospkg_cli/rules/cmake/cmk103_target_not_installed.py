@@ -80,7 +80,7 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries".
     A target that an exported one is linked with has to be exported too: CMake stops.
     """
-    if not package.ament:
+    if not package.is_ament:
         return
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
     for forgotten in UninstalledTargets(package.cmake).all():
@@ -93,13 +93,13 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
 
 
 def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
-    name = package.cmake.shown(forgotten.target.word)
+    name = package.cmake.quoted(forgotten.target.word)
     if forgotten.stops:
         return (
             f"{forgotten.needed_by} is linked with {name}, which no `install(TARGETS … EXPORT …)` names: CMake stops "
             'with "… requires target … that is not in any export set"; install it with the same export'
         )
-    if forgotten.target.executable:
+    if forgotten.target.is_executable:
         return (
             f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
             f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
@@ -109,7 +109,7 @@ def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
 
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:
     cmake, target = package.cmake, forgotten.target
-    if target.executable:
+    if target.is_executable:
         return install_executable(cmake, target)
     exports = [rule.export.text for rule in cmake.installs if rule.export is not None and forgotten.stops]
     return install_library(cmake, target, exports[0] if exports else "")

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...languages.rep149_condition import Comparison, ConditionError, parse_condition
+from ...languages.rep149_condition import Comparison, parse_condition
+from ...languages.syntax_problem import SyntaxProblemError
 from ...languages.xml.elements import Attribute
 from ...package.manifest import Manifest
 from ...ros.manifest import ENVIRONMENT
@@ -57,12 +58,12 @@ def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
     for attribute in manifest.conditions:
         try:
             condition = parse_condition(attribute.value)
-        except ConditionError as error:
+        except SyntaxProblemError as error:
             message = (
                 f"`{attribute.value}` is no condition: {error}; colcon prints a traceback and builds the folder as a "
                 f'plain package; write it as in `condition="$ROS_VERSION == 2"`'
             )
-            yield Hit(manifest.path, place(manifest, attribute, error.at), message)
+            yield Hit(manifest.path, place(manifest, attribute, error.problem.span.start), message)
             continue
         for comparison in condition.comparisons():
             if told := doubt(comparison):

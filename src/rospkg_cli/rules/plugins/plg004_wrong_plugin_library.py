@@ -86,12 +86,12 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     """
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None
-        fix = only_plain(fixed(libraries, wrong), wrong.meant)
+        fix = only_plain(fixed(libraries, wrong), wrong.suggestion)
         yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
 
 
 def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
-    path, meant, plugin = wrong.path.value, wrong.meant, wrong.entry.plugin.called
+    path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.called
     match wrong.fault:
         case "prefixed":
             return f"`{path}` is found, and pluginlib warns at each start: leave `lib` away, and write `{meant}`"
@@ -101,21 +101,21 @@ def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
             return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {meant} …)`"
     if wrong.certain:
         return f"no target makes a library `{path}`, `{plugin}` is compiled into `{meant}`: write that"
-    known = [each.name for each in libraries.cmake.targets if each.library and each.built]
+    known = [each.name for each in libraries.cmake.targets if each.is_library and each.is_built]
     hint = f" (did you mean `{meant}`?)" if meant else did_you_mean(path, known)
     return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded"
 
 
 def fixed(libraries: PluginLibraries, wrong: WrongLibraryPath) -> Fix | None:
-    if wrong.fault in ("prefixed", "unknown") and wrong.meant:
+    if wrong.fault in ("prefixed", "unknown") and wrong.suggestion:
         safety = Safety.SAFE if wrong.certain else Safety.UNSAFE
-        edit = Edit(wrong.entry.description.file, wrong.path.value_span, wrong.meant)
-        return Fix(f"write `{wrong.meant}`", (edit,), safety)
+        edit = Edit(wrong.entry.description.file, wrong.path.value_span, wrong.suggestion)
+        return Fix(f"write `{wrong.suggestion}`", (edit,), safety)
     root = libraries.cmake.root
     before = next(iter(libraries.cmake.named("ament_package", "ament_auto_package")), None)
     if wrong.fault == "absent" and before is not None and before.path == root.path and not before.inside:
         places = ("ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin")
         lines = "".join(f"\n{root.indent}{place}" for place in places)
-        edit = add_before(root, before.command, f"install(TARGETS {wrong.meant}{lines}\n)")
-        return Fix(f"install `{wrong.meant}`", (edit,))
+        edit = add_before(root, before.command, f"install(TARGETS {wrong.suggestion}{lines}\n)")
+        return Fix(f"install `{wrong.suggestion}`", (edit,))
     return None

@@ -1,0 +1,23 @@
+"""What is wrong with a text in its own language, and where: one type for all languages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class SyntaxProblem:
+    """A place that the language's own parser would refuse too; offsets are those of the text that was parsed."""
+
+    span: Span
+    message: str
+
+
+class SyntaxProblemError(ValueError):
+    """Raised by parsers that stop at the first problem."""
+
+    def __init__(self, problem: SyntaxProblem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
