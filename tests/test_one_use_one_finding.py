@@ -27,12 +27,6 @@ def test_a_package_is_no_other_way_to_get_what_it_looks_for() -> None:
     assert ["libopencv-dev" in each.message for each in found] == [True]
 
 
-def test_a_name_of_an_earlier_distribution_is_known_as_such(clean) -> None:
-    text = clean["package.xml"].replace("  <export>", "  <exec_depend>nav2_recoveries</exec_depend>\n  <export>")
-    (found,) = lint_files({**clean, "package.xml": text}, ["DEP001"]).findings
-    assert "is called `nav2_behaviors` since Humble" in found.message
-
-
 def test_what_brings_the_tool_that_tests_import_is_used() -> None:
     depends = "  <test_depend>launch_testing_ros</test_depend>\n"
     files = {

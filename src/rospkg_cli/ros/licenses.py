@@ -7,6 +7,7 @@ are those that ament_copyright (0.13 and later) recognises; the texts stand in `
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -39,6 +40,9 @@ LICENSES: tuple[License, ...] = (
 )
 """ament_copyright's one header for the GPL offers "any later version": nothing that it knows says `-only`."""
 
+CALLED: Mapping[str, tuple[str, ...]] = phrases("license_names.txt")
+"""What else people write for an id; "BSD" and "GPL" alone are no one license."""
+
 NOISE = re.compile(r"\b(the|licen[cs]e|version)\b|\bv(ersion)?\.?(?=\s*\d)|(?<=[a-z])v(?=\d)|[^a-z0-9+]")
 
 
@@ -49,7 +53,7 @@ def simplified(text: str) -> str:
 
 @cache
 def ids_by_name() -> dict[str, str]:
-    return {simplified(name): spdx for spdx, names in phrases("license_names.txt").items() for name in (spdx, *names)}
+    return {simplified(name): spdx for spdx, names in CALLED.items() for name in (spdx, *names)}
 
 
 def spdx_id(text: str) -> str | None:

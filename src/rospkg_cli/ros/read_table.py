@@ -1,8 +1,8 @@
 """Read the tables of ROS knowledge in `tables/`: names, a line each.
 
-A table begins with a header of comments: what it holds, then `source:`, `commit:`, `date:`, `license:` and `made by:` (a
-script of `bench/`, or `hand`).  Below it `#` begins a comment and `[words]` a section.  A row is a name and the words
-behind it; a name may have several rows.
+A table begins with a header of comments: what it holds, then `source:`, `commit:`, `date:`, `license:` (of the source)
+and `made by:` (a script of `bench/`, or `hand`).  Below it `#` begins a comment and `[words]` a section.  A row is a
+name and the words behind it; a name may have several rows.
 """
 
 from __future__ import annotations

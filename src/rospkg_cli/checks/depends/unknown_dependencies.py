@@ -1,4 +1,4 @@
-"""Dependencies whose names nobody knows, and what is meant by them."""
+"""Dependencies whose names are unknown, and the names to suggest instead (DEP001)."""
 
 from __future__ import annotations
 
@@ -6,42 +6,41 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.rep149_condition import always_holds
 from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
-from ...ros.distros import DISTROS, Distro, Targets
+from ...ros.distros import DISTROS, Targets
 from ...ros.imports import STANDARD
-from ...ros.read_table import rows
 from ...suggest import near
 from .declared_dependencies import DeclaredDependencies
-from .unavailable_on_target import UnavailableDependency
+from .unavailable_on_target import UnavailableName, lacking_distros
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
-"""Tags that ask for nothing to be installed: rosdoc2 reads names of its own in doc_depend."""
+"""Tags that install nothing: rosdoc2 reads names of its own in doc_depend."""
 
 PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
 
 MIN_LETTERS = 5
-"""A shorter name is too near to too many others."""
+"""Of a misspelt name: a shorter one is similar to too many others."""
 
 MIN_FAMILY = 3
-"""So many packages around begin with a word before it is the family's name."""
+"""So many packages of the workspace begin with a word before it counts as the prefix of a family."""
 
 
 @dataclass(frozen=True, slots=True)
 class UnknownDependency:
-    """A dependency that is no name of anything, or of nothing that a target has."""
+    """A dependency whose name is neither a package nor a rosdep key, or is one that a target lacks."""
 
     dependency: Dependency
-    meant: str | None
-    why: str
-    """What the name is instead, as a sentence goes on."""
-    fails: str = "Cannot locate rosdep definition for [{}]"
-    """What rosdep says of the name."""
-    instead: str = ""
-    """What to do; "" where the name that is meant says it all."""
-    elsewhere: bool = False
+    suggestion: str | None
+    """The name to write instead."""
+    reason: str
+    """What is wrong with the name, as the rest of a sentence: `is its name on PyPI`."""
+    rosdep_error: str = "Cannot locate rosdep definition for [{}]"
+    """What rosdep prints; `{}` is the name."""
+    advice: str = ""
+    """What to do; "" where it is to write the suggestion."""
+    is_released_elsewhere: bool = False
     """Whether another distribution has a package of that name."""
 
 
@@ -51,7 +50,7 @@ class DependencyNames:
     targets: Targets
 
     def active(self) -> Iterator[Dependency]:
-        """Yield the dependencies that hold for a target, of a package of ROS 2; a name only where it comes first."""
+        """Yield the dependencies whose condition holds for a target: the first of each name."""
         seen: set[str] = set()
         for each in self.declared.manifest.dependencies if self.declared.is_checked else ():
             if (
@@ -63,99 +62,74 @@ class DependencyNames:
                 seen.add(each.name)
                 yield each
 
-    def again(self, first: Dependency) -> list[Dependency]:
+    def repeated(self, first: Dependency) -> list[Dependency]:
         """Return the dependencies of the same name that come later."""
         return [d for d in self.declared.manifest.dependencies if d.name == first.name and d is not first]
 
-    def of_ros1(self) -> Iterator[tuple[Dependency, tuple[str, ...]]]:
-        """Yield the dependencies that only ROS 1 has, and what took their place."""
-        for each in self.active():
-            taken = successors(each.name)
-            if taken is not None and self.declared.workspace.named(each.name) is None:
-                yield each, taken
+    def unknown(self) -> Iterator[UnknownDependency]:
+        """Yield the dependencies that are neither a package nor a rosdep key, as far as that is certain.
 
-    def pip_keys(self) -> Iterator[Dependency]:
-        """Yield the dependencies that PyPI serves on a target."""
+        Names that only ROS 1 has are left to DEP203.
+        """
+        workspace = self.declared.workspace
         for each in self.active():
-            workspace = self.declared.workspace
-            if workspace.named(each.name) is None and workspace.index.is_pip(each.name, self.targets):
-                yield each
-
-    def strange(self) -> Iterator[UnknownDependency]:
-        """Yield the dependencies that no package and no key is called like, as far as that is certain."""
-        for each in self.active():
-            if self.declared.workspace.is_here(each.name) or successors(each.name) is not None:
+            if workspace.is_available(each.name) or successors(each.name) is not None:
                 continue
-            index = self.declared.workspace.index
-            found = None if index.is_package(each.name) or index.is_key(each.name) else self.meant(each)
-            lacking = UnavailableDependency(each, self.declared.workspace, self.targets, self.lacking(each))
-            if found is None and lacking.distros:
-                told = (lacking.meant, lacking.why, lacking.fails, lacking.instead)
-                found = UnknownDependency(each, *told, elsewhere=bool(lacking.elsewhere))
-            if found is not None:
-                yield found
+            is_known = workspace.index.is_package(each.name) or workspace.index.is_key(each.name)
+            found = None if is_known else self.wrong_name(each)
+            yield from (found,) if found else self.unavailable(each)
 
-    def lacking(self, dependency: Dependency) -> tuple[Distro, ...]:
-        """Return the targets on which a name is needed for certain and can't be had; none where it can be on one that
-        may be the target, as long as nobody said which is."""
-        without = [each for each in self.targets if self.declared.workspace.resolves(dependency.name, each) is False]
-        needing = list(self.needing(dependency)) if without else []
-        found = [each for each in needing if each in without]
-        if not self.targets.names:
-            return tuple(found) if found == needing else ()
-        if self.declared.workspace.index.is_package(dependency.name):
-            found = [each for each in found if each.end_of_life]  # packages come and go in Rolling, as they are rebuilt
-        return tuple(found)
+    def unavailable(self, dependency: Dependency) -> Iterator[UnknownDependency]:
+        same = [each for each in (dependency, *self.repeated(dependency)) if each.tag not in NO_NEEDS]
+        distros = lacking_distros(same, self.declared.workspace, self.targets)
+        if distros:
+            found = UnavailableName(dependency.name, self.declared.workspace.index, distros)
+            yield UnknownDependency(
+                dependency,
+                found.suggestion,
+                found.reason,
+                found.rosdep_error,
+                found.advice,
+                is_released_elsewhere=bool(found.other_distros),
+            )
 
-    def needing(self, dependency: Dependency) -> Iterator[Distro]:
-        """Yield the targets for which a dependency of that name holds for certain."""
-        same = [each for each in (dependency, *self.again(dependency)) if each.tag not in NO_NEEDS]
-        for distro in self.targets:
-            environments = Targets((distro.name,)).environments()
-            if any(always_holds(each.condition, environments) for each in same):
-                yield distro
-
-    def meant(self, dependency: Dependency) -> UnknownDependency | None:
-        """Return what is meant by a name that is wrong for certain, whatever an index would say."""
+    def wrong_name(self, dependency: Dependency) -> UnknownDependency | None:
+        """Return what is wrong with a name that is wrong in any case, with or without a fetched index; else None."""
         name = dependency.name
         listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
         if listed and not name.islower():
             return UnknownDependency(dependency, listed[0], "is what CMake calls it")
         if name.removeprefix("python3-").replace("-", "_") in STANDARD:
-            return UnknownDependency(dependency, None, "comes with Python itself", instead="take the line out")
+            return UnknownDependency(dependency, None, "comes with Python itself", advice="remove the line")
         key = key_for_pip(name, self.declared.workspace.index) if self.is_for_python(dependency) else None
         if key is not None:
             return UnknownDependency(dependency, key, "is its name on PyPI")
         key = key_for_apt(name, self.declared.workspace.index)
         if key is not None:
             return UnknownDependency(dependency, key, "is its name in Ubuntu")
-        if later := rows("earlier.txt").get(name):
-            return UnknownDependency(
-                dependency, later[0], f"is called {' and '.join(f'`{each}`' for each in later)} since Humble"
-            )
-        if (member := self.renamed(name)) is not None:
-            return UnknownDependency(dependency, member, "is no package of this workspace or any other that is known")
+        if (member := self.with_family_prefix(name)) is not None:
+            return UnknownDependency(dependency, member, "is no known ROS package, here or elsewhere")
         if (core := self.misspelt(name)) is not None:
             guess = f"did you mean `{core}`?"
-            return UnknownDependency(dependency, core, "is no package and no key that is known", instead=guess)
+            return UnknownDependency(dependency, core, "is no known ROS package or rosdep key", advice=guess)
         return None
 
     def is_for_python(self, dependency: Dependency) -> bool:
-        """Return whether a name may well be one of PyPI: a C++ package may have a private dependency of that name."""
+        """Return whether a name may be one of PyPI: in a C++ package it may be a private dependency."""
         python = self.declared.facts.build_type == "ament_python"
         return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
 
-    def renamed(self, name: str) -> str | None:
-        """Return the one package around that is called like a name but for the word that its family begins with."""
-        fitting = [each for each in self.declared.workspace.names if each.endswith(f"_{name}")]
-        if len(fitting) != 1:
+    def with_family_prefix(self, name: str) -> str | None:
+        """Return the only package of the workspace that is that name after its family's prefix: `acme_arm` for `arm`."""
+        matching = [each for each in self.declared.workspace.names if each.endswith(f"_{name}")]
+        if len(matching) != 1:
             return None
-        prefix = fitting[0].removesuffix(name)
+        prefix = matching[0].removesuffix(name)
         family = [each for each in self.declared.workspace.names if each.startswith(prefix)]
-        return fitting[0] if "_" not in prefix[:-1] and len(family) >= MIN_FAMILY else None
+        return matching[0] if "_" not in prefix[:-1] and len(family) >= MIN_FAMILY else None
 
     def misspelt(self, name: str) -> str | None:
-        """Return the one package that every distribution has and that is one letter away."""
+        """Return the only package of all distributions that is one letter away."""
         found = near(name, self.core_names, 1) if len(name) >= MIN_LETTERS else []
         return found[0] if len(found) == 1 else None
 

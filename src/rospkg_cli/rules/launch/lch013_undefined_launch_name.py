@@ -8,7 +8,7 @@ from ...checks.launch.imported import misimports
 from ...checks.launch.names import Unbound, undefined_names
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_exports import exporting_module
 from ...rule import rule
 from ...suggest import nearest
