@@ -9,7 +9,8 @@ from catkin_pkg.condition import evaluate_condition
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.rep149_condition import ConditionError, can_hold_together, may_hold, parse_condition
+from rospkg_cli.languages.rep149_condition import can_hold_together, may_hold, parse_condition
+from rospkg_cli.languages.syntax_problem import SyntaxProblemError
 from rospkg_cli.ros.distros import Targets
 
 ROS = Targets(("humble", "jazzy")).environments()
@@ -49,7 +50,7 @@ def test_what_catkin_pkg_refuses_is_refused(text: str) -> None:
 def outcome(evaluate: Callable[[], bool | None]) -> bool | str | None:
     try:
         return evaluate()
-    except ValueError:  # as ConditionError is one
+    except ValueError:  # as SyntaxProblemError is one
         return "refused"
 
 
@@ -66,13 +67,13 @@ def outcome(evaluate: Callable[[], bool | None]) -> bool | str | None:
     ],
 )
 def test_a_fault_is_shown_where_it_is(text: str, at: int) -> None:
-    with pytest.raises(ConditionError) as caught:
+    with pytest.raises(SyntaxProblemError) as caught:
         parse_condition(text)
-    assert caught.value.at == at
+    assert caught.value.problem.span.start == at
 
 
 def test_deep_parentheses_are_refused() -> None:
-    with pytest.raises(ConditionError, match="parentheses"):
+    with pytest.raises(SyntaxProblemError, match="parentheses"):
         parse_condition("(" * 5000)
 
 

@@ -77,7 +77,7 @@ def registered(package: Package) -> Iterator[RegisteredComponent]:
     cmake = package.parts(CMake).only
     found = [component for component in cmake.components if component.plugin.known] if cmake is not None else []
     for each in sorted(found, key=lambda component: component.plugin.text):
-        executable = each.is_executable.text if each.is_executable and each.is_executable.known else ""
+        executable = each.executable.text if each.executable and each.executable.known else ""
         target = each.target.text if each.target.known else ""
         yield RegisteredComponent(each.plugin.text, target, executable, each.plugin.path, each.plugin.span.start)
 

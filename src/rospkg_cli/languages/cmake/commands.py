@@ -62,14 +62,14 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if path is not None and interpreter.files.holds(path):
         interpreter.file(path)
     else:
-        interpreter.has_unknown_code = True
+        interpreter.reads_unknown_files = True
 
 
 def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
     folder = interpreter.path(call.texts[0]) if call.texts else None
     if folder is None or not interpreter.files.holds(posixpath.join(folder, ROOT)):
-        interpreter.has_unknown_code = True
+        interpreter.reads_unknown_files = True
         return
     outer = interpreter.scope
     interpreter.scope = VariableScope(outer)
@@ -99,7 +99,7 @@ def leave_by(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
 
 def has_unknown_effects(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """What FetchContent brings is read as part of the package."""
-    interpreter.has_unknown_code = True
+    interpreter.reads_unknown_files = True
 
 
 def set_first_unknown(interpreter: Interpreter, call: EvaluatedCommand) -> None:

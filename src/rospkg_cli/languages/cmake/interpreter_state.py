@@ -44,7 +44,7 @@ class InterpreterState:
     frame: Frame = field(default_factory=lambda: Frame(ROOT))
     assume: str | None = None
     """What BUILD_TESTING is while a condition is tried."""
-    has_unknown_code: bool = False
+    reads_unknown_files: bool = False
     """Something was read that we can't see: it may have set any variable, and made any target."""
     steps: int = 0
     spent: int = 0
@@ -97,7 +97,7 @@ class InterpreterState:
 
     def is_surely_unset(self, name: str) -> bool:
         """Return whether a variable that has no value yet is empty, because only the package itself sets it."""
-        if self.has_unknown_code or name in self.possibly_assigned or name.startswith("CMAKE_"):
+        if self.reads_unknown_files or name in self.possibly_assigned or name.startswith("CMAKE_"):
             return False
         return name in self.assigned
 

@@ -32,7 +32,7 @@ class CMake:
     package: PackageFiles = field(repr=False)
     files: tuple[CMakeFile, ...]
     calls: tuple[EvaluatedCommand, ...]
-    idle: tuple[EvaluatedCommand, ...] = ()
+    unreachable: tuple[EvaluatedCommand, ...] = ()
     """Commands in branches that are never taken and loops over nothing."""
     stopped: str = ""
     """Why the run was cut short: then nothing may be concluded from what is absent."""
@@ -199,5 +199,5 @@ def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
     if machine.broken:
         yield from machine.broken
     else:
-        files, calls, idle = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.idle)
-        yield CMake(reading.files, files, calls, idle, machine.stopped, machine.has_unknown_code)
+        files, calls, unreachable = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.unreachable)
+        yield CMake(reading.files, files, calls, unreachable, machine.stopped, machine.reads_unknown_files)

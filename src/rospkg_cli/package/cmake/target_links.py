@@ -79,7 +79,7 @@ class Links:
         if self.cmake.named("ament_auto_package", "autoware_ament_auto_package"):
             automatic = ("ament_auto_add_library", "ament_auto_add_executable")
             named |= {target.name for target in self.cmake.targets if target.call.name in automatic}
-        components = {each.is_executable.text for each in self.cmake.components if each.is_executable is not None}
+        components = {each.executable.text for each in self.cmake.components if each.executable is not None}
         return frozenset(named | components)
 
     def shared(self, target: Target) -> bool:
