@@ -21,8 +21,8 @@ from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.entity import from_xml, from_yaml
-from rospkg_cli.package.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
-from rospkg_cli.package.launch.made import NODES
+from rospkg_cli.package.launch.launch_file import DeclaredArgument, Include, LaunchedNode, LaunchFile
+from rospkg_cli.package.launch.python_actions import NODES
 from rospkg_cli.package.launch.text import LaunchText
 from rospkg_cli.package.package import Package
 from rospkg_cli.report.inspect_launch import launch_lines

@@ -9,11 +9,11 @@ from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.xml.parser import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
-from rospkg_cli.package.launch.around import LaunchFiles
-from rospkg_cli.package.launch.evaluation import LaunchEvaluator
-from rospkg_cli.package.launch.events import Summary
-from rospkg_cli.package.launch.events_python import MAX_VISITS, Visit
-from rospkg_cli.package.launch.python import read_python_launch
+from rospkg_cli.package.launch.configuration_events import Summary
+from rospkg_cli.package.launch.launch_evaluator import LaunchEvaluator
+from rospkg_cli.package.launch.python_events import MAX_VISITS, ExecutionOrder
+from rospkg_cli.package.launch.read_python import read_python_launch
+from rospkg_cli.package.launch.workspace_launch_files import LaunchFiles
 from rospkg_cli.package.setup.setup_cfg import parse_setup_cfg
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
@@ -46,7 +46,7 @@ def test_what_holds_itself_comes_to_an_end(text: str) -> None:
 def test_visits_are_bounded() -> None:
     evaluator = LaunchEvaluator(parse_python(Source("a.launch.py", OPAQUE)), folder())
     evaluator.run_all()
-    visit = Visit(evaluator)
+    visit = ExecutionOrder(evaluator)
     ((_, value),) = [each for each in evaluator.results.values() if each[0].name == "generate_launch_description"]
     assert sum(1 for _ in visit.visit(value, 0)) < 10 * MAX_VISITS
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.launch.call_errors import call_faults
 from rospkg_cli.checks.launch.imported import misimports
 from rospkg_cli.checks.launch.names import undefined_names
+from rospkg_cli.checks.launch.robot_description import robot_parameters
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.package import Package
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
@@ -41,7 +43,7 @@ def read(text: str) -> LaunchFile:
 def misused(*actions: str) -> list[str]:
     """Return the code of what is misused when these are built."""
     file = read(f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{', '.join(actions)}])\n")
-    return [file.source.slice(each.span) for each in file.misuses]
+    return [file.source.slice(each.span) for each in call_faults(file)]
 
 
 @pytest.mark.parametrize(
@@ -135,7 +137,7 @@ def test_launch_takes_it(action: str) -> None:
 
 def test_a_description_that_is_not_returned() -> None:
     file = read("from launch import LaunchDescription\ndef generate_launch_description():\n    LaunchDescription([])\n")
-    assert [file.source.slice(each.span) for each in file.misuses] == ["generate_launch_description"]
+    assert [file.source.slice(each.span) for each in call_faults(file)] == ["generate_launch_description"]
 
 
 @pytest.mark.parametrize(
@@ -197,7 +199,9 @@ def test_robot_descriptions_that_are_read_as_yaml(value: str, spans: list[str]) 
         f"        Node(package='p', executable='e', parameters=[{{'robot_description': {value}}}])])\n"
     )
     file = read(text)
-    assert [file.source.slice(each.span) for each in file.unquoted] == spans
+    evaluated = file.evaluated
+    assert evaluated is not None
+    assert [file.source.slice(each.span) for each in robot_parameters(evaluated)] == spans
 
 
 @pytest.mark.parametrize(

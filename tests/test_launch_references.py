@@ -9,7 +9,7 @@ from reading import package
 
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, manifest
 from rospkg_cli.finding import Edit
-from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.testing import lint_files
 
 HEAD = """\

@@ -8,7 +8,7 @@ from rospkg_cli.engine.run.rule_inputs import InputBuilder
 from rospkg_cli.example import Example
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.cmake.cmake_project import CMake
-from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.package_facts import PackageFacts

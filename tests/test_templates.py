@@ -16,7 +16,7 @@ import yaml
 from pairwise import pairwise
 from planned import ADA, around, plan, texts
 
-from rospkg_cli.package.launch.file import LaunchFile
+from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
@@ -144,13 +144,17 @@ def test_a_description_shows_the_robot_in_every_form(form: str) -> None:
 def test_what_is_there_for_its_launch_files_has_some(template: str) -> None:
     with pytest.raises(ScaffoldError, match="py, xml or yaml"):
         plan("my_robot", template=template, launch="none")
-    with_config = make_plan(Request("my_robot", template=template, **ADA), Path(), {"launch": "none"}, WorkspacePackages())
+    with_config = make_plan(
+        Request("my_robot", template=template, **ADA), Path(), {"launch": "none"}, WorkspacePackages()
+    )
     assert "launch/my_robot.launch.py" in texts(with_config)
     with pytest.raises(ScaffoldError, match="no launch file; leave --launch out"):
         plan("my_robot", template="interfaces", launch="xml")
     with pytest.raises(ScaffoldError, match=r"no launch files in `xlm` \(did you mean `xml`\?\)"):
         plan(launch="xlm")
-    assert make_plan(Request("my_robot", template="interfaces", **ADA), Path(), {"launch": "xml"}, WorkspacePackages()).files
+    assert make_plan(
+        Request("my_robot", template="interfaces", **ADA), Path(), {"launch": "xml"}, WorkspacePackages()
+    ).files
 
 
 def faultless(planned: Plan) -> None:

@@ -11,8 +11,8 @@ from .cmake.cmake_facts import exported_targets, registered_components
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
-from .launch.file import launch_summaries, started_nodes
-from .launch.signature import launch_signatures
+from .launch.launch_file import launch_summaries, started_nodes
+from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
@@ -49,8 +49,8 @@ def collect_facts(reading: Reading, targets: Targets, folder: str, fallback: str
         groups=groups(manifest, targets),
         group_dependencies=group_dependencies(manifest, targets),
         executables=installed.executables,
-        astray=installed.astray,
-        starts=started_nodes(reading),
+        misplaced_executables=installed.misplaced_executables,
+        started_nodes=started_nodes(reading),
         launch_files=launch_signatures(reading),
         launch_summaries=launch_summaries(reading),
         interfaces=interfaces,
@@ -59,7 +59,7 @@ def collect_facts(reading: Reading, targets: Targets, folder: str, fallback: str
         node_code=node_code(reading) if any(each.required for each in declared) else (),
         share_files=installed.share_files,
         uninstalled=uninstalled_files(reading),
-        made=made_files(reading),
+        written_files=made_files(reading),
         components=components,
         cmake_targets=exported_targets(reading),
         modules=installed.modules,
@@ -67,7 +67,7 @@ def collect_facts(reading: Reading, targets: Targets, folder: str, fallback: str
         plugin_uses=plugins.uses,
         loaders=plugins.loaders,
         unknown=frozenset(unknown),
-        metapackage=is_metapackage(reading.files, manifest),
+        is_metapackage=is_metapackage(reading.files, manifest),
         headers=include_dirs(reading.files),
     )
 

@@ -7,8 +7,8 @@ from fnmatch import fnmatchcase
 from typing import Literal
 
 from ..source import Span
-from .launch.declared import LaunchSignature
-from .launch.events import Summary
+from .launch.configuration_events import Summary
+from .launch.launch_signature import LaunchSignature
 from .params.declared import DeclaredParameter, NodeCode
 
 UnknownField = Literal[
@@ -71,13 +71,13 @@ class PackageFacts:
     """The groups it is a member of, for every target."""
     group_dependencies: tuple[ActiveDependency, ...] = ()
     """The groups it depends on."""
-    metapackage: bool = False
+    is_metapackage: bool = False
     """Whether it has nothing of its own and only names others."""
     executables: frozenset[str] = frozenset()
     """What stands in lib/<name> after the build."""
-    astray: frozenset[str] = frozenset()
+    misplaced_executables: frozenset[str] = frozenset()
     """Executables that are installed where `ros2 run` does not look, such as bin/."""
-    starts: frozenset[tuple[str, str]] = frozenset()
+    started_nodes: frozenset[tuple[str, str]] = frozenset()
     """What its launch files start under literal names: package and executable."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
@@ -85,7 +85,7 @@ class PackageFacts:
     """What stands in share/<name> after the build, relative to it."""
     uninstalled: frozenset[str] = frozenset()
     """The files that it has in its folders for run time, and that nothing installs."""
-    made: frozenset[str] = frozenset()
+    written_files: frozenset[str] = frozenset()
     """The names of the files that its build writes, or installs though they are not here; `*` is what can't be told."""
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
@@ -112,17 +112,17 @@ class PackageFacts:
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""
 
     @property
-    def ament(self) -> bool:
+    def is_ament(self) -> bool:
         """Whether it is a package of ROS 2 that is built with CMake."""
         return self.build_type in ("ament_cmake", "cmake")
 
     def knows(self, field: UnknownField) -> bool:
         return field not in self.unknown
 
-    def makes(self, path: str) -> bool:
+    def may_write(self, path: str) -> bool:
         """Return whether its build may write a file, wherever it goes."""
         name = path.rpartition("/")[2]
-        return any(fnmatchcase(path if "/" in pattern else name, pattern) for pattern in self.made)
+        return any(fnmatchcase(path if "/" in pattern else name, pattern) for pattern in self.written_files)
 
     def at(self, path: str) -> str:
         """Return the path of a file of this package as another package's rule must write it."""

@@ -16,8 +16,8 @@ from .cmake.cmake_project import CMake, read_cmake, read_cmake_files
 from .install_table import InstallTable
 from .interfaces.interface_file import InterfaceFile
 from .interfaces.reader import read_interfaces
-from .launch.file import LaunchFile
-from .launch.reader import read_launch_files
+from .launch.launch_file import LaunchFile
+from .launch.read_launch_files import read_launch_files
 from .manifest import Manifest, read_manifest
 from .params.file import ParameterFile
 from .params.library import ParameterLibrary, read_parameter_libraries

@@ -9,7 +9,7 @@ from ..ros.distros import Distro, Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
-from .launch.around import LaunchFiles
+from .launch.workspace_launch_files import LaunchFiles
 from .package_facts import PackageFacts, Plugin
 from .params.index import ParameterIndex
 
@@ -76,13 +76,13 @@ class Workspace:
         unsure = not self.complete or name in self.prefix_names
         return Known.CANT_TELL if found is Known.UNKNOWN and unsure else found
 
-    def is_here(self, name: str) -> bool:
+    def is_available(self, name: str) -> bool:
         """Return whether a package is around, or installed on this machine."""
         return name in self._by_name or name in self.prefix_names
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
         """Return whether a name can be had on a distribution; None where nobody can tell."""
-        found = self.is_here(name) or self.index.resolves(name, distro)
+        found = self.is_available(name) or self.index.resolves(name, distro)
         return found if found or self.complete else None
 
     @cached_property
@@ -90,15 +90,15 @@ class Workspace:
         found = {base: {package} for base, package in LOADED_FROM.items()}
         for facts in self.packages:
             for package, base in facts.loaders:
-                if self.is_here(package) or self.what(package) is Known.PACKAGE:
+                if self.is_available(package) or self.what(package) is Known.PACKAGE:
                     found.setdefault(base, set()).add(package)
         return found
 
-    def loading(self, base: str) -> frozenset[str]:
+    def loaders_of(self, base: str) -> frozenset[str]:
         """Return the packages whose plug-ins of a base class are loaded, as far as that is known."""
         return frozenset(self._loading.get(base, ()))
 
-    def loaded_from(self, package: str) -> frozenset[str]:
+    def bases_loaded_from(self, package: str) -> frozenset[str]:
         """Return the base classes whose plug-ins must be exported to a package, as far as that is known."""
         return frozenset(base for base, packages in self._loading.items() if package in packages)
 
@@ -126,7 +126,7 @@ class Workspace:
         """Return the packages around that have the folder of a header."""
         return frozenset(self._by_headers.get(header.rpartition("/")[0], ()))
 
-    def serving(self, module: str) -> tuple[str, ...]:
+    def providers_of(self, module: str) -> tuple[str, ...]:
         """Return what serves an import: a package around, a ROS package, a rosdep key; nothing where nobody can tell.
 
         Any of the names will do, and the first is the one to recommend.

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from ..control_characters import visible
-from ..package.launch.file import DeclaredArgument, Include, LaunchedNode, LaunchFile
+from ..package.launch.launch_file import DeclaredArgument, Include, LaunchedNode, LaunchFile
 from ..package.launch.text import LaunchText
 from .color import paint
 

@@ -16,7 +16,7 @@ from ..files import PackageFiles
 from ..index import NamesError
 from ..index.cache import names
 from ..package.collect_facts import collect_facts
-from ..package.launch.file import LaunchFile
+from ..package.launch.launch_file import LaunchFile
 from ..package.manifest import Manifest
 from ..package.package import Package
 from ..package.package_facts import PackageFacts

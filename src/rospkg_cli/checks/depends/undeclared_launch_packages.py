@@ -11,7 +11,7 @@ from ...files import PackageFiles
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import OwnModules, PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
@@ -70,7 +70,7 @@ class LaunchDependencies:
     def is_unknown_package(self, name: str) -> bool:
         """Return whether nobody knows a package of that name."""
         workspace = self.declared.workspace
-        return not workspace.is_here(name) and workspace.what(name) is not Known.PACKAGE
+        return not workspace.is_available(name) and workspace.what(name) is not Known.PACKAGE
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
         """Return each package that is needed and not declared, with the places that need it."""

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile, InstallTable
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...ros.launch_entities import LAUNCH_SUFFIXES
 from ...ros.share_layout import LAUNCH

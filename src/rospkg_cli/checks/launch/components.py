@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace

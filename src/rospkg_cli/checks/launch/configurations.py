@@ -8,11 +8,12 @@ from functools import cached_property
 from typing import Literal
 
 from ...package.file_role import role_of
-from ...package.launch.events import Event
-from ...package.launch.file import DeclaredArgument, LaunchFile
+from ...package.launch.configuration_events import Event
+from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
+from .entity_schema import entity_faults
 
 State = Literal["undeclared", "late", "not added"]
 """`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""
@@ -41,7 +42,7 @@ class Configurations:
     def started(self) -> bool:
         """Whether this is a launch file that people start, and of which everything can be told."""
         told = self.file.entry and self.file.complete and self.file.events is not None and not self.file.ros1
-        return told and not self.file.faults and role_of(self.file.path) == "launch"
+        return told and role_of(self.file.path) == "launch" and not any(entity_faults(self.file))
 
     @property
     def file_name(self) -> str:

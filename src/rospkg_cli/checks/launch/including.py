@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.launch.declared import LaunchSignature
-from ...package.launch.file import Include
-from ...package.launch.named_paths import paths_in
+from ...package.launch.file_references import paths_in
+from ...package.launch.launch_file import Include
+from ...package.launch.launch_signature import LaunchSignature
 from ...source import Span
 from ...suggest import nearest
 from .scope import LaunchScope

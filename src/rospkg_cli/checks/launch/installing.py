@@ -56,12 +56,19 @@ class LaunchedFiles:
     @cached_property
     def said_folders(self) -> frozenset[str]:
         """The folders of which nothing is installed, and those whose glob matches nothing."""
-        found = set(self.folders.forgotten()) if self.folders is not None and self.cmake is not None else set()
+        found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
         if self.setup is not None and self.shared is not None:
-            found |= {*self.shared.forgotten, *(folder_of(glob.pattern) for glob in self.shared.empty_globs)}
+            found |= {
+                *self.shared.uninstalled_runtime_folders,
+                *(folder_of(glob.pattern) for glob in self.shared.empty_globs),
+            }
         return frozenset(found)
 
     @cached_property
     def said_files(self) -> frozenset[str]:
         """The files that lie beside those which a glob finds."""
-        return frozenset(each.path for each in self.shared.missed) if self.setup and self.shared else frozenset()
+        return (
+            frozenset(each.path for each in self.shared.uninstalled_neighbours)
+            if self.setup and self.shared
+            else frozenset()
+        )

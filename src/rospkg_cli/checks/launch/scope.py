@@ -12,8 +12,8 @@ from ...files import PackageFiles
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
-from ...package.launch.file import LaunchFile
-from ...package.launch.named_paths import NamedPath, Use
+from ...package.launch.file_references import NamedPath, Use
+from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
@@ -59,7 +59,7 @@ class LaunchScope:
         """Whether it is a test that nobody runs: CMake does not name it, as far as that can be told."""
         test = role_of(self.file.path) == "test"
         told = self.cmake is not None and self.cmake.complete
-        return test and told and self.cmake is not None and not self.cmake.speaks_of(self.file.path)
+        return test and told and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
     @property
     def left_over(self) -> bool:
@@ -86,7 +86,7 @@ class LaunchScope:
             return self.beside(named)
         own = named.package == self.package.name
         facts = self.package if own else self.workspace.named(named.package)
-        if facts is None or not facts.knows("share_files") or facts.makes(named.path):
+        if facts is None or not facts.knows("share_files") or facts.may_write(named.path):
             return None
         there = named.path in facts.share_files
         if not named.parted:
@@ -111,7 +111,7 @@ class LaunchScope:
 
     def beside(self, named: NamedPath) -> Missing | None:
         """Judge a file that is reckoned from the launch file: from where it stands, and from where it is installed."""
-        if self.files.is_there(named.path) or self.package.makes(named.path):
+        if self.files.is_there(named.path) or self.package.may_write(named.path):
             return None
         if not self.package.knows("share_files"):
             return None

@@ -57,6 +57,8 @@ class Started:
             return
         for node in self.nodes():
             facts = node.facts
-            known = node.executable in facts.executables | facts.astray or facts.makes(node.executable)
+            known = node.executable in facts.executables | facts.misplaced_executables or facts.may_write(
+                node.executable
+            )
             if facts.knows("executables") and not known:
                 yield node

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.install_table import InstallTable
-from ...package.launch.file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...package.package_facts import PackageFacts
 from ...package.params.declared import DeclaredParameter

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from posixpath import normpath
 
 from ...files import Reading
-from ..launch.file import LaunchFile
+from ..launch.launch_file import LaunchFile
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.file_role import role_of
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 from ...source import Span
 

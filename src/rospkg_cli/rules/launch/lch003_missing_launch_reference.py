@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.launch.scope import LaunchScope, Missing
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.launch.named_paths import Use
+from ...package.launch.file_references import Use
 from ...rule import rule
 
 LAUNCH = """\

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.removed_arguments import removed_arguments
+from ...edits.fault_hits import hits
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.launch.file import LaunchFile
+from ...finding import Hit, Safety, Severity
+from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 PYTHON = """\
@@ -61,9 +63,4 @@ def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
     The launch stops with "__init__() got an unexpected keyword argument 'node_executable'" or "missing 1 required
     keyword-only argument: 'executable'".
     """
-    for each in file.removed:
-        other = f", and `{each.now}` is given as well: take it out" if each.twice else f"; it is `{each.now}` now"
-        message = f"launch no longer takes `{each.name}` of a node and stops there{other}"
-        edit = Edit(file.path, each.span, each.now)
-        fix = None if each.twice else Fix(f"call it `{each.now}`", (edit,))
-        yield Hit(file.path, each.span, message, fix=fix)
+    yield from hits(file.path, removed_arguments(file))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.ros1_syntax import ros1_syntax
 from ...checks.launch.scope import LaunchScope
+from ...edits.fault_hits import hits
 from ...example import Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.launch.faults import OldSyntax
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 from ...source import Span
 
@@ -68,8 +69,7 @@ def ros1_launch_syntax(scope: LaunchScope) -> Iterator[Hit]:
     `ros2 launch` stops with "Unknown substitution: find" or "Unrecognized entity of the type: param".
     """
     file = scope.file
-    for each in file.old:
-        yield Hit(file.path, each.span, f"{told(each)}: `ros2 launch` refuses the file", fix=rename(file.path, each))
+    yield from hits(file.path, ros1_syntax(file))
     if scope.left_over:
         at = file.source.text.find("<launch") + 1
         message = (
@@ -77,13 +77,3 @@ def ros1_launch_syntax(scope: LaunchScope) -> Iterator[Hit]:
             "refuses it; port it, or install it no longer"
         )
         yield Hit(file.path, Span(at, at + len("launch") if at else 0), message, Severity.WARNING)
-
-
-def told(old: OldSyntax) -> str:
-    return f"{old.old} is ROS 1's" + (f", ROS 2 has {old.new}" if old.new else " and ROS 2 has nothing like it")
-
-
-def rename(path: str, old: OldSyntax) -> Fix | None:
-    if old.name is None:
-        return None
-    return Fix(f"write {old.new}", (Edit(path, old.name, old.now),))

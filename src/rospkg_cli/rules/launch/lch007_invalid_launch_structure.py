@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.expressions import expression_faults
+from ...checks.launch.entity_schema import entity_faults
+from ...checks.launch.python_expressions import expression_faults
+from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.launch.file import LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 BAD = '<launch>\n  <let name="speed" «valeu»="1.0"/>\n</launch>\n'
@@ -72,9 +74,5 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     launch reads an XML or YAML file as a whole before it starts anything: one error, and nothing is started. An
     expression that Python can't evaluate stops the launch when it is evaluated.
     """
-    for fault in file.faults:
-        yield Hit(file.path, fault.span, fault.message)
-    for bad in expression_faults(file) if file.entry and not file.ros1 else ():
-        level = Severity.WARNING if bad.by_default else None
-        hint = f"; write {bad.name.title()}" if bad.name in ("true", "false") else ""
-        yield Hit(file.path, bad.span, f"`{bad.text.strip()}` {bad.why}{hint}", level)
+    yield from hits(file.path, entity_faults(file))
+    yield from hits(file.path, expression_faults(file))

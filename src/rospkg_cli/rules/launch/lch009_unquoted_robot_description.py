@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.robots import Robots
+from ...checks.launch.robot_description import RobotDescriptions, RobotParameter
 from ...edits.launch_file import import_name, wrap
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.launch.file import LaunchFile
-from ...package.launch.unquoted import Unquoted
+from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 NEEDED = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in ("robot_state_publisher", "ros2launch", "xacro"))
@@ -41,7 +40,7 @@ BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description
 @rule(
     "LCH009",
     "unquoted-robot-description",
-    over=Robots,
+    over=RobotDescriptions,
     severity=Severity.WARNING,
     levels={Severity.INFO: "no file of the robot is known that YAML can't read"},
     examples=(
@@ -56,7 +55,7 @@ BAD = GOOD.replace("ParameterValue(description, value_type=str)", "«description
         ),
     ),
 )
-def unquoted_robot_description(robots: Robots) -> Iterator[Hit]:
+def unquoted_robot_description(robots: RobotDescriptions) -> Iterator[Hit]:
     """
     ## What it does
     Finds robot descriptions from a command that are not wrapped in `ParameterValue`.
@@ -71,7 +70,7 @@ def unquoted_robot_description(robots: Robots) -> Iterator[Hit]:
     ## Fix safety
     The value is wrapped, and ParameterValue is imported: the parameter is the same string.
     """
-    for each, robot in robots.unquoted():
+    for each, robot in robots.parameters():
         ends = f'the launch stops with "Unable to parse the value of parameter {each.parameter} as yaml"'
         if robot:
             message = f"launch_ros reads `{each.parameter}` as YAML, and `{robot}` holds `: ` or ` #`: {ends}"
@@ -83,9 +82,9 @@ def unquoted_robot_description(robots: Robots) -> Iterator[Hit]:
         )
 
 
-def wrapped(file: LaunchFile, each: Unquoted) -> Fix | None:
-    if not each.written or file.python is None:
+def wrapped(file: LaunchFile, each: RobotParameter) -> Fix | None:
+    if not each.is_in_dict or file.python is None:
         return None
     edits = wrap(file.path, each.span, "ParameterValue(", ", value_type=str)")
     imported = import_name(file.python, "launch_ros.parameter_descriptions", "ParameterValue")
-    return Fix("call it a text", (*edits, *imported), Safety.SAFE)
+    return Fix("pass it as a string", (*edits, *imported), Safety.SAFE)

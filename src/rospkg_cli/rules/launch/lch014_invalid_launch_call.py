@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.call_errors import call_faults
+from ...edits.fault_hits import hits
 from ...example import Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.launch.file import LaunchFile
-from ...package.launch.misuse import Misuse
+from ...finding import Hit, Safety, Severity
+from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n"
@@ -69,12 +70,4 @@ def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.
     """
-    for misuse in file.misuses if file.entry else ():
-        yield Hit(file.path, misuse.span, misuse.message, fix=mended(file, misuse))
-
-
-def mended(file: LaunchFile, misuse: Misuse) -> Fix | None:
-    if misuse.mend is None:
-        return None
-    span, text = misuse.mend
-    return Fix(f"write `{text}`", (Edit(file.path, span, text),), Safety.SAFE)
+    yield from hits(file.path, call_faults(file))

@@ -1,0 +1,103 @@
+"""LCH007: what the XML and YAML frontends refuse: syntax, unknown or misplaced entities and attributes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...package.launch.entity import Entity
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.text import Substitution
+from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
+from ...suggest import did_you_mean, nearest
+from ..fault import Fault
+
+
+def entity_faults(file: LaunchFile) -> Iterator[Fault]:
+    """Yield what launch refuses in an XML or YAML launch file; nothing in one for ROS 1."""
+    if file.root is None or file.ros1:
+        return
+    for error in file.frontend_errors:
+        yield Fault(error.span, error.message)
+    for child in file.root.children:
+        yield from action_faults(child)
+    for each in file.substitutions:
+        yield from substitution_faults(each)
+    used = {each.arguments[0].literal or "" for each in file.configurations() if each.arguments}
+    yield from quoted_arguments(file.root, frozenset(used))
+
+
+def action_faults(entity: Entity) -> Iterator[Fault]:
+    kind = ACTIONS.get(entity.name)
+    if kind is None:
+        yield from unknown_action(entity)
+        return
+    yield from attribute_faults(entity, kind)
+    for child in entity.children:
+        if child.name in kind.inside:
+            yield from part_faults(child, entity.name)
+        elif kind.actions:
+            yield from action_faults(child)
+        elif not kind.open:
+            hint = did_you_mean(child.name, kind.inside)
+            message = f"`{child.name}` is not allowed inside `{entity.name}`{hint}: launch refuses the whole file"
+            yield Fault(child.name_span, message)
+
+
+def unknown_action(entity: Entity) -> Iterator[Fault]:
+    """Yield an unknown action that is one letter from a known one: packages add actions of their own."""
+    near = nearest(entity.name, ACTIONS, 1)
+    if near and entity.name not in ROS1_ONLY and entity.name not in PARTS:
+        yield Fault(entity.name_span, f"launch has no action `{entity.name}`; did you mean `{near}`?")
+
+
+def part_faults(entity: Entity, parent: str) -> Iterator[Fault]:
+    kind = INCLUDE_ARGUMENT if parent == "include" else PARTS[entity.name]
+    yield from attribute_faults(entity, kind)
+    for child in entity.children:
+        if child.name in kind.inside:
+            yield from part_faults(child, entity.name)
+        else:
+            yield Fault(child.name_span, f"`{child.name}` is not allowed inside `{entity.name}`")
+
+
+def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:
+    given, intended = entity.attribute_spans, set()
+    if entity.name == "node" and "type" in given:
+        given = {**given, "exec": given["type"]}
+        del given["type"]
+    for name, span in given.items():
+        if not kind.takes(name) and name not in kind.inside and not (kind.actions and name == "children"):
+            intended.add(nearest(name, kind.attributes | kind.inside))
+            hint = did_you_mean(name, kind.attributes | kind.inside)
+            message = f"`{entity.name}` has no attribute `{name}`{hint}: launch refuses the whole file"
+            yield Fault(span, message)
+    for name in sorted(kind.required - given.keys() - intended):
+        yield Fault(entity.name_span, f"`{entity.name}` lacks its attribute `{name}`: launch refuses the whole file")
+    if {"if", "unless"} <= given.keys():
+        yield Fault(given["unless"], f"`{entity.name}` has `if` and `unless`; launch takes one of them")
+
+
+def substitution_faults(found: Substitution) -> Iterator[Fault]:
+    """Yield what is wrong with the name of a substitution, and with the number of its arguments."""
+    if found.name not in SUBSTITUTIONS:
+        near = nearest(found.name, SUBSTITUTIONS, 1)
+        if near:
+            yield Fault(found.span, f"launch has no substitution `$({found.name} …)`; did you mean `$({near} …)`?")
+        return
+    count, (least, most) = len(found.arguments), SUBSTITUTIONS[found.name]
+    if not least <= count <= most:
+        wanted = str(least) if least == most else f"{least} to {most}"
+        message = f"`$({found.name} …)` takes {wanted} argument{'s' * (most != 1)}, not {count}"
+        yield Fault(found.span, f"{message}; quote an argument that holds blanks")
+
+
+def quoted_arguments(root: Entity, used: frozenset[str]) -> Iterator[Fault]:
+    """Yield `<param name="x" value="x"/>`, a literal value, where `x` is an argument of the file and used nowhere."""
+    declared = {
+        each.attributes["name"].text for each in root.walk() if each.name == "arg" and "name" in each.attributes
+    }
+    for each in root.walk():
+        name, value = each.attributes.get("name"), each.attributes.get("value")
+        if each.name == "param" and name and value and name.text == value.text and name.text in declared - used:
+            message = f"the parameter is the string `{value.text}`, not the argument of that name, which nothing uses"
+            yield Fault(value.span, f"{message}; write `$(var {value.text})`")

@@ -1,0 +1,93 @@
+"""Every text that a Python launch file hands to an action, a substitution, or what reads a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from collections.abc import Mapping as ByName
+
+from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
+from ...source import Span
+from .file_references import NamedPath, Use, paths_in
+from .launch_classes import class_of
+from .python_to_text import NAMED, text_of
+from .text import LaunchText
+
+LISTS = frozenset({
+    "arguments", "ros_arguments", "parameters", "cmd", "remappings", "launch_arguments", "actions", "entities",
+    "initial_entities", "composable_node_descriptions",
+})  # fmt: skip
+"""Arguments whose items are texts of their own; any other list is one text."""
+
+NO_TEXT = frozenset({
+    "LaunchDescription", "GroupAction", "TimerAction", "PathJoinSubstitution", "PathSubstitution", "LogInfo",
+})  # fmt: skip
+"""What takes actions, makes of its texts a path that something else uses, or only shows them."""
+
+READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xacro.process", "xacro.parse"})
+ASKS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
+ASKING_METHODS = frozenset({"exists", "is_file", "write_text", "touch", "open"})
+INCLUDING = ("LaunchDescriptionSource", "IncludeLaunchDescription")
+MAX_DEPTH = 20
+
+
+def named_paths(
+    calls: list[Call], folder: str, guarded: tuple[Span, ...], defaults: ByName[str, str]
+) -> Iterator[NamedPath]:
+    """Yield the files that a launch file in `folder` names, but for those that it asks for first or writes.
+
+    Whatever is read where a missing file is caught, as `guarded` says, is left out as well.
+    """
+    bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
+    found = [
+        path for call in bare for text in texts_of(call) for path in paths_in(text, folder, use_of(call), defaults)
+    ]
+    asked = {(path.package, path.path) for call in calls for path in asked_in(call, folder)}
+    return (path for path in dict.fromkeys(found) if (path.package, path.path) not in asked)
+
+
+def use_of(call: Call) -> Use:
+    name = class_of(call)
+    return "default" if name == "DeclareLaunchArgument" else "include" if name.endswith(INCLUDING) else "file"
+
+
+def texts_of(call: Call) -> Iterator[LaunchText]:
+    """Yield the texts that a call is given; a path that is only joined is not used yet."""
+    name = class_of(call)
+    if name:
+        takes = name == "Command" or name not in NAMED.keys() | NO_TEXT
+    else:
+        takes = call.callee in READERS or call.callee.rpartition(".")[2][:1].isupper()
+    if call.receiver is None and takes and not writes(call):
+        for argument in call.arguments:
+            yield from texts_in(argument.value, apart=argument.name in LISTS)
+
+
+def texts_in(value: Value, *, apart: bool = False, depth: int = 0) -> Iterator[LaunchText]:
+    if depth > MAX_DEPTH:
+        return
+    match value:
+        case Mapping():
+            for _, item in value.items.values():
+                yield from texts_in(item, depth=depth + 1)
+        case Sequence() if apart:
+            for item in value.items:
+                yield from texts_in(item, depth=depth + 1)
+        case Unknown():
+            for option in value.options:
+                yield from texts_in(option, apart=apart, depth=depth + 1)
+        case _:
+            yield text_of(value)
+
+
+def writes(call: Call) -> bool:
+    mode = call.get("mode", 1) if call.callee in READERS else None
+    return isinstance(mode, Text) and not set(mode.text).isdisjoint("wax+")
+
+
+def asked_in(call: Call, folder: str) -> Iterator[NamedPath]:
+    """Yield the paths of which a call asks whether they are there, or which it makes."""
+    if call.callee in ASKS or writes(call):
+        for value in call.positional[:1]:
+            yield from paths_in(text_of(value), folder)
+    elif call.receiver is not None and call.callee in ASKING_METHODS:
+        yield from paths_in(text_of(call.receiver), folder)

@@ -1,0 +1,85 @@
+"""What happens to launch configurations when a launch file runs, in the order of its visit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import Literal as OneOf
+
+from ...source import Span
+from .text import LaunchText, Literal
+
+NOWHERE = Span(0, 0)
+
+Kind = OneOf["use", "declare", "define", "pass", "include", "open", "push", "pop", "later"]
+"""`pass`: an include sets it for the included file; `open`: anything may be set from here on; `push` and `pop`: a scope
+of its own; `later`: what follows happens some time, when an event or a timer comes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    kind: Kind
+    name: str = ""
+    """Of the configuration; of the included file, without its folders; "" where that can't be told."""
+    span: Span = NOWHERE
+    optional: bool = False
+    """Of a use: it has a default; of a declaration: it has none, so that whoever starts the file gives it."""
+    passed_as: str = ""
+    """Of a use: the argument of an include that is all that it becomes."""
+
+
+def uses_of(*texts: LaunchText | None) -> Iterator[Event]:
+    """Yield the uses of launch configurations in some texts."""
+    for text in texts:
+        for found in text.substitutions("var") if text is not None else ():
+            if found.arguments:
+                name = found.arguments[0]
+                span = name.span if name.literal else found.span
+                yield Event("use", name.literal or "", span, optional=len(found.arguments) > 1)
+
+
+def passing(uses: Iterable[Event], name: str) -> Iterator[Event]:
+    """Yield the uses in what an include passes as an argument."""
+    yield from (replace(event, passed_as=name) for event in uses)
+
+
+def file_name(text: LaunchText) -> str:
+    """Return the name of an included file, as far as its last pieces tell."""
+    tail = ""
+    for part in reversed(text.parts):
+        if not isinstance(part, Literal):
+            return tail.rpartition("/")[2] if "/" in tail else ""
+        tail = part.text + tail
+    return tail.rpartition("/")[2]
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What other launch files may know of one."""
+
+    name: str
+    """Of the file, without its folders."""
+    defines: frozenset[str]
+    """The launch configurations that it declares, sets, or passes on."""
+    includes: frozenset[str]
+    """The names of the files that it includes."""
+    open: bool
+    """Whether it may define others, or include others."""
+    inherits: bool = False
+    """Whether it asks for what it does not define itself: then something beyond sets it."""
+
+
+def summary(name: str, events: Iterable[Event], complete: bool) -> Summary:
+    events = tuple(events)
+    defined = [event for event in events if event.kind in ("declare", "define", "pass")]
+    included = [event for event in events if event.kind == "include"]
+    names = {event.name for event in defined}
+    inherits = any(e.kind == "use" and e.name and not e.optional and e.name not in names for e in events)
+    unknown = any(not event.name for event in (*defined, *included)) or any(event.kind == "open" for event in events)
+    return Summary(
+        name,
+        frozenset(event.name for event in defined if event.name),
+        frozenset(event.name for event in included if event.name),
+        unknown or not complete,
+        inherits,
+    )

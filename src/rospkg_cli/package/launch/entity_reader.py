@@ -1,0 +1,178 @@
+"""Make a launch file of entities: the same for XML and YAML."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ...languages.located_text import LocatedText
+from ...ros.launch_entities import ACTIONS
+from ...source import Source, Span
+from .argument_defaults import literal_defaults
+from .entity import Entity, FrontendError
+from .entity_events import xml_events
+from .file_references import NamedPath, Use, paths_in
+from .launch_file import (
+    Command,
+    DeclaredArgument,
+    Frontend,
+    Include,
+    LaunchedNode,
+    LaunchFile,
+    NodeKind,
+    Parameters,
+)
+from .ros1 import is_ros1
+from .substitution import SubstitutionError, parse_text
+from .text import LaunchText, Literal, plain_text, unknown_text
+
+NODES: dict[str, NodeKind] = {
+    "node": "node",
+    "lifecycle_node": "lifecycle_node",
+    "node_container": "node_container",
+}
+
+
+@dataclass
+class EntityVisitor:
+    """One pass over the entities of a file."""
+
+    errors: list[FrontendError] = field(default_factory=list)
+    texts: list[LaunchText] = field(default_factory=list)
+    nodes: list[LaunchedNode] = field(default_factory=list)
+    includes: list[Include] = field(default_factory=list)
+    arguments: list[DeclaredArgument] = field(default_factory=list)
+    commands: list[Command] = field(default_factory=list)
+    assigned: list[LaunchText] = field(default_factory=list)
+
+    def text(self, written: LocatedText) -> LaunchText:
+        """Parse a value; what the grammar refuses becomes an error and an unknown text."""
+        try:
+            found = parse_text(written)
+        except SubstitutionError as error:
+            self.errors.append(FrontendError(written.part(error.at, min(error.at + 1, len(written.text))), str(error)))
+            return unknown_text(written.span)
+        self.texts.append(found)
+        return found
+
+    def paths(self, folder: str) -> Iterator[NamedPath]:
+        """Yield the files that the texts of a file in `folder` name."""
+        uses: dict[Span, Use] = {include.file.span: "include" for include in self.includes}
+        uses |= {each.default.span: "default" for each in self.arguments if each.default is not None}
+        defaults = literal_defaults(self.arguments, self.assigned)
+        for text in self.texts:
+            yield from paths_in(text, folder, uses.get(text.span, "file"), defaults)
+
+    def get(self, entity: Entity, name: str) -> LaunchText | None:
+        written = entity.attributes.get(name)
+        return None if written is None else self.text(written)
+
+    def need(self, entity: Entity, name: str) -> LaunchText:
+        """Return an attribute that has to be there; where it is absent, an unknown text."""
+        found = self.get(entity, name)
+        return unknown_text(entity.name_span) if found is None else found
+
+    def visit(self, entity: Entity, certain: bool) -> None:
+        """Read an action and what stands inside of it."""
+        certain = certain and not {"if", "unless"} & entity.attributes.keys()
+        for name in ("if", "unless"):
+            self.get(entity, name)
+        match entity.name:
+            case "node" | "lifecycle_node" | "node_container":
+                self.nodes.append(self.node(entity, NODES[entity.name], certain))
+            case "include":
+                self.includes.append(self.include(entity, certain))
+            case "arg":
+                self.arguments.append(self.argument(entity, certain))
+            case "executable":
+                self.commands.append(Command(entity.name_span, (self.need(entity, "cmd"),)))
+            case "let" | "set_parameter" | "set_env" | "append_env":
+                assigned = self.need(entity, "name")
+                self.get(entity, "value")
+                if entity.name == "let":
+                    self.assigned.append(assigned)
+            case _:
+                for written in entity.attributes.values():
+                    self.text(written)
+        for child in entity.named("composable_node"):
+            self.nodes.append(self.node(child, "composable_node", certain))
+        kind = ACTIONS.get(entity.name)
+        if kind is None or kind.actions:
+            for child in entity.children:
+                self.visit(child, certain)
+
+    def node(self, entity: Entity, kind: NodeKind, certain: bool) -> LaunchedNode:
+        certain = certain and not {"if", "unless"} & entity.attributes.keys()
+        arguments = [self.get(entity, name) for name in ("args", "ros_args", "output", "launch-prefix", "cwd")]
+        for child in entity.named("env"):
+            self.get(child, "value")
+        return LaunchedNode(
+            kind,
+            entity.name_span,
+            package=self.get(entity, "pkg"),
+            executable=self.get(entity, "exec"),
+            plugin=self.get(entity, "plugin"),
+            name=self.get(entity, "name"),
+            namespace=self.get(entity, "namespace"),
+            parameters=tuple(self.parameters(child) for child in entity.named("param")),
+            remappings=tuple((self.need(c, "from"), self.need(c, "to")) for c in entity.named("remap")),
+            arguments=tuple(text for text in arguments[:2] if text is not None),
+            certain=certain,
+        )
+
+    def parameters(self, entity: Entity) -> Parameters:
+        file = self.get(entity, "from")
+        if file is not None:
+            return Parameters(entity.span, file)
+        return Parameters(entity.span, None, tuple(self.values(entity, ())))
+
+    def values(self, entity: Entity, above: tuple[LaunchText, ...]) -> list[tuple[LaunchText, LaunchText]]:
+        """Return the parameters that an entity gives, nested ones by their dotted name."""
+        name = self.need(entity, "name")
+        for each in entity.lists.get("value", ()):
+            self.text(each)
+        inner = [pair for child in entity.named("param") for pair in self.values(child, (*above, name))]
+        if inner:
+            return inner
+        dotted = name if not above else joined([*above, name])
+        value = self.get(entity, "value")
+        return [(dotted, value if value is not None else unknown_text(entity.span))]
+
+    def include(self, entity: Entity, certain: bool) -> Include:
+        given = tuple((self.need(c, "name"), self.need(c, "value")) for c in entity.named("arg", "let"))
+        return Include(entity.name_span, self.need(entity, "file"), given, certain)
+
+    def argument(self, entity: Entity, certain: bool) -> DeclaredArgument:
+        choices = tuple(c.attributes["value"].text for c in entity.named("choice") if "value" in c.attributes)
+        name = entity.attributes.get("name")
+        text = plain_text(name.text, name.span) if name else unknown_text(entity.name_span)
+        return DeclaredArgument(entity.name_span, text, self.get(entity, "default"), choices, certain)
+
+
+def joined(names: list[LaunchText]) -> LaunchText:
+    """Join names with dots."""
+    parts = list(names[0].parts)
+    for name in names[1:]:
+        parts += [Literal(".", name.span), *name.parts]
+    return LaunchText(Span(names[0].span.start, names[-1].span.end), tuple(parts))
+
+
+def launch_file(source: Source, frontend: Frontend, root: Entity, errors: list[FrontendError]) -> LaunchFile:
+    visitor = EntityVisitor(errors)
+    visitor.visit(root, True)
+    return LaunchFile(
+        source,
+        frontend,
+        tuple(visitor.nodes),
+        tuple(visitor.includes),
+        tuple(visitor.arguments),
+        tuple(visitor.commands),
+        tuple(found for text in visitor.texts for found in text.substitutions()),
+        tuple(visitor.assigned),
+        paths=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
+        events=xml_events(root),
+        ros1=is_ros1(root),
+        root=root,
+        frontend_errors=tuple(visitor.errors),
+    )

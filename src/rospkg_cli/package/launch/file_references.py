@@ -1,0 +1,137 @@
+"""The files that launch texts name: in the share directory of a package, or beside the launch file."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal as OneOf
+
+from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
+from ...source import Span
+from .text import LaunchText, Literal, Substitution
+
+Use = OneOf["include", "default", "file"]
+"""Included by the launch file; the default of an argument; anything else."""
+
+NAME = re.compile(r"[A-Za-z]\w*")
+BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
+END = re.compile(r"[\s'\",;:|&()`]")
+"""Where a path ends that stands inside of a longer text."""
+OPEN = re.compile(r"[*?\[\]{}<>$%]")
+"""What stands in patterns and templates, not in names of files."""
+
+WRITTEN = re.compile(
+    r"(^|.*[/_.-])(logs?|out|output|save|saved|record|recorded|results?|tmp|cache)([/_.-].*|$)"
+    r"|.*\.(log|csv|bag|db3|mcap|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
+)
+"""What is likely written or fetched when the launch runs."""
+
+
+@dataclass(frozen=True, slots=True)
+class NamedPath:
+    span: Span
+    """Of the path as it is written, as far as it stands in one place."""
+    package: str
+    """Whose share directory it is in; "" where it is reckoned from the launch file."""
+    path: str
+    """Relative to that share directory, or to the folder of package.xml."""
+    use: Use = "file"
+    parted: bool = True
+    """Whether a slash stands between the share directory and the path."""
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A path as it is written behind its base."""
+
+    text: str
+    span: Span
+    by_default: bool = False
+    """Whether the default of an argument is a part of it."""
+
+
+NO_DEFAULTS: Mapping[str, str] = {}
+
+
+def paths_in(
+    text: LaunchText, folder: str, use: Use = "file", defaults: Mapping[str, str] = NO_DEFAULTS
+) -> Iterator[NamedPath]:
+    """Yield the files that a text of a launch file in `folder` names, as far as they are told.
+
+    `defaults` are those of the arguments by their names.
+    """
+    for at, part in enumerate(text.parts):
+        if isinstance(part, Literal):
+            if part.text.startswith(f"{ROOT}/"):
+                yield from beside(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
+            continue
+        for argument in part.arguments:
+            yield from paths_in(argument, folder, use if part.name != "command" else "file", defaults)
+        if part.name in BASES:
+            written = literal_of(text.parts[at + 1 :], defaults)
+            if part.name == "dirname":
+                yield from beside(written, folder, use)
+            elif written is not None and part.arguments:
+                yield from in_package(part, literal_of(part.arguments[0].parts, defaults), written, use)
+
+
+def in_package(base: Substitution, package: Written | None, written: Written, use: Use) -> Iterator[NamedPath]:
+    if package is None or not NAME.fullmatch(package.text):
+        return
+    path = clean(written.text)
+    if base.name == "find-pkg-prefix":
+        share = f"share/{package.text}/"
+        path = path[len(share) :] if path.startswith(share) else ""
+    if is_file(path):
+        use = "default" if written.by_default or package.by_default else use
+        yield NamedPath(written.span, package.text, path, use, written.text.startswith("/"))
+
+
+def beside(written: Written | None, folder: str, use: Use, skip: int = 0) -> Iterator[NamedPath]:
+    if written is not None and written.text.startswith("/"):
+        path = clean(f"{folder}/{written.text[skip:].lstrip('/')}")
+        if is_file(path):
+            yield NamedPath(written.span, "", path, "default" if written.by_default else use)
+
+
+def clean(text: str) -> str:
+    return posixpath.normpath(text.lstrip("/")) if text.strip("/") else ""
+
+
+def is_file(path: str) -> bool:
+    """Return whether a path means a file of the folder it is reckoned from: one with a suffix, not above it."""
+    name = posixpath.basename(path)
+    if len(path) > MAX_PATH or WRITTEN.fullmatch(path):
+        return False
+    return "." in name.strip(".") and not path.startswith("..") and not OPEN.search(path)
+
+
+def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> Written | None:
+    """Return the path that some parts begin with, and where it stands; None where a piece of it is not told."""
+    found, spans, by_default = "", [], False
+    for part in parts:
+        text = part.text if isinstance(part, Literal) else default_of(part, defaults)
+        if text is None:
+            return None
+        by_default |= isinstance(part, Substitution)
+        end = END.search(text)
+        piece = text[: end.start()] if end else text
+        found += piece
+        as_written = part.span.end - part.span.start == len(text)
+        spans.append(Span(part.span.start, part.span.start + len(piece)) if as_written else part.span)
+        if end:
+            break
+    if not spans:
+        return None
+    wide = Span(spans[0].start, spans[-1].end)
+    in_order = all(a.end <= b.start or a == b for a, b in pairwise(spans))
+    return Written(found, wide if in_order and wide.start <= wide.end else spans[-1], by_default)
+
+
+def default_of(part: Substitution, defaults: Mapping[str, str]) -> str | None:
+    """Return the default of the argument that a substitution stands for."""
+    name = part.arguments[0].literal if part.name == "var" and len(part.arguments) == 1 else None
+    return defaults.get(name) if name else None

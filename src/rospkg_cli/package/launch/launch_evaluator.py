@@ -1,0 +1,93 @@
+"""Evaluate a Python launch file as launch would run it; then the functions that launch may never call."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...languages.python.evaluate.state import EvaluationState
+from ...languages.python.evaluate.values import Call, Class, Function, Joined, Namespace, Value
+from ...languages.python.file import PythonFile
+from ...source import Span
+from .launch_classes import class_of
+from .substitution_tracking import SubstitutionTracker
+
+ENTRIES = ("generate_launch_description", "generate_test_description")
+"""What launch and launch_testing call."""
+
+
+def found_path(machine: EvaluationState, call: Call) -> Value:
+    """get_package_share_path: what is joined to it with `/` is a path below it."""
+    machine.calls.append(call)
+    return Joined(call.span, (call,), path=True)
+
+
+def as_path(machine: EvaluationState, call: Call) -> Value | None:
+    """PathSubstitution(text): a path of one text, to be joined with `/`."""
+    path = call.get("path", 0)
+    return Joined(call.span, (path,), path=True) if isinstance(path, Call) else None
+
+
+PATHS = {
+    "ament_index_python.get_package_share_path": found_path,
+    "ament_index_python.packages.get_package_share_path": found_path,
+    "launch.substitutions.PathSubstitution": as_path,
+}
+"""What makes a path that others are joined to."""
+
+
+class LaunchEvaluator(SubstitutionTracker):
+    """An evaluator that remembers which functions it has been in."""
+
+    def __init__(self, file: PythonFile, folder: SandboxFilesystem) -> None:
+        super().__init__(file, folder, PATHS, name="launch_file")
+        self.entered: set[int] = set()
+        self.active: list[int] = []
+        self.results: dict[int, tuple[Function, Value]] = {}
+        """What each function that launch calls returned, by the `id` of its node."""
+        self.deferred: list[Span] = []
+        """The functions that were not called by the file itself, nor by what launch calls of it."""
+
+    def run(self, function: Function, call: Call) -> Value:
+        """Run a function; one that calls itself under an unknown condition is not followed."""
+        node = id(function.node)
+        if node in self.active and not self.certain:
+            return self.unknown(call.span, f"`{function.name}` calls itself")
+        self.entered.add(node)
+        self.active.append(node)
+        try:
+            return super().run(function, call)
+        finally:
+            self.active.pop()
+
+    def run_all(self) -> None:
+        """Run the file, what launch calls of it, what that hands over, and last every function left."""
+        self.run_file()
+        for name in ENTRIES:
+            self.enter(self.get(name))
+        uncalled = [each for each in functions_in(self.scope) if id(each.node) not in self.entered]
+        self.deferred = [function.span for function in uncalled]
+        done = 0
+        while done < len(self.calls):
+            call, done = self.calls[done], done + 1
+            if class_of(call) == "OpaqueFunction":
+                function = call.get("function", 0)
+                self.deferred += [function.span] if isinstance(function, Function) else []
+                self.enter(function)
+        for function in list(functions_in(self.scope)):
+            self.enter(function)
+
+    def enter(self, function: Value | None) -> None:
+        if isinstance(function, Function) and id(function.node) not in self.entered:
+            self.results[id(function.node)] = function, self.call(function)
+
+
+def functions_in(scope: Namespace, seen: set[int] | None = None) -> Iterator[Function]:
+    """Yield the functions of a file, and the methods of its classes; a class with several names is looked at once."""
+    seen = set() if seen is None else seen
+    for value in list(scope.names.values()):
+        if isinstance(value, Function):
+            yield value
+        elif isinstance(value, Class) and id(value) not in seen:
+            seen.add(id(value))
+            yield from functions_in(value.scope, seen)

@@ -1,0 +1,169 @@
+"""A launch file as rules see it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from ...files import Reading
+from ...languages.python.file import Import, PythonFile
+from ...source import Source, Span
+from .configuration_events import Event, Summary, summary
+from .entity import Entity, FrontendError
+from .evaluated_launch import EvaluatedLaunch
+from .exception_guards import guarded_in
+from .file_references import NamedPath
+from .text import LaunchText, Substitution
+
+Frontend = Literal["python", "xml", "yaml"]
+NodeKind = Literal["node", "lifecycle_node", "node_container", "composable_node"]
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """One entry of a node's parameters: a file, or values by name."""
+
+    span: Span
+    file: LaunchText | None = None
+    values: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    complete: bool = True
+    """False where there may be other values."""
+
+
+@dataclass(frozen=True)
+class LaunchedNode:
+    """A process or a component that the file starts."""
+
+    kind: NodeKind
+    span: Span
+    package: LaunchText | None = None
+    executable: LaunchText | None = None
+    plugin: LaunchText | None = None
+    """The class of a component."""
+    name: LaunchText | None = None
+    namespace: LaunchText | None = None
+    parameters: tuple[Parameters, ...] = ()
+    remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    arguments: tuple[LaunchText, ...] = ()
+    certain: bool = True
+    """False under a condition that can't be told."""
+    complete: bool = True
+    """False where other arguments may be passed."""
+
+
+@dataclass(frozen=True)
+class Include:
+    span: Span
+    file: LaunchText
+    arguments: tuple[tuple[LaunchText, LaunchText], ...] = ()
+    certain: bool = True
+    complete: bool = True
+    """False where it may be given other arguments."""
+
+
+@dataclass(frozen=True)
+class DeclaredArgument:
+    span: Span
+    name: LaunchText
+    default: LaunchText | None = None
+    choices: tuple[str, ...] = ()
+    certain: bool = True
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command that the file runs: a process of its own, or one whose output it takes."""
+
+    span: Span
+    words: tuple[LaunchText, ...]
+
+
+@dataclass(frozen=True)
+class LaunchFile:
+    source: Source
+    frontend: Frontend
+    nodes: tuple[LaunchedNode, ...] = ()
+    includes: tuple[Include, ...] = ()
+    arguments: tuple[DeclaredArgument, ...] = ()
+    commands: tuple[Command, ...] = ()
+    substitutions: tuple[Substitution, ...] = ()
+    """Every substitution, also those inside of others."""
+    assigned: tuple[LaunchText, ...] = ()
+    """Names of launch configurations that the file sets itself."""
+    paths: tuple[NamedPath, ...] = ()
+    """The files that it names."""
+    complete: bool = True
+    """False where parts of the file could not be evaluated: there may be more of everything."""
+    ros1: bool = False
+    """Whether it is written for ROS 1."""
+    entry: bool = True
+    """Whether it has what launch asks of it: in Python, `generate_launch_description`."""
+    events: tuple[Event, ...] | None = None
+    """What happens to launch configurations, in order; None where that is unknown."""
+    evaluated: EvaluatedLaunch | None = None
+    """Of a Python file: every call that it makes. What a check needs to know besides the fields above comes from it."""
+    root: Entity | None = None
+    """Of an XML or YAML file: its entities, for the same purpose."""
+    frontend_errors: tuple[FrontendError, ...] = ()
+    """Of an XML or YAML file: text that the frontend can't parse."""
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    @property
+    def python(self) -> PythonFile | None:
+        """The file itself, where it is Python."""
+        return self.evaluated.file if self.evaluated else None
+
+    @property
+    def imports(self) -> tuple[Import, ...]:
+        return self.python.imports if self.python else ()
+
+    @cached_property
+    def guarded(self) -> tuple[Span, ...]:
+        """Where a Python file catches that a package is missing."""
+        return tuple(guarded_in(self.python)) if self.python else ()
+
+    def reckons_with(self, span: Span) -> bool:
+        """Return whether the file goes on where what stands there is missing."""
+        return any(guard.start <= span.start < guard.end for guard in self.guarded)
+
+    @property
+    def told(self) -> bool:
+        """Whether all that the file starts is known: nothing in its description comes from elsewhere."""
+        if not self.complete or self.events is None:
+            return False
+        return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)
+
+    @property
+    def set_somewhere(self) -> frozenset[str]:
+        """The launch configurations that anything in the file declares or sets."""
+        return frozenset(text.literal for text in (*self.assigned, *(a.name for a in self.arguments)) if text.literal)
+
+    def configurations(self) -> Iterator[Substitution]:
+        """Yield the uses of launch configurations: `$(var x)`."""
+        return (found for found in self.substitutions if found.name == "var")
+
+    def programs(self) -> Iterator[tuple[str, str, Span]]:
+        """Yield package, executable and the executable's span of what it starts under literal names, but for ROS 1."""
+        for node in self.nodes if not self.ros1 else ():
+            if node.package and node.executable and node.package.literal and node.executable.literal:
+                yield node.package.literal, node.executable.literal, node.executable.span
+
+
+def started_nodes(reading: Reading) -> frozenset[tuple[str, str]]:
+    """Return package and executable of every node that a package's launch files start under literal names."""
+    files = reading.parts(LaunchFile).good
+    return frozenset((package, executable) for file in files for package, executable, _ in file.programs())
+
+
+def launch_summaries(reading: Reading) -> tuple[Summary, ...]:
+    """Return what other launch files may know of those of a package."""
+    files = [file for file in reading.parts(LaunchFile).good if not file.ros1]
+    return tuple(
+        summary(file.path.rpartition("/")[2], file.events or (), file.complete and file.events is not None)
+        for file in files
+    )

@@ -1,0 +1,22 @@
+"""What other packages may know of a launch file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class LaunchSignature:
+    source: str
+    """The file, relative to its package."""
+    places: frozenset[str]
+    """Where it goes, relative to the share directory."""
+    declared: frozenset[str] = frozenset()
+    required: frozenset[str] = frozenset()
+    """The declared ones that have no default."""
+    used: frozenset[str] = frozenset()
+    """The launch configurations that it uses, declared or not."""
+    includes: tuple[tuple[str, str], ...] = ()
+    """The files that it includes, which see all that it is given: package and path, as NamedPath has them."""
+    open: bool = False
+    """Whether it may take others."""

@@ -1,0 +1,118 @@
+"""What calls of a Python launch file make: nodes, includes, arguments, commands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
+from .launch_file import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, Parameters
+from .python_to_text import text_of
+from .text import LaunchText, unknown_text
+
+NODES: dict[str, NodeKind] = {
+    "Node": "node",
+    "LifecycleNode": "lifecycle_node",
+    "ComposableNodeContainer": "node_container",
+    "ComposableNode": "composable_node",
+    "ComposableLifecycleNode": "composable_node",
+}
+
+
+def argument_text(call: Call, name: str, place: int = 0) -> LaunchText:
+    found = call.get(name, place)
+    return unknown_text(call.span) if found is None else text_of(found)
+
+
+def optional_text(call: Call, name: str, old: str = "") -> LaunchText | None:
+    """Return an argument, by its name or by the one that it had before Galactic; None where it is not given."""
+    found = call.get(name)
+    found = call.get(old) if found is None and old else found
+    return None if found is None or is_none(found) else text_of(found)
+
+
+def is_none(value: Value) -> bool:
+    return getattr(value, "value", 0) is None
+
+
+def certain(call: Call) -> bool:
+    return call.certain and call.get("condition") is None
+
+
+def node_of(call: Call, kind: NodeKind) -> LaunchedNode:
+    return LaunchedNode(
+        kind,
+        call.span,
+        package=optional_text(call, "package"),
+        executable=optional_text(call, "executable", "node_executable"),
+        plugin=optional_text(call, "plugin", "node_plugin"),
+        name=optional_text(call, "name", "node_name"),
+        namespace=optional_text(call, "namespace", "node_namespace"),
+        parameters=tuple(parameters_of(call.get("parameters"))),
+        remappings=tuple(pairs_of(call.get("remappings"))),
+        arguments=tuple(text_of(item) for name in ("arguments", "ros_arguments") for item in items_of(call.get(name))),
+        certain=certain(call),
+        complete=call.rest is None,
+    )
+
+
+def items_of(value: Value | None) -> Iterator[Value]:
+    """Yield the items of a list, and what may be items of it."""
+    if isinstance(value, Sequence):
+        for item in value.items:
+            if isinstance(item, Unknown) and item.many and item.options:
+                yield from item.options
+            else:
+                yield item
+    elif value is not None:
+        yield value
+
+
+def parameters_of(value: Value | None) -> Iterator[Parameters]:
+    for item in items_of(value):
+        if isinstance(item, Mapping):
+            values = tuple((text_of(key), text_of(given)) for key, given in item.items.values())
+            yield Parameters(item.span, None, values, not item.rest)
+        elif isinstance(item, Unknown):
+            yield Parameters(item.span, None, (), False)
+        else:
+            yield Parameters(item.span, text_of(item))
+
+
+def pairs_of(value: Value | None) -> Iterator[tuple[LaunchText, LaunchText]]:
+    """Yield the pairs of a dict, or of a list of pairs."""
+    if isinstance(value, Mapping):
+        yield from ((text_of(key), text_of(given)) for key, given in value.items.values())
+        return
+    for item in items_of(value):
+        if isinstance(item, Sequence) and len(item.items) == 2:
+            yield text_of(item.items[0]), text_of(item.items[1])
+
+
+def include_of(call: Call) -> Include:
+    given = call.get("launch_arguments", 1)
+    told = given is None or (isinstance(given, Sequence) and given.complete) or isinstance(given, Mapping)
+    return Include(
+        call.span,
+        argument_text(call, "launch_description_source"),
+        tuple(pairs_of(given)),
+        certain(call),
+        told and call.rest is None,
+    )
+
+
+def argument_of(call: Call) -> DeclaredArgument:
+    default = call.get("default_value", 1)
+    choices = [item.text for item in items_of(call.get("choices")) if isinstance(item, Text)]
+    return DeclaredArgument(
+        call.span,
+        argument_text(call, "name"),
+        None if default is None or is_none(default) else text_of(default),
+        tuple(choices),
+        certain(call),
+    )
+
+
+def command_of(call: Call) -> Command:
+    given = call.get("cmd")
+    words = [text_of(item) for item in items_of(given)]
+    return Command(call.span, tuple(words))

@@ -1,0 +1,227 @@
+"""The order of events in a Python launch file: that of the launch description which it returns."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.values import (
+    AttributeValue,
+    Call,
+    Constant,
+    Function,
+    Joined,
+    Mapping,
+    Sequence,
+    Text,
+    Unknown,
+    Value,
+)
+from ...ros.launch_calls import ACTIONS, SIGNATURES
+from ...source import Span
+from .configuration_events import Event, file_name, passing, uses_of
+from .launch_classes import class_of, named_arguments
+from .launch_evaluator import ENTRIES, LaunchEvaluator
+from .python_to_text import substitution, text_of
+
+LATER = frozenset({"RegisterEventHandler", "TimerAction", "RosTimer", "ROSTimer"})
+ADDS = frozenset({"add_action", "add_entity"})
+PERFORMS = frozenset({"perform", "perform_substitution"})
+HARMLESS = (sys.stdlib_module_names | {"launch_testing", "print"}) - {"functools", "itertools"}
+"""Where calls come from that declare nothing, whatever they return."""
+
+MAX_DEPTH = 40
+MAX_VISITS = 50_000
+"""Of actions: a function that launch calls may hand itself back, several times."""
+
+
+def python_events(evaluator: LaunchEvaluator) -> tuple[Event, ...] | None:
+    """Return the events of a file; None where the description that it returns can't be told."""
+    for function, value in evaluator.results.values():
+        if function.name in ENTRIES and function.scope is evaluator.scope:
+            described = value.items[0] if isinstance(value, Sequence) and value.items else value
+            if isinstance(described, Call) and class_of(described) == "LaunchDescription":
+                order = ExecutionOrder(evaluator)
+                return (*order.description(described, 0), Event("later"), *order.deferred)
+    return None
+
+
+class ExecutionOrder:
+    def __init__(self, evaluator: LaunchEvaluator) -> None:
+        self.evaluator = evaluator
+        self.deferred: list[Event] = []
+        """What timers and event handlers do."""
+        self.visits = 0
+        self.performed = [call for call in evaluator.calls if call.certain and call.callee in PERFORMS]
+        self.added: dict[int, list[Value]] = {}
+        for call in evaluator.calls:
+            if call.callee in ADDS and call.receiver is not None and call.arguments:
+                self.added.setdefault(id(call.receiver), []).append(call.arguments[0].value)
+
+    def description(self, call: Call, depth: int) -> Iterator[Event]:
+        first = call.get("initial_entities", 0)
+        if first is not None:
+            yield from self.several(first, depth)
+        for each in self.added.get(id(call), ()):
+            yield from self.visit(each, depth + 1)
+
+    def several(self, value: Value, depth: int) -> Iterator[Event]:
+        if isinstance(value, Sequence):
+            for item in value.items if self.visits <= MAX_VISITS else ():
+                yield from self.visit(item, depth + 1)
+        else:
+            yield from self.visit(value, depth + 1)
+
+    def visit(self, value: Value, depth: int) -> Iterator[Event]:
+        """Yield the events of an action."""
+        self.visits += 1
+        if depth > MAX_DEPTH or self.visits > MAX_VISITS:
+            yield Event("open")
+        elif isinstance(value, Unknown):
+            for option in value.options:
+                yield from self.visit(option, depth + 1)
+            if not value.options:
+                yield Event("open")
+        elif isinstance(value, Sequence):
+            yield from self.several(value, depth)
+        elif isinstance(value, Call) and class_of(value) in ACTIONS:
+            yield from self.action(value, class_of(value), depth)
+        elif isinstance(value, Call) and class_of(value) == "LaunchDescription":
+            yield from self.description(value, depth + 1)
+        elif not isinstance(value, Constant | Text):
+            yield from used(value, 0)
+            if not (isinstance(value, Call) and value.callee.partition(".")[0] in HARMLESS):
+                yield Event("open")
+
+    def action(self, call: Call, name: str, depth: int) -> Iterator[Event]:
+        if name == "GroupAction":
+            yield from self.group(call, depth)
+        elif name == "OpaqueFunction":
+            yield from self.opaque(call, depth)
+        elif name in LATER:
+            yield from uses_in(call, but=("actions", "event_handler"))
+            handler = call.get("actions") or call.get("event_handler", 0)
+            self.deferred += list(self.handled(handler, depth))
+        elif name == "IncludeLaunchDescription":
+            yield from included(call)
+        else:
+            yield from uses_in(call)
+            yield from defined_by(call, name)
+
+    def handled(self, value: Value | None, depth: int) -> Iterator[Event]:
+        if isinstance(value, Call) and class_of(value).startswith("On"):
+            for argument in value.arguments:
+                if argument.name != "target_action":
+                    yield from self.several(argument.value, depth)
+        elif value is not None:
+            yield from self.several(value, depth)
+
+    def group(self, call: Call, depth: int) -> Iterator[Event]:
+        yield from uses_in(call, but=("actions",))
+        scoped = call.get("scoped")
+        alone = not (isinstance(scoped, Constant) and scoped.value is False)
+        if alone:
+            yield Event("push")
+        given = call.get("launch_configurations")
+        for key, _ in given.items.values() if isinstance(given, Mapping) else ():
+            yield Event("define", text_of(key).literal or "", key.span)
+        actions = call.get("actions", 0)
+        if actions is not None:
+            yield from self.several(actions, depth)
+        if alone:
+            yield Event("pop")
+
+    def opaque(self, call: Call, depth: int) -> Iterator[Event]:
+        """Yield what a function does that launch calls: all that stands in it, and what it returns."""
+        yield from uses_in(call, but=("function",))
+        function = call.get("function", 0)
+        if not isinstance(function, Function):
+            yield Event("open")
+            return
+        for each in self.performed if self.visits <= MAX_VISITS else ():
+            if inside(each.span, function.span):
+                yield from used(each, 0)
+        _, value = self.evaluator.results.get(id(function.node), (None, None))
+        if value is not None:
+            yield from self.visit(value, depth + 1)
+        if "launch_configurations" in self.evaluator.file.source.text:
+            yield Event("open")
+
+
+def inside(span: Span, around: Span) -> bool:
+    return around.start <= span.start and span.end <= around.end
+
+
+def defined_by(call: Call, name: str) -> Iterator[Event]:
+    if name == "DeclareLaunchArgument":
+        default = call.get("default_value")
+        none = default is None or (isinstance(default, Constant) and default.value is None)
+        name_given = call.get("name", 0)
+        yield Event("declare", (text_of(name_given).literal or "") if name_given is not None else "", call.span, none)
+    elif name == "SetLaunchConfiguration":
+        given = call.get("name", 0)
+        yield Event("define", (text_of(given).literal or "") if given is not None else "", call.span)
+    elif name == "UnsetLaunchConfiguration":
+        yield Event("open")
+
+
+def included(call: Call) -> Iterator[Event]:
+    """Yield the events of an include: what it passes is set one after the other, then the file is visited."""
+    yield from uses_in(call, but=("launch_arguments",))
+    given = call.get("launch_arguments", 1)
+    if isinstance(given, Mapping):
+        for key, value in given.items.values():
+            yield from passed(key, value)
+    elif isinstance(given, Sequence):
+        for item in given.items:
+            pair = item.items if isinstance(item, Sequence) and len(item.items) == 2 else None
+            yield from passed(pair[0], pair[1]) if pair else [Event("pass")]
+    elif given is not None and not isinstance(given, Constant):
+        yield Event("pass")
+    source = call.get("launch_description_source", 0)
+    yield Event("include", file_name(text_of(source)) if source is not None else "", call.span)
+
+
+def passed(name: Value, value: Value) -> Iterator[Event]:
+    text = text_of(name).literal or ""
+    yield from used(name, 0)
+    yield from passing(used(value, 0), text)
+    yield Event("pass", text, name.span)
+
+
+def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[Event]:
+    """Yield what the arguments of a call ask for, but for some of them."""
+    named = SIGNATURES.get(class_of(call))
+    for name, argument in named_arguments(call, named) if named is not None else ():
+        if name not in but:
+            yield from used(argument.value, 0)
+
+
+def used(value: Value, depth: int) -> Iterator[Event]:
+    """Yield the launch configurations that a value asks for when it is performed."""
+    if depth > MAX_DEPTH:
+        return
+    match value:
+        case Call():
+            found = substitution(value)
+            if found is not None and found.name == "var":
+                yield from uses_of(text_of(value))
+            else:
+                for given in (value.receiver, *[argument.value for argument in value.arguments]):
+                    if given is not None:
+                        yield from used(given, depth + 1)
+        case Sequence():
+            for item in value.items:
+                yield from used(item, depth + 1)
+        case Mapping():
+            for key, item in value.items.values():
+                yield from used(key, depth + 1)
+                yield from used(item, depth + 1)
+        case Joined():
+            for part in value.parts:
+                yield from used(part, depth + 1)
+        case AttributeValue():
+            yield from used(value.of, depth + 1)
+        case Unknown():
+            for option in value.options:
+                yield from used(option, depth + 1)

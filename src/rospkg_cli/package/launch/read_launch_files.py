@@ -1,0 +1,67 @@
+"""Find the launch files of a package and read each with its frontend."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...files import PackageFiles, Reading
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...unreadable import Unreadable, UnreadableError
+from ..file_role import role_of
+from ..python_modules import Modules
+from .launch_file import LaunchFile
+from .read_python import read_python_launch
+from .read_xml_yaml import read_xml_launch, read_yaml_launch
+
+NAMED = re.compile(r"(^|[._/-])launch\.(py|xml|ya?ml)$|\.launch$|(^|/)launch(es)?/(.*/)?[^/]*\.(py|xml|ya?ml)$")
+"""Files that their name or their folder makes launch files."""
+
+ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
+
+
+def read_launch_files(reading: Reading) -> Iterator[LaunchFile | Unreadable]:
+    """Read every launch file; those of tests are left out where they are broken."""
+    modules = reading.parts(Modules).only
+    assert modules is not None
+    reader = Reader(reading.files, modules)
+    for path in reading.files.paths:
+        role = role_of(path)
+        if role == "aside" or path == "package.xml":
+            continue
+        try:
+            found = reader.read(path)
+        except UnreadableError as error:
+            if role == "launch":
+                yield error.unreadable
+            continue
+        if found is not None:
+            yield found
+
+
+class Reader:
+    def __init__(self, files: PackageFiles, modules: Modules) -> None:
+        self.files, self.modules = files, modules
+        self.folder: SandboxFilesystem | None = None
+
+    def read(self, path: str) -> LaunchFile | None:
+        """Return the launch file at a path; None for another file; raises UnreadableError."""
+        if path.endswith(".py"):
+            return self.read_python(path)
+        if not NAMED.search(path):
+            return None
+        source = self.files.source(path)
+        return read_yaml_launch(source) if path.endswith(("yaml", "yml")) else read_xml_launch(source)
+
+    def read_python(self, path: str) -> LaunchFile | None:
+        source = self.files.source(path)
+        if not NAMED.search(path) and not ENTRY.search(source.text):
+            return None
+        if self.folder is None:
+            self.folder = SandboxFilesystem(self.files)
+        parsed = self.modules.read(path)
+        if isinstance(parsed, Unreadable):
+            raise UnreadableError(
+                parsed.path, parsed.span, parsed.message, grammar=parsed.grammar, skipped=parsed.skipped
+            )
+        return read_python_launch(parsed, self.folder)

@@ -1,0 +1,92 @@
+"""Read a Python launch file by evaluating it: what it builds, as far as its own text tells."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator
+
+from ...languages.python.evaluate.evaluator import Evaluator
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...languages.python.evaluate.values import Call, Constant, Joined, Mapping, Sequence, Text, Value
+from ...languages.python.file import PythonFile
+from .argument_defaults import literal_defaults
+from .collect_texts import named_paths
+from .evaluated_launch import EvaluatedLaunch
+from .exception_guards import ABSENT, guarded_in
+from .launch_classes import class_of
+from .launch_evaluator import ENTRIES, LaunchEvaluator
+from .launch_file import LaunchFile
+from .python_actions import NODES, argument_of, argument_text, command_of, include_of, node_of
+from .python_events import python_events
+from .python_to_text import substitution
+
+MAX_DEPTH = 8
+
+
+def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFile:
+    evaluator = LaunchEvaluator(file, folder)
+    evaluator.run_all()
+    calls = list(once(evaluator.calls))
+    of = {name: [call for call in calls if class_of(call) == name] for name in {class_of(call) for call in calls}}
+    arguments = tuple(map(argument_of, of.get("DeclareLaunchArgument", ())))
+    assigned = tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ()))
+    bare, defaults = tuple(guarded_in(file, ABSENT)), literal_defaults(arguments, assigned)
+    every = (node_of(call, kind) for name, kind in NODES.items() for call in of.get(name, ()))
+    return LaunchFile(
+        file.source,
+        "python",
+        nodes=tuple(sorted(every, key=lambda node: node.span)),
+        includes=tuple(map(include_of, of.get("IncludeLaunchDescription", ()))),
+        arguments=arguments,
+        commands=tuple(map(command_of, [*of.get("ExecuteProcess", ()), *of.get("ExecuteLocal", ())])),
+        substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
+        assigned=assigned,
+        paths=tuple(named_paths(calls, posixpath.dirname(file.source.path), bare, defaults)),
+        complete=not evaluator.gave_up,
+        entry=any(has_name(file, evaluator, name) for name in ENTRIES),
+        events=python_events(evaluator),
+        evaluated=EvaluatedLaunch(
+            file,
+            evaluator.scope,
+            tuple(calls),
+            evaluator.results,
+            tuple(evaluator.uses),
+            tuple(evaluator.deferred),
+        ),
+    )
+
+
+def has_name(file: PythonFile, evaluator: Evaluator, name: str) -> bool:
+    """Return whether a file defines a name, may have it from elsewhere, or is a program that needs none."""
+    told = not (file.stars or file.dynamic or "__main__" in file.source.text)
+    return not told or name in file.definitions or evaluator.get(name) is not None
+
+
+def once(calls: Iterable[Call]) -> Iterator[Call]:
+    """Yield calls without those that say the same at the same place: loops come by several times."""
+    seen = set()
+    for call in calls:
+        key = (call.span, call.callee, tuple((a.name, shown(a.value)) for a in call.arguments), call.certain)
+        if key not in seen:
+            seen.add(key)
+            yield call
+
+
+def shown(value: Value, depth: int = 0) -> object:
+    """Return what tells two values apart that came of the same place."""
+    if depth > MAX_DEPTH:
+        return value.span
+    match value:
+        case Text():
+            return value.text
+        case Constant():
+            return value.value
+        case Sequence():
+            return value.span, tuple(shown(item, depth + 1) for item in value.items)
+        case Mapping():
+            return value.span, tuple((shown(k, depth + 1), shown(v, depth + 1)) for k, v in value.items.values())
+        case Joined():
+            return value.span, tuple(shown(part, depth + 1) for part in value.parts)
+        case Call():
+            return value.span, value.callee, tuple(shown(argument.value, depth + 1) for argument in value.arguments)
+    return value.span

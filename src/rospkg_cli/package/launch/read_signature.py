@@ -1,0 +1,66 @@
+"""What a launch file takes from whoever includes it."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from ...files import Reading
+from ...ros.imports import STANDARD
+from ..install_table import InstallTable
+from .file_references import paths_in
+from .launch_classes import HOMES, SOURCES
+from .launch_file import DeclaredArgument, LaunchFile
+from .launch_signature import LaunchSignature
+
+KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}
+"""Packages whose functions declare no arguments and ask for none by themselves."""
+
+ASKED = re.compile(
+    r"(?:launch_configurations(?:\.get\(|\[)|LaunchConfiguration(?:Not)?Equals\()\s*['\"]([\w/.-]+)['\"]"
+)
+ASKS = re.compile(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
+
+
+def launch_signatures(reading: Reading) -> tuple[LaunchSignature, ...]:
+    """Return the signature of every launch file of a package."""
+    table, places = reading.parts(InstallTable).only, dict[str, set[str]]()
+    for row in table.rows if table is not None else ():
+        if row.destination.startswith("share/") and row.source:
+            places.setdefault(row.source, set()).add(row.destination.split("/", 2)[-1])
+    files = reading.parts(LaunchFile).good
+    return tuple(signature_of(file, frozenset(places.get(file.path, ()))) for file in files if not file.ros1)
+
+
+def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
+    folder, text = posixpath.dirname(file.path), file.source.text
+    declared = [argument.name.literal for argument in file.arguments]
+    used = [use.arguments[0].literal if use.arguments else None for use in file.configurations()]
+    included = [next(paths_in(include.file, folder, "include"), None) for include in file.includes]
+    asked = ASKED.findall(text)
+    strange = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
+    filled = "allow_substs" in text  # then a file of parameters may ask for anything
+    told = file.complete and not strange and not filled and len(asked) == len(ASKS.findall(text))
+    return LaunchSignature(
+        file.path,
+        places,
+        frozenset(filter(None, declared)),
+        frozenset(required_by(file)),
+        frozenset(filter(None, [*used, *asked])),
+        tuple((each.package, each.path) for each in included if each is not None),
+        not told or None in declared or None in used or None in included,
+    )
+
+
+def required_by(file: LaunchFile) -> Iterator[str]:
+    """Yield the arguments that an include must give: whatever is declared first counts, as launch has it."""
+    first: dict[str, DeclaredArgument] = {}
+    for argument in file.arguments:
+        if name := argument.name.literal:
+            first.setdefault(name, argument)
+    deferred = file.evaluated.deferred if file.evaluated else ()
+    for name, argument in first.items():
+        late = any(span.start <= argument.span.start < span.end for span in deferred)
+        if argument.default is None and argument.certain and not late:
+            yield name

@@ -1,0 +1,20 @@
+"""Read XML and YAML launch files."""
+
+from __future__ import annotations
+
+from ...source import Source
+from .entity import from_xml, from_yaml
+from .entity_reader import launch_file
+from .launch_file import LaunchFile
+
+
+def read_xml_launch(source: Source) -> LaunchFile | None:
+    """Read an XML launch file; None where it is some other XML; raises UnreadableError."""
+    root = from_xml(source)
+    return launch_file(source, "xml", root, []) if root.name == "launch" else None
+
+
+def read_yaml_launch(source: Source) -> LaunchFile | None:
+    """Read a YAML launch file; None where it is some other YAML; raises UnreadableError."""
+    root, errors = from_yaml(source)
+    return launch_file(source, "yaml", root, errors) if root is not None and root.name == "launch" else None

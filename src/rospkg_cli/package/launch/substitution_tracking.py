@@ -1,0 +1,83 @@
+"""Record where a launch file works on a substitution as if its text were known while the file is read."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+
+from ...languages.python.evaluate.evaluator import Evaluator
+from ...languages.python.evaluate.known_functions import LIBRARY
+from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...languages.python.evaluate.state import EvaluationState, Intrinsic
+from ...languages.python.evaluate.values import Call, Constant, Symbol, Value
+from ...languages.python.file import PythonFile
+from .evaluated_launch import SubstitutionUse
+from .launch_classes import class_of, is_resolved_at_run_time, is_substitution
+
+STRING_METHODS = frozenset(dir(str)) - frozenset(dir(object))
+STRING_FUNCTIONS = frozenset({
+    "int", "float", "open", "os.path.join", "os.path.exists", "os.path.isfile", "os.path.dirname",
+})  # fmt: skip
+"""Functions that raise for a substitution."""
+
+
+class SubstitutionTracker(Evaluator):
+    """An evaluator that records every use of a substitution by Python itself."""
+
+    def __init__(
+        self, file: PythonFile, folder: SandboxFilesystem, knows: Mapping[str, Intrinsic], *, name: str
+    ) -> None:
+        super().__init__(file, folder, knows, name=name)
+        self.uses: list[SubstitutionUse] = []
+        known = self.library
+        tracked = {name: self.tracked(name, known.get(name)) for name in STRING_FUNCTIONS}
+        self.library = {**known, **tracked, "isinstance": is_instance}
+
+    def tracked(self, name: str, known: Intrinsic | None) -> Intrinsic:
+        def function(machine: EvaluationState, call: Call) -> Value | None:
+            found = next((argument for argument in call.positional if is_substitution(argument)), None)
+            if found is not None:
+                self.uses.append(SubstitutionUse(call.span, "function", name, (found,)))
+            return known(machine, call) if known is not None else None
+
+        return function
+
+    def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
+        finds = call.callee == "find"  # FindPackageShare(x).find(x)
+        if receiver is not None and call.callee in STRING_METHODS and not finds and is_substitution(receiver):
+            self.uses.append(SubstitutionUse(call.span, "method", call.callee, (receiver,)))
+        return super().known_call(function, receiver, call)
+
+    def made_of(self, node: ast.expr, *operands: Value) -> None:
+        operator = operator_of(node)
+        if operator and any(map(is_resolved_at_run_time, operands)):
+            self.uses.append(SubstitutionUse(self.span(node), "operator", operator, operands))
+
+
+def operator_of(node: ast.expr) -> str:
+    """Return the operator of an expression that needs the text of a substitution; "" for any other expression."""
+    match node:
+        case ast.BinOp(op=ast.Add()):
+            return "+"
+        case ast.JoinedStr() | ast.FormattedValue():
+            return 'f""'
+        case ast.Compare(ops=[ast.Eq()]):
+            return "=="
+        case ast.Compare(ops=[ast.NotEq()]):
+            return "!="
+        case ast.UnaryOp(op=ast.Not()):
+            return "not"
+        case ast.BoolOp():
+            return "or" if isinstance(node.op, ast.Or) else "and"
+    return ""
+
+
+def is_instance(machine: EvaluationState, call: Call) -> Value | None:
+    """Evaluate `isinstance` of a substitution, which is no string."""
+    given = call.positional
+    if len(given) == 2 and isinstance(given[0], Call) and is_substitution(given[0]) and isinstance(given[1], Symbol):
+        asked = given[1].name.rpartition(".")[2]
+        if asked in ("Substitution", class_of(given[0])):
+            return Constant(call.span, True)
+        return Constant(call.span, False) if asked in ("str", "int", "float", "bool", "list", "dict") else None
+    return LIBRARY["isinstance"](machine, call)

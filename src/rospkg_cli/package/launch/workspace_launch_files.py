@@ -1,0 +1,66 @@
+"""The launch files of a workspace, as far as they define launch configurations for each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+
+from .configuration_events import Summary
+
+
+class LaunchFiles:
+    """Launch files by their name: what one defines for those that it includes, and for the one that includes it."""
+
+    def __init__(self, summaries: Iterable[Summary]) -> None:
+        self.by_name: dict[str, list[Summary]] = {}
+        self.told: dict[tuple[str, str], frozenset[str] | None] = {}
+        """What was asked before: every file may include every other."""
+        for each in summaries:
+            self.by_name.setdefault(each.name, []).append(each)
+
+    @cached_property
+    def included(self) -> dict[str, list[Summary]]:
+        """The files that include one of a name."""
+        found: dict[str, list[Summary]] = {}
+        for each in (summary for several in self.by_name.values() for summary in several):
+            for name in each.includes:
+                found.setdefault(name, []).append(each)
+        return found
+
+    def inherited(self, name: str) -> frozenset[str] | None:
+        """Return what is defined by files that include a file of this name; None where that can't be told."""
+        if ("inherited", name) not in self.told:
+            self.told["inherited", name] = self.all_inherited(name)
+        return self.told["inherited", name]
+
+    def defined_by(self, name: str) -> frozenset[str] | None:
+        """Return what files of this name define, also by what they include; None where that can't be told."""
+        if ("defined", name) not in self.told:
+            self.told["defined", name] = self.all_defined_by(name)
+        return self.told["defined", name]
+
+    def all_inherited(self, name: str) -> frozenset[str] | None:
+        names: set[str] = set()
+        seen, queue = {name}, [name]
+        while queue:
+            for each in self.included.get(queue.pop(), ()):
+                if each.open or each.inherits:
+                    return None
+                names |= each.defines
+                if each.name not in seen:
+                    seen.add(each.name)
+                    queue.append(each.name)
+        return frozenset(names)
+
+    def all_defined_by(self, name: str) -> frozenset[str] | None:
+        names: set[str] = set()
+        seen, queue = {name}, [name]
+        while queue:
+            found = self.by_name.get(queue.pop())
+            if not found or any(each.open for each in found):
+                return None
+            for each in found:
+                names |= each.defines
+                queue += each.includes - seen
+                seen |= each.includes
+        return frozenset(names)
