@@ -168,7 +168,7 @@ def test_a_package_below_is_read_where_it_is_added() -> None:
     })  # fmt: skip
     assert [target.name for target in found.targets] == ["l"]
     assert shown(found.named("echo")) == ["/~source/lib/a.cpp"]
-    assert not found.clouded
+    assert not found.reads_unknown_files
 
 
 def test_globs() -> None:

@@ -78,7 +78,7 @@ def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
         "def patched(code):\n"
         "    return dataclasses.replace(real(code), check=broken) if code == 'RPK001' else real(code)\n"
         "from rospkg_cli.engine.run import shard; shard.rule_by_code = patched\n"
-        "from rospkg_cli.engine.run import slices; slices.Slices.of = lambda self, kind, of=slices.Slices.of: "
+        "from rospkg_cli.engine.run.rule_inputs import InputBuilder; InputBuilder.of = lambda self, kind, of=InputBuilder.of: "
         "[types.SimpleNamespace(skipped=False)] if kind.__name__ == 'Unreadable' else of(self, kind)\n"
         "sys.argv = ['rospkg', 'lint', '--format', 'json', *sys.argv[1:]]; sys.exit(main())"
     )

@@ -6,8 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from rospkg_cli.config.file import Config
 
+from rospkg_cli.config.file import Config
 from rospkg_cli.engine.discovery.locate import LocateError, locate
 
 

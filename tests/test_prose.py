@@ -91,7 +91,9 @@ def test_what_else_new_lets_one_choose() -> None:
     assert set(names(help_of("new", "--launch").partition(":")[2].partition(".")[0])) == forms
     assert set(words("docs/new.md", r"\| `--launch` \| [^:|]*: ([^|]*)")) == forms
     assert set(names(help_of("new", "--tests").partition(".")[0])) == set(TEST_LEVELS)
-    assert set(re.findall(r"`(\w+)`", re.search(r"\| `--tests` \| ([^|]*)", text("docs/new.md"))[1])) == set(TEST_LEVELS)
+    assert set(re.findall(r"`(\w+)`", re.search(r"\| `--tests` \| ([^|]*)", text("docs/new.md"))[1])) == set(
+        TEST_LEVELS
+    )
     assert set(words("docs/new.md", r"\| `--distro` \| ([^;|]*)")) == {each.name for each in DISTROS}
 
 

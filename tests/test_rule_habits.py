@@ -9,6 +9,7 @@ import sys
 import pytest
 
 from rospkg_cli.rule import Rule, all_rules
+from rospkg_cli.rule_docs import SUMMARY_WIDTH, summary
 
 RULES = [pytest.param(rule, id=rule.code) for rule in all_rules()]
 FAMILIES = {
@@ -32,6 +33,17 @@ def test_the_docs_have_their_headings_in_order(rule: Rule) -> None:
     found = re.findall(r"^ *(## .*)$", rule.docs, re.MULTILINE)
     assert found[:2] == HEADINGS[:2]
     assert found == [heading for heading in HEADINGS if heading in found]
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_the_first_line_of_the_docs_is_one_whole_sentence(rule: Rule) -> None:
+    """It is the summary in `rospkg rules --format json`, and the title of the rule in SARIF."""
+    line = summary(rule)
+    assert re.fullmatch(r"(Finds|Compares|Reports) .*[^.]\.", line), line
+    assert len(line) <= SUMMARY_WIDTH
+    prose = re.sub(r"`[^`]*`", "code", line)
+    assert not re.search(r"[.:;`](?: |$)", prose[:-1])
+    assert line.count("(") == line.count(")")
 
 
 @pytest.mark.parametrize("rule", RULES)

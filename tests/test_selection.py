@@ -41,7 +41,7 @@ def test_a_rule_named_in_full_is_ignored_first_and_selected_next(select: str, ig
 
 def level(finding: Finding, folder: Path, *sections: str) -> Severity:
     (folder / "rospkg.toml").write_text("".join(f"[{each}]\nXML104 = {value}\n" for each, value in pairs(sections)))
-    return ConfigFilter(find_config(folder), folder).judge(finding).severity
+    return ConfigFilter(find_config(folder), folder).apply(finding).severity
 
 
 def pairs(sections: tuple[str, ...]) -> list[tuple[str, str]]:
@@ -56,11 +56,11 @@ def test_of_two_severities_for_a_path_the_later_holds(finding: Finding, tmp_path
 
 def test_what_is_off_is_set_aside_with_a_reason(finding: Finding, tmp_path: Path) -> None:
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\n')
-    judged = ConfigFilter(find_config(tmp_path), tmp_path).judge(finding)
+    judged = ConfigFilter(find_config(tmp_path), tmp_path).apply(finding)
     assert judged.suppressed == "severity is off in the config"
     assert judged.external
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\nXML104 = "error"\n')
-    judged = ConfigFilter(find_config(tmp_path), tmp_path).judge(finding)
+    judged = ConfigFilter(find_config(tmp_path), tmp_path).apply(finding)
     assert (judged.severity, judged.suppressed) == (Severity.ERROR, None)
 
 

@@ -8,8 +8,8 @@ from reading import one, package
 from rospkg_cli.example import BACKDROPS, SETUP_PY
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.setup.entry_points import parse_entry_point
-from rospkg_cli.package.setup.setup_text import SetupText
 from rospkg_cli.package.setup.setup_py import SetupPy
+from rospkg_cli.package.setup.setup_text import SetupText
 from rospkg_cli.source import Span
 
 BASE = {path: text for path, text in BACKDROPS["ament_python"].items() if text is not None}
@@ -30,7 +30,7 @@ def rows(found: InstallTable) -> list[tuple[str, str, str]]:
 
 def test_the_metadata() -> None:
     found = one(BASE, SetupPy)
-    name, version = found.said("name"), found.said("version")
+    name, version = found.setup_text("name"), found.setup_text("version")
     assert name
     assert version
     assert (name.text, found.source.slice(name.shown)) == ("my_pkg", "my_pkg")
@@ -122,7 +122,7 @@ install_scripts = $base/lib/my_pkg
         "launch/a.launch.py": "",
     }  # fmt: skip
     found = one(files, SetupPy)
-    assert [(s.text, s.path) for n in ("name", "version") if (s := found.said(n))] == [
+    assert [(s.text, s.path) for n in ("name", "version") if (s := found.setup_text(n))] == [
         ("my_pkg", "setup.cfg"),
         ("2.0.0", "setup.py"),
     ]
@@ -224,7 +224,9 @@ def test_what_other_packages_may_know() -> None:
     text = SETUP_PY.replace(
         "    zip_safe", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    zip_safe"
     )
-    facts = collect_facts(package({**BASE, "setup.py": text, "my_pkg/talker.py": "def main(): ..."}), Targets(), "", "my_pkg")
+    facts = collect_facts(
+        package({**BASE, "setup.py": text, "my_pkg/talker.py": "def main(): ..."}), Targets(), "", "my_pkg"
+    )
     assert facts.executables == {"talker"}
     assert facts.share_files == {"package.xml"}
     assert facts.modules == {"my_pkg", "my_pkg.talker"}

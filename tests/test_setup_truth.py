@@ -206,12 +206,12 @@ def test_it_is_as_python_says(idiom: str, tmp_path: Path, monkeypatch: pytest.Mo
     folder.mkdir()
     real = really(text, folder, monkeypatch)
     assert not setup.unknown
-    ours = [(e.destination.text, [f.said.text for f in e.files]) for e in setup.data_entries if e.destination]
+    ours = [(e.destination.text, [f.setup_text.text for f in e.files]) for e in setup.data_entries if e.destination]
     assert pairs(ours) == pairs(real.get("data_files"))
     for name in ("packages", "py_modules", "scripts"):
         assert sorted(said.text for said in setup.texts(name)) == sorted(real.get(name, ()))
     for name in ("name", "version"):
-        said = setup.said(name)
+        said = setup.setup_text(name)
         assert (said.text if said else None) == real.get(name)
     entries = real.get("entry_points", {})
     if isinstance(entries, dict):

@@ -18,8 +18,8 @@ import pytest
 from absent import absent
 from venvs import NoIndexError, venv
 
+from rospkg_cli.cli.lint.lint_options import LintOptions, ReportOptions
 from rospkg_cli.cli.lint.run import lint_to
-from rospkg_cli.cli.lint.session import LintOptions
 from rospkg_cli.report import Report, render
 from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
@@ -77,7 +77,7 @@ def test_what_the_config_silences_is_external(schema: dict[str, Any], tmp_path: 
     manifest = tmp_path / "package.xml"
     manifest.write_text(manifest.read_text().replace("Drives my robot", "TODO"))
     stream = io.StringIO()
-    lint_to(LintOptions(paths=(tmp_path,), format="sarif"), stream)
+    lint_to(LintOptions(paths=(tmp_path,), report=ReportOptions(format="sarif")), stream)
     found = json.loads(stream.getvalue())
     assert jsonschema.Draft7Validator(schema).is_valid(found)
     suppressions = [s for result in found["runs"][0]["results"] for s in result.get("suppressions", [])]

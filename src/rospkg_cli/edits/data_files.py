@@ -36,7 +36,7 @@ def install_marker(setup: SetupPy, name: str, wrong: DataFile | None, *, absent:
     """Install `resource/<name>` as the marker, in the place of another one where there is one."""
     create = (Create(f"resource/{name}", ""),) if absent else ()
     if wrong is not None:
-        edits = replace_text(wrong.said, f"resource/{name}")
+        edits = replace_text(wrong.setup_text, f"resource/{name}")
         return (*edits, *create) if edits else ()
     own = name_code(setup, name)
     source = f"{quoted(setup, 'resource/')} + {own}" if own.isidentifier() else quoted(setup, f"resource/{name}")
@@ -88,7 +88,7 @@ def widen_glob(setup: SetupPy, glob: Globbed, path: str) -> tuple[Edit, ...]:
 def drop_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
     """Take a file out of data_files, with its entry where it is the only one of it."""
     value = setup.value("data_files")
-    if file.said.path != setup.path or not isinstance(value, Sequence) or not value.display:
+    if file.setup_text.path != setup.path or not isinstance(value, Sequence) or not value.display:
         return ()
     entry = setup.data_entries[file.entry]
     if len(entry.files) == 1:

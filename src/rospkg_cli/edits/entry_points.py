@@ -33,7 +33,7 @@ def repair(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
 
 def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
     return (
-        replace_text(entry.said, text)
+        replace_text(entry.setup_text, text)
         if not parse_entry_point(entry.group, SetupText("", text, Span(0, 0))).fault
         else ()
     )
@@ -41,11 +41,11 @@ def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
 
 def parted(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
     """Put commas between the strings that Python joined, if each of them is an entry point."""
-    pieces = strings(setup.source.slice(entry.said.span))
-    texts = [setup.source.slice(entry.said.span)[start:end].strip("'\"") for start, end in pieces]
+    pieces = strings(setup.source.slice(entry.setup_text.span))
+    texts = [setup.source.slice(entry.setup_text.span)[start:end].strip("'\"") for start, end in pieces]
     if len(pieces) < 2 or any(parse_entry_point(entry.group, SetupText("", t, Span(0, 0))).fault for t in texts):
         return ()
-    ends = [entry.said.span.start + end for _, end in pieces[:-1]]
+    ends = [entry.setup_text.span.start + end for _, end in pieces[:-1]]
     return tuple(Edit(entry.path, Span(end, end), ",") for end in ends)
 
 

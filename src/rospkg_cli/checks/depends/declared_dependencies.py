@@ -146,4 +146,4 @@ def metapackage_members(name: str, facts: PackageFacts | None) -> Iterable[str]:
     """Return what a package names if it is a metapackage: one of the workspace, or one that everybody knows."""
     if facts is None:
         return rows("metapackages.txt").get(name, ())
-    return [need.name for need in facts.dependencies] if facts.metapackage else ()
+    return [need.name for need in facts.dependencies] if facts.is_metapackage else ()

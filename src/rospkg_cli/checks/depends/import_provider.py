@@ -20,7 +20,7 @@ def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | N
 
 def import_providers(declared: DeclaredDependencies, what: Import) -> tuple[str, ...]:
     """Return the names of which any serves an import, the one to recommend first."""
-    found = declared.workspace.serving(what.module)
+    found = declared.workspace.providers_of(what.module)
     top, _, rest = what.module.partition(".")
     if not found and rest.partition(".")[0] in GENERATED and any(name[:1].isupper() for name in what.names):
         return (top,)

@@ -38,7 +38,7 @@ class MetapackageMembers:
         """Return whether a package is a metapackage, or installs nothing of its own."""
         own = facts.executables or facts.modules or facts.headers or facts.cmake_targets or facts.components
         share = facts.share_files - {"package.xml"} if facts.knows("share_files") else True
-        return facts.metapackage or not (own or facts.interfaces or share)
+        return facts.is_metapackage or not (own or facts.interfaces or share)
 
     @property
     def names(self) -> frozenset[str]:
@@ -59,7 +59,7 @@ class MetapackageMembers:
     def is_left_out(self, facts: PackageFacts) -> bool:
         """Return whether a package is not one to be named: a test, a metapackage, or one that needs this one."""
         return (
-            facts.metapackage
+            facts.is_metapackage
             or LEFT_OUT_ON_PURPOSE.fullmatch(facts.name) is not None
             or self.declared.is_needed_by(facts.name)
         )

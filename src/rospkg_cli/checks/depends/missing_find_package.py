@@ -68,7 +68,10 @@ class MissingFindPackages:
         cmake = self.includes.cmake
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
         return (
-            cmake.complete and not cmake.clouded and not automatic and not any(UNKNOWN in name for name in self.found)
+            cmake.complete
+            and not cmake.reads_unknown_files
+            and not automatic
+            and not any(UNKNOWN in name for name in self.found)
         )
 
     def is_declared(self, each: MissingFindPackage) -> bool:

@@ -53,5 +53,5 @@ class TestOnlyDependencies:
         found: dict[bool, set[str]] = {True: set(), False: set()}
         for file in self.unused.python.files:
             for each in file.imports:
-                found[file.role == "test"].update(self.unused.serving(each))
+                found[file.role == "test"].update(self.unused.providers_of(each))
         return {testing: frozenset(names) for testing, names in found.items()}

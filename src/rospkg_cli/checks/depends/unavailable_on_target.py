@@ -1,67 +1,87 @@
-"""A dependency that a target does not have: what it is called elsewhere, and what may be meant."""
+"""Names of dependencies that a target lacks: why, and the name to suggest instead (DEP001)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from ...languages.rep149_condition import always_holds
 from ...package.manifest import Dependency
 from ...package.workspace import Workspace
 from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.name_suggestions import suggested_name
+from ...ros.names import Names
 from ...ros.rosdep import CODENAMES
 
 
 @dataclass(frozen=True)
-class UnavailableDependency:
-    dependency: Dependency
-    workspace: Workspace
-    targets: Targets
+class UnavailableName:
+    name: str
+    index: Names
     distros: tuple[Distro, ...]
     """The targets that need it and lack it."""
 
-    @property
-    def name(self) -> str:
-        return self.dependency.name
-
     @cached_property
-    def meant(self) -> str | None:
-        """The name of something that the target has, where one is called nearly so."""
-        if self.elsewhere:
+    def suggestion(self) -> str | None:
+        """The similar name of something that the target has; None where another distribution has the name."""
+        if self.other_distros:
             return None
-        return suggested_name(self.name, self.workspace.index, Targets(tuple(each.name for each in self.distros)))
+        return suggested_name(self.name, self.index, Targets(tuple(each.name for each in self.distros)))
 
     @cached_property
-    def elsewhere(self) -> list[str]:
+    def other_distros(self) -> list[str]:
         """The distributions that have a package of that name."""
-        having = self.workspace.index.packages.get(self.name, ())
+        having = self.index.packages.get(self.name, ())
         return [each.name for each in DISTROS if each.name in having]
 
     @property
-    def why(self) -> str:
-        if self.elsewhere:
-            return f"is released for {joined(self.elsewhere)} and not for {joined(each.name for each in self.distros)}"
-        if self.workspace.index.is_key(self.name):
-            return f"is a rosdep key without a rule for Ubuntu {joined(each.ubuntu for each in self.distros)}"
+    def reason(self) -> str:
+        if self.other_distros:
+            lacking = enumerated(each.name for each in self.distros)
+            return f"is released for {enumerated(self.other_distros)} and not for {lacking}"
+        if self.index.is_key(self.name):
+            return f"is a rosdep key without a rule for Ubuntu {enumerated(each.ubuntu for each in self.distros)}"
         return "is no ROS package and no rosdep key"
 
     @property
-    def fails(self) -> str:
-        if self.workspace.index.is_key(self.name) and not self.elsewhere:
+    def rosdep_error(self) -> str:
+        if self.index.is_key(self.name) and not self.other_distros:
             return f"No definition of [{{}}] for OS version [{CODENAMES[self.distros[0].ubuntu]}]"
         return "Cannot locate rosdep definition for [{}]"
 
     @property
-    def instead(self) -> str:
-        if self.elsewhere:
+    def advice(self) -> str:
+        if self.other_distros:
             lacking = " and ".join(f"$ROS_DISTRO != {each.name}" for each in self.distros)
-            return f'have it in the workspace, or do without it there: condition="{lacking}"'
-        if self.meant:
-            return f"did you mean `{self.meant}`?"
-        return "" if self.workspace.index.is_key(self.name) else "is it a package that the workspace lacks?"
+            return f'add it to the workspace, or do without it there: condition="{lacking}"'
+        if self.suggestion:
+            return f"did you mean `{self.suggestion}`?"
+        return "" if self.index.is_key(self.name) else "is it a package that the workspace lacks?"
 
 
-def joined(names: Iterable[str]) -> str:
+def lacking_distros(same: Sequence[Dependency], workspace: Workspace, targets: Targets) -> tuple[Distro, ...]:
+    """Return the targets that certainly need the name of some dependencies and certainly lack it.
+
+    Without named targets: all that need it, or none if one of them has it.
+    """
+    name = same[0].name
+    without = [each for each in targets if workspace.resolves(name, each) is False]
+    needing = [each for each in targets if is_needed_on(each, same)] if without else []
+    found = [each for each in needing if each in without]
+    if not targets.names:
+        return tuple(found) if found == needing else ()
+    if workspace.index.is_package(name):
+        found = [each for each in found if each.end_of_life]  # packages come and go in Rolling, as they are rebuilt
+    return tuple(found)
+
+
+def is_needed_on(distro: Distro, same: Iterable[Dependency]) -> bool:
+    """Return whether one of some dependencies certainly holds for a distribution."""
+    environments = Targets((distro.name,)).environments()
+    return any(always_holds(each.condition, environments) for each in same)
+
+
+def enumerated(names: Iterable[str]) -> str:
     *others, last = dict.fromkeys(names)
     return f"{', '.join(others)} and {last}" if others else last

@@ -76,7 +76,7 @@ class IncludeDependencies:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
         facts = self.declared.workspace.named(folder)
         known = self.declared.workspace.what(folder) is Known.PACKAGE and folder not in SHARED
-        if not known or (facts is not None and facts.metapackage):
+        if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder
 

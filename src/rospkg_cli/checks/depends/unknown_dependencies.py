@@ -120,7 +120,7 @@ class DependencyNames:
         return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
 
     def with_family_prefix(self, name: str) -> str | None:
-        """Return the only package of the workspace that is that name after its family's prefix: `acme_arm` for `arm`."""
+        """Return the only package of the workspace that has the name after a family prefix: `acme_arm` for `arm`."""
         matching = [each for each in self.declared.workspace.names if each.endswith(f"_{name}")]
         if len(matching) != 1:
             return None

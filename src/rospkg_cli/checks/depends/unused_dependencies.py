@@ -109,7 +109,7 @@ class UnusedDependencies:
 
     def is_complete(self, cmake: CMake) -> bool:
         """Return whether all that CMake does is known."""
-        return cmake.complete and not cmake.clouded
+        return cmake.complete and not cmake.reads_unknown_files
 
     def is_built_with(self, name: str) -> bool:
         """Return whether something that is built may use a package.
@@ -141,7 +141,7 @@ class UnusedDependencies:
     def import_names(self) -> frozenset[str]:
         """Every name that may stand behind an import."""
         imports = (each for file in self.python.files for each in file.imports)
-        return frozenset(name for each in imports for name in self.serving(each))
+        return frozenset(name for each in imports for name in self.providers_of(each))
 
-    def serving(self, what: Import) -> tuple[str, ...]:
+    def providers_of(self, what: Import) -> tuple[str, ...]:
         return import_providers(self.declared, what)

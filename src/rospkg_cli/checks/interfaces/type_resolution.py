@@ -49,7 +49,7 @@ class InterfaceInWorkspace:
             if absent and kind not in bare:
                 yield kind
 
-    def meant(self, kind: FieldType) -> str | None:
+    def suggestion(self, kind: FieldType) -> str | None:
         """Return the type that was meant where exactly one is near."""
         known = self.messages(kind)
         if known is None:

@@ -16,8 +16,8 @@ def entity_faults(file: LaunchFile) -> Iterator[Fault]:
     """Yield what launch refuses in an XML or YAML launch file; nothing in one for ROS 1."""
     if file.root is None or file.ros1:
         return
-    for error in file.frontend_errors:
-        yield Fault(error.span, error.message)
+    for problem in file.syntax_problems:
+        yield Fault(problem.span, problem.message)
     for child in file.root.children:
         yield from action_faults(child)
     for each in file.substitutions:

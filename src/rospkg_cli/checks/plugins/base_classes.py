@@ -36,7 +36,7 @@ class WrongBaseClass:
 
     description: PluginDescription
     plugin: PluginClass
-    meant: str
+    suggestion: str
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class UnmatchedLoader:
     """A loader that looks for plug-ins of a package that isn't there."""
 
     loader: PluginLoader
-    meant: str | None
+    suggestion: str | None
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class PluginBases:
         """Yield what CMake exports, with its classes that a source makes."""
         if self.package is None:
             return
-        unmade = {entry.plugin.element.span for entry in self.package.unmade()}
+        unmade = {entry.plugin.element.span for entry in self.package.without_source()}
         for description in self.package.descriptions:
             if description.indexed:
                 cpp = [each for each in description.classes if not each.python and each.element.span not in unmade]
@@ -66,7 +66,7 @@ class PluginBases:
 
     def misplaced(self) -> Iterator[WrongExport]:
         for description, classes in self.described():
-            owners = {each.base.value: self.workspace.loading(each.base.value) for each in classes}
+            owners = {each.base.value: self.workspace.loaders_of(each.base.value) for each in classes}
             for exported in description.exported:
                 serves = any(exported.base in packages or not packages for packages in owners.values())
                 if not exported.indexed:
@@ -79,7 +79,7 @@ class PluginBases:
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""
-        if not self.workspace.is_here(package) and self.workspace.what(package) is not Known.PACKAGE:
+        if not self.workspace.is_available(package) and self.workspace.what(package) is not Known.PACKAGE:
             return True
         around = self.workspace.named(package) is not None
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
@@ -87,9 +87,9 @@ class PluginBases:
     def misnamed(self) -> Iterator[WrongBaseClass]:
         """Yield classes whose base is not known where it is exported, and almost that of another that is."""
         for description, classes in self.described():
-            known = {base for package in description.bases for base in self.workspace.loaded_from(package)}
+            known = {base for package in description.bases for base in self.workspace.bases_loaded_from(package)}
             for plugin in classes:
-                if not self.workspace.loading(plugin.base.value):
+                if not self.workspace.loaders_of(plugin.base.value):
                     meant = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
                     if meant is not None:
                         yield WrongBaseClass(description, plugin, meant)
@@ -100,11 +100,11 @@ class PluginBases:
         bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
         return bases.pop() if len(bases) == 1 and bases <= known else None
 
-    def astray(self) -> Iterator[UnmatchedLoader]:
-        for loader in self.loaders.loaders if self.facts.ament else ():
+    def unmatched_loaders(self) -> Iterator[UnmatchedLoader]:
+        for loader in self.loaders.loaders if self.facts.is_ament else ():
             package, base = loader.names
             known = self.workspace.what(package)
-            if known is Known.PACKAGE or self.workspace.is_here(package) or package == self.facts.name:
+            if known is Known.PACKAGE or self.workspace.is_available(package) or package == self.facts.name:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
             if package not in served and (served or known is Known.UNKNOWN):

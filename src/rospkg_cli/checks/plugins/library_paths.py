@@ -22,7 +22,7 @@ class WrongLibraryPath:
     """The first class of the library."""
     path: Attribute
     fault: LibraryFault
-    meant: str = ""
+    suggestion: str = ""
     """The path that it should be, as far as there is one; the target that is not installed."""
     certain: bool = False
     """Whether that is the library which the class is compiled into."""
@@ -39,20 +39,20 @@ class PluginLibraries:
 
     def wrong(self) -> Iterator[WrongLibraryPath]:
         """Yield each library once; those of classes that no source exports are another fault."""
-        unmade = {entry.plugin.element.span for entry in self.package.unmade()}
+        unmade = {entry.plugin.element.span for entry in self.package.without_source()}
         seen = set()
         for entry in self.package.entries:
             key = (entry.description.file, entry.plugin.library.span)
             if key not in seen and entry.plugin.element.span not in unmade and entry.plugin.path is not None:
                 seen.add(key)
-                yield from self.judged(entry, entry.plugin.path)
+                yield from self.problems_of(entry, entry.plugin.path)
 
-    def judged(self, entry: DescribedPlugin, path: Attribute) -> Iterator[WrongLibraryPath]:
+    def problems_of(self, entry: DescribedPlugin, path: Attribute) -> Iterator[WrongLibraryPath]:
         name = path.value.strip()
         target = self.package.library(name)
         if target is None:
             if self.package.sees_all_libraries(name):
-                yield WrongLibraryPath(entry, path, "unknown", *self.meant(entry, name))
+                yield WrongLibraryPath(entry, path, "unknown", *self.suggestion(entry, name))
         elif (
             "/" not in name
             and name.startswith("lib")
@@ -73,7 +73,7 @@ class PluginLibraries:
         made = self.cmake.target(target)
         return made is not None and "STATIC" in made.options
 
-    def meant(self, entry: DescribedPlugin, name: str) -> tuple[str, bool]:
+    def suggestion(self, entry: DescribedPlugin, name: str) -> tuple[str, bool]:
         """Return the library that holds the class, else the one whose name is hidden in a path or a file name."""
         makers = [e for e in self.package.exported if spaceless(e.type) == spaceless(entry.type)]
         homes = {home for each in makers for home in self.package.libraries_of(each)}

@@ -24,7 +24,7 @@ class UnknownPlugin:
     use: PluginUse
     owner: PackageFacts
     """The package that describes the one that is meant, or that should."""
-    meant: Plugin | None
+    suggestion: Plugin | None
 
 
 @dataclass(frozen=True)
@@ -46,14 +46,14 @@ class PluginReferences:
         for user in self.workspace.packages:
             for use in user.plugin_uses if user.build_type != "catkin" else ():
                 if use.name not in self.names:
-                    yield from self.judged(user, use)
+                    yield from self.problems_of(user, use)
 
-    def judged(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
+    def problems_of(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
         name = SEPARATOR.split(use.name)[0]
         owner = self.workspace.named(name)
         if owner is not None:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
-                yield UnknownPlugin(user, use, owner, self.meant(owner, use.name))
+                yield UnknownPlugin(user, use, owner, self.suggestion(owner, use.name))
         elif self.is_nowhere(name):
             alike = self._tails.get(tail(use.name), [])
             if len(alike) == 1:
@@ -61,15 +61,15 @@ class PluginReferences:
 
     def is_nowhere(self, package: str) -> bool:
         """Return whether there is no such package, as far as anybody knows."""
-        known = self.workspace.is_here(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
+        known = self.workspace.is_available(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
         return self.workspace.complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:
         """Return whether a package has plug-ins in C++, and all of them are known."""
         cpp = any("_py::" not in plugin.base for plugin in owner.plugins)
-        return cpp and owner.ament and owner.knows("plugins") and owner.name not in BUILT_IN
+        return cpp and owner.is_ament and owner.knows("plugins") and owner.name not in BUILT_IN
 
-    def meant(self, owner: PackageFacts, name: str) -> Plugin | None:
+    def suggestion(self, owner: PackageFacts, name: str) -> Plugin | None:
         """Return the plug-in of a package with the same class, or with nearly that name; None where there are more."""
         alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
         if not alike:

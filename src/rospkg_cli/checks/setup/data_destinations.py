@@ -15,7 +15,7 @@ class DataDestinations:
     shared: ShareFiles
 
     @cached_property
-    def astray(self) -> tuple[tuple[DataEntry, str, str], ...]:
+    def misplaced(self) -> tuple[tuple[DataEntry, str, str], ...]:
         """Entries whose destination nobody looks into: the entry, the right destination, and what is wrong."""
         found = []
         for entry in self.shared.package.setup.data_entries:

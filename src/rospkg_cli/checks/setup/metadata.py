@@ -35,14 +35,14 @@ class Metadata:
 
     def description(self) -> Iterator[Difference]:
         """Two descriptions may well be worded differently; one that a template left may not."""
-        said, element = self.setup.said("description"), self.manifest.first("description")
+        said, element = self.setup.setup_text("description"), self.manifest.first("description")
         if said is None or element is None or element.children or not element.text or TODO.fullmatch(element.text):
             return
         if TODO.fullmatch(said.text.strip()) or not said.text.strip():
             yield "description", said, " ".join(element.text.split()), element
 
     def license(self) -> Iterator[Difference]:
-        said, elements = self.setup.said("license"), self.manifest.all("license")
+        said, elements = self.setup.setup_text("license"), self.manifest.all("license")
         texts = [element.text for element in elements]
         if said is None or not texts or any(TODO.fullmatch(text) or not text for text in texts):
             return
@@ -51,7 +51,7 @@ class Metadata:
             yield "license", said, texts[0] if len(texts) == 1 else "", elements[0]
 
     def maintainer(self) -> Iterator[Difference]:
-        said, elements = self.setup.said("maintainer"), self.manifest.all("maintainer")
+        said, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")
         if said is None or not elements:
             return
         ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(said.text)}
@@ -60,7 +60,7 @@ class Metadata:
             yield "maintainer", said, elements[0].text if len(elements) == 1 else "", elements[0]
 
     def email(self) -> Iterator[Difference]:
-        said, elements = self.setup.said("maintainer_email"), self.manifest.all("maintainer")
+        said, elements = self.setup.setup_text("maintainer_email"), self.manifest.all("maintainer")
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
         if said is None or not addresses or not all(map(REAL.fullmatch, addresses)):
             return

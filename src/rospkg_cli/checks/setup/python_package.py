@@ -57,7 +57,7 @@ class PythonPackage:
         own = {said.text.partition(".")[0] for said in (*self.setup.packages, *self.setup.py_modules)}
         return frozenset(own | {module.partition(".")[0] for module in self.on_disk} | {self.name})
 
-    def lacks(self, module: str) -> bool:
+    def is_missing(self, module: str) -> bool:
         """Return whether a module that is meant to be the package's own is nowhere."""
         setup = self.setup
         if (
@@ -65,12 +65,12 @@ class PythonPackage:
             or setup.makes_files
             or not setup.knows("package_dir")
             or setup.file_of(module)
-            or self.blurred(module)
+            or self.may_be_generated(module)
         ):
             return False
         return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
 
-    def blurred(self, module: str) -> bool:
+    def may_be_generated(self, module: str) -> bool:
         """Return whether something else may provide a module: a compiled one, a template, what a link leads to."""
         package, _, name = module.rpartition(".")
         folder = self.setup.folder_of(package) if package else self.setup.package_dir.get("", "")
@@ -92,7 +92,7 @@ class PythonPackage:
         tails = {other.partition(".")[2]: other for other in self.on_disk}
         return tails.get(module) or (tails.get(rest) if rest else None)
 
-    def meant(self, module: str) -> str | None:
+    def suggestion(self, module: str) -> str | None:
         """Return the module that was probably meant."""
         if (found := self.misplaced(module)) is not None:
             return found
@@ -100,7 +100,7 @@ class PythonPackage:
         same = [other for other in self.on_disk if other.rpartition(".")[2] == last]
         return same[0] if len(same) == 1 else nearest(module, self.on_disk)
 
-    def offers(self, module: str, name: str) -> bool:
+    def has_attribute(self, module: str, name: str) -> bool:
         """Return whether a module of the package has a name, or may have it."""
         path = self.setup.file_of(module)
         return path is None or offers(self.modules, self.setup, path, name.partition(".")[0])
@@ -114,7 +114,7 @@ class PythonPackage:
         )
 
     @cached_property
-    def plugs_in(self) -> bool:
+    def extends_command_line(self) -> bool:
         """Whether it extends a command line tool: then its scripts are commands, not nodes."""
         return any(entry.group.startswith(("ros2cli.", "ros2")) for entry in self.setup.entry_points)
 
@@ -125,13 +125,13 @@ class PythonPackage:
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
         """The executables that run a node; one with a dash in its name is a command for the shell."""
-        if self.plugs_in:
+        if self.extends_command_line:
             return ()
         found = (entry for entry in self.executables if entry.module and "-" not in entry.name)
         return tuple(entry for entry in found if self.is_node(entry.module))
 
     @cached_property
-    def forgotten_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
+    def unregistered_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
         """Nodes with a `main` and no entry point, the only ones in their folder.
 
         Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
@@ -155,12 +155,12 @@ class PythonPackage:
         return file.functions.get("main") if file is not None and self.is_node(module) else None
 
     @property
-    def installs_all_it_says(self) -> bool:
+    def knows_installed_modules(self) -> bool:
         """Whether it is known which modules are installed."""
         setup = self.setup
         return not setup.makes_files and all(setup.knows(name) for name in ("packages", "py_modules", "package_dir"))
 
     @property
-    def installs_known_files(self) -> bool:
+    def knows_data_files(self) -> bool:
         """Whether it is known which data files are installed."""
         return not self.setup.makes_files and self.setup.knows("data_files")

@@ -27,7 +27,7 @@ class ScriptDir:
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
         """The executables that run a node, and those that a launch file of the workspace starts."""
-        started = {pair for facts in self.workspace.packages for pair in facts.starts}
+        started = {pair for facts in self.workspace.packages for pair in facts.started_nodes}
         named = (e for e in self.package.executables if (self.package.name, e.name) in started)
         return tuple(dict.fromkeys((*self.package.nodes, *named)))
 
@@ -38,7 +38,7 @@ class ScriptDir:
         A value that is no folder below lib/ was meant so; so was one for the name that setup.py gives the package.
         """
         found: list[tuple[str, str, SetupText | None]] = []
-        own = {self.package.name, said.text if (said := self.package.setup.said("name")) else ""}
+        own = {self.package.name, said.text if (said := self.package.setup.setup_text("name")) else ""}
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             match = ELSEWHERE.fullmatch(option.value.text) if option else None

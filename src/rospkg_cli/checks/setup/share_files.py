@@ -37,7 +37,7 @@ class ShareFiles:
     @property
     def names(self) -> frozenset[str]:
         """The name in package.xml, and the one in setup.py: whether those agree is another question."""
-        said = self.package.setup.said("name")
+        said = self.package.setup.setup_text("name")
         return frozenset({self.package.name, *([said.text] if said else [])})
 
     @property
@@ -88,16 +88,16 @@ class ShareFiles:
             found.append(glob)
         return tuple(dict.fromkeys(found))
 
-    def meant(self, folder: str) -> str | None:
+    def suggestion(self, folder: str) -> str | None:
         """Return the folder whose name is near that of one that is not there."""
         folders = self.package.files.folders
         return None if not folder or folder in folders else nearest(folder, folders)
 
     @cached_property
-    def forgotten(self) -> tuple[str, ...]:
+    def uninstalled_runtime_folders(self) -> tuple[str, ...]:
         """Folders for run time of which nothing is installed and no glob speaks."""
         globbed = {folder_of(glob.pattern).partition("/")[0] for glob in self.package.setup.globs}
-        globbed |= {self.meant(folder) or folder for folder in globbed}
+        globbed |= {self.suggestion(folder) or folder for folder in globbed}
         modules = {said.text.partition(".")[0] for said in self.package.setup.packages}
         return tuple(
             folder
@@ -113,7 +113,7 @@ class ShareFiles:
         globs = {glob.span for glob in self.package.setup.globs}
         index = {*self.markers, *[f for f in self.package.setup.data_files if f.source == "package.xml"]}
         for file in self.package.setup.data_files:
-            if file.source is None or file.said.span in globs:
+            if file.source is None or file.setup_text.span in globs:
                 continue
             first = seen.setdefault(file.source, file)
             if first is not file and (first.destination == file.destination or index & {first, file}):
@@ -144,20 +144,20 @@ class ShareFiles:
         return tuple(found)
 
     @cached_property
-    def missed(self) -> tuple[UninstalledNeighbour, ...]:
+    def uninstalled_neighbours(self) -> tuple[UninstalledNeighbour, ...]:
         """Files for run time that lie beside or below files that a glob installs, and that no glob matches."""
         found: dict[str, UninstalledNeighbour] = {}
         for entry in self.package.setup.data_entries:
-            places = {file.said.span for file in entry.files}
+            places = {file.setup_text.span for file in entry.files}
             for glob in self.package.setup.globs:
                 if glob.span in places and folder_of(glob.pattern):
-                    for path in self.beside(folder_of(glob.pattern)):
+                    for path in self.uninstalled_below(folder_of(glob.pattern)):
                         found.setdefault(path, UninstalledNeighbour(path, entry, glob))
-        for folder, missed in self.folders_beside():
+        for folder, missed in self.uninstalled_folders():
             found.setdefault(f"{folder}/", missed)
         return tuple(found.values())
 
-    def folders_beside(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
+    def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where each of at least two beside them has a glob."""
         entries = self.package.setup.data_entries
         globbed = {folder_of(e.glob.pattern): (e, e.glob) for e in entries if e.glob is not None and e.glob.matches}
@@ -172,7 +172,7 @@ class ShareFiles:
                         entry, glob = globbed[inner[-1]]
                         yield folder, UninstalledNeighbour(f"{folder}/", entry, glob)
 
-    def beside(self, folder: str) -> Iterator[str]:
+    def uninstalled_below(self, folder: str) -> Iterator[str]:
         pattern = FOLDERS.get(folder.partition("/")[0])
         if pattern is None:
             return

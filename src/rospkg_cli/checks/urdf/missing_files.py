@@ -28,8 +28,8 @@ class MissingResource:
     path: str
     state: State
     include: bool
-    meant: str | None = None
-    again: tuple[Span, ...] = ()
+    suggestion: str | None = None
+    other_spans: tuple[Span, ...] = ()
     """Other places that name it."""
 
 
@@ -46,20 +46,20 @@ class RobotInWorkspace:
         for each in self.every_missing():
             found.setdefault((each.package, each.path), []).append(each)
         for first, *others in found.values():
-            yield replace(first, again=tuple(other.span for other in others))
+            yield replace(first, other_spans=tuple(other.span for other in others))
 
     def every_missing(self) -> Iterator[MissingResource]:
         for reference in self.robot.references:
             facts = self.facts_of(reference)
             if facts is not None and reference.path and not reference.path.startswith(".."):
                 state = self.state(facts, reference.path)
-                meant = self.meant(facts, reference.path)
+                meant = self.suggestion(facts, reference.path)
                 if state is not None and (facts.knows("share_files") or meant):
                     include = reference.use == "include"
                     yield MissingResource(reference.path_span, facts.name, reference.path, state, include, meant)
         for local in self.robot.includes:
             if not self.files.exists(local.path) and not local.path.startswith(".."):
-                near = nearest(posixpath.basename(local.path), self.beside(local.path))
+                near = nearest(posixpath.basename(local.path), self.neighbours(local.path))
                 yield MissingResource(local.span, self.package.name, local.path, "absent", True, near)
 
     def facts_of(self, reference: ResourceReference) -> PackageFacts | None:
@@ -82,11 +82,11 @@ class RobotInWorkspace:
     def _own_folders(self) -> frozenset[str]:
         return folders_of(self.package.share_files)
 
-    def meant(self, facts: PackageFacts, path: str) -> str | None:
+    def suggestion(self, facts: PackageFacts, path: str) -> str | None:
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
         return closest_path(path, known)
 
-    def beside(self, path: str) -> list[str]:
+    def neighbours(self, path: str) -> list[str]:
         folder = posixpath.dirname(path)
         return [posixpath.basename(each) for each in self.files.paths if posixpath.dirname(each) == folder]
 

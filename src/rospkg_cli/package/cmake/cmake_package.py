@@ -17,7 +17,7 @@ class CMakePackage:
     facts: PackageFacts
 
     @property
-    def ament(self) -> bool:
+    def is_ament(self) -> bool:
         return self.facts.build_type == "ament_cmake"
 
 

@@ -39,7 +39,7 @@ class PublicHeaders:
     def installed(self) -> frozenset[str]:
         return frozenset(row.source for row in self.table.rows if row.source.endswith(HEADERS))
 
-    def forgotten(self) -> bool:
+    def are_uninstalled(self) -> bool:
         """Return whether headers are offered and none of them is installed."""
         unclear = not self.table.knows("header") or not self.package.cmake.complete
         automatic = self.package.cmake.named("ament_auto_package", "autoware_ament_auto_package")

@@ -38,18 +38,18 @@ class SectionReader:
         self.waiting: list[InterfaceComment] = []
         self.of_last: list[InterfaceComment] = []
         count = next((i for i, line in enumerate(lines) if not line.text.startswith("#")), len(lines))
-        self.judge([comment_in(line, 0) for line in lines[:count]], of_field=False)
+        self.check_comments([comment_in(line, 0) for line in lines[:count]], of_field=False)
         for line in lines[count:]:
             if line.text:
                 self.read(line)
-        self.judge_last()
+        self.check_last_comments()
 
-    def judge(self, comments: list[InterfaceComment], *, of_field: bool) -> None:
+    def check_comments(self, comments: list[InterfaceComment], *, of_field: bool) -> None:
         self.problems += comment_problems(comments, of_field=of_field)
 
-    def judge_last(self) -> None:
+    def check_last_comments(self) -> None:
         if self.members:
-            self.judge(self.of_last, of_field=not self.members[-1].constant)
+            self.check_comments(self.of_last, of_field=not self.members[-1].constant)
 
     def read(self, line: InterfaceLine) -> None:
         text, sign, rest = line.text.partition("#")
@@ -66,7 +66,7 @@ class SectionReader:
             return
         member = self.member(InterfaceLine(text, line.at), behind)
         if member:
-            self.judge_last()
+            self.check_last_comments()
             self.members.append(member)
             self.of_last, self.waiting = self.waiting, []
 
@@ -97,7 +97,7 @@ class SectionReader:
             return None
         value_span = line.span(len(line.text) - len(value), len(line.text))
         if value:
-            self.judge_value(kind, value, value_span, comment)
+            self.check_value(kind, value, value_span, comment)
         return Member(kind, name, line.span(at, at + len(name)), False, value or None, value_span)
 
     def constant(self, line: InterfaceLine, kind_span: Span, at: int, comment: InterfaceComment) -> Member | None:
@@ -115,7 +115,7 @@ class SectionReader:
             self.problem(kind.span, f"a constant has a primitive type without bounds or brackets, not `{kind.text}`")
             return None
         value_span = line.span(len(line.text) - len(value), len(line.text))
-        self.judge_value(kind, value, value_span, comment)
+        self.check_value(kind, value, value_span, comment)
         return Member(kind, name, span, True, value, value_span)
 
     def type_at(self, line: InterfaceLine, span: Span) -> FieldType | None:
@@ -138,7 +138,7 @@ class SectionReader:
             self.problem(span, f"`{name}` is no name of a field: lower case letters, digits and single `_`")
         return False
 
-    def judge_value(self, kind: FieldType, value: str, span: Span, comment: InterfaceComment) -> None:
+    def check_value(self, kind: FieldType, value: str, span: Span, comment: InterfaceComment) -> None:
         fault = value_fault(kind, value)
         if kind.base in STRINGS and is_open(value) and value[0] in comment.text:
             span = Span(span.start, comment.at + comment.text.index(value[0]) + 1)

@@ -6,18 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ...languages.located_text import LocatedText
+from ...languages.syntax_problem import SyntaxProblem
 from ...languages.xml.parser import Document, Element, read_xml
 from ...languages.yaml.aliases import read_resolved
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...source import Source, Span
-
-
-@dataclass(frozen=True, slots=True)
-class FrontendError:
-    """Text that the frontend can't parse."""
-
-    span: Span
-    message: str
 
 
 @dataclass(frozen=True)
@@ -62,17 +55,19 @@ def xml_entity(document: Document, element: Element) -> Entity:
     )
 
 
-def from_yaml(source: Source) -> tuple[Entity | None, list[FrontendError]]:
+def from_yaml(source: Source) -> tuple[Entity | None, list[SyntaxProblem]]:
     """Read a YAML file, and what the frontend refuses of it; raises UnreadableError for what is no YAML."""
     root = read_resolved(source)
     entries = pairs(root) if isinstance(root, MappingNode) else []
     if not entries:
         return None, []
-    errors: list[FrontendError] = []
+    problems: list[SyntaxProblem] = []
     if len(entries) > 1:
-        errors.append(FrontendError(entries[1][0].written.span, "a YAML launch file has one key at its top: `launch:`"))
+        problems.append(
+            SyntaxProblem(entries[1][0].written.span, "a YAML launch file has one key at its top: `launch:`")
+        )
     key, value = entries[0]
-    return yaml_entity(key, value, errors), errors
+    return yaml_entity(key, value, problems), problems
 
 
 def pairs(mapping: MappingNode) -> list[tuple[ScalarNode, YamlNode]]:
@@ -80,21 +75,21 @@ def pairs(mapping: MappingNode) -> list[tuple[ScalarNode, YamlNode]]:
     return [(key, value) for key, value in mapping.entries if isinstance(key, ScalarNode)]
 
 
-def yaml_entity(name: ScalarNode, value: YamlNode, errors: list[FrontendError]) -> Entity:
+def yaml_entity(name: ScalarNode, value: YamlNode, problems: list[SyntaxProblem]) -> Entity:
     """Make an entity of `name: value`."""
     span = name.written.span
     found = Entity(name.text, Span(span.start, value.span.end), span)
     if isinstance(value, SequenceNode):
-        return with_children(found, list(children_of(value.items, errors)))
+        return with_children(found, list(children_of(value.items, problems)))
     children: list[Entity] = []
     for key, item in pairs(value) if isinstance(value, MappingNode) else []:
         found.attribute_spans[key.text] = key.written.span
         if isinstance(item, ScalarNode):
             found.attributes[key.text] = item.written
         elif key.text == "children":
-            children += children_of(values_of(item), errors)
+            children += children_of(values_of(item), problems)
         elif isinstance(item, SequenceNode) and not all(isinstance(each, ScalarNode) for each in item.items):
-            children += [yaml_entity(key, each, errors) for each in item.items]
+            children += [yaml_entity(key, each, problems) for each in item.items]
         else:
             found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, ScalarNode))
     return with_children(found, children)
@@ -107,20 +102,20 @@ def values_of(node: YamlNode) -> list[YamlNode]:
     return node.items if isinstance(node, SequenceNode) else []
 
 
-def children_of(items: list[YamlNode], errors: list[FrontendError]) -> Iterator[Entity]:
+def children_of(items: list[YamlNode], problems: list[SyntaxProblem]) -> Iterator[Entity]:
     """Yield the entities of a list in which each item is `name: value`."""
     for item in items:
         entries = pairs(item) if isinstance(item, MappingNode) else []
         if not entries:
             message = "an entry of a launch description is `- name:` with its attributes below"
-            errors.append(FrontendError(item.written.span if isinstance(item, ScalarNode) else item.span, message))
+            problems.append(SyntaxProblem(item.written.span if isinstance(item, ScalarNode) else item.span, message))
             continue
         key, value = entries[0]
-        yield yaml_entity(key, value, errors)
+        yield yaml_entity(key, value, problems)
         if len(entries) > 1:
             extra = entries[1][0]
             message = f"`{extra.text}` and `{key.text}` are in one list entry; indent it below, or begin a new one"
-            errors.append(FrontendError(extra.written.span, f"{message} with `-`"))
+            problems.append(SyntaxProblem(extra.written.span, f"{message} with `-`"))
 
 
 def with_children(entity: Entity, children: list[Entity]) -> Entity:

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ...languages.located_text import LocatedText
+from ...languages.syntax_problem import SyntaxProblem
 from ...ros.launch_entities import ACTIONS
 from ...source import Source, Span
 from .argument_defaults import literal_defaults
-from .entity import Entity, FrontendError
+from .entity import Entity
 from .entity_events import xml_events
 from .file_references import NamedPath, Use, paths_in
 from .launch_file import (
@@ -38,7 +39,7 @@ NODES: dict[str, NodeKind] = {
 class EntityVisitor:
     """One pass over the entities of a file."""
 
-    errors: list[FrontendError] = field(default_factory=list)
+    problems: list[SyntaxProblem] = field(default_factory=list)
     texts: list[LaunchText] = field(default_factory=list)
     nodes: list[LaunchedNode] = field(default_factory=list)
     includes: list[Include] = field(default_factory=list)
@@ -51,7 +52,9 @@ class EntityVisitor:
         try:
             found = parse_text(written)
         except SubstitutionError as error:
-            self.errors.append(FrontendError(written.part(error.at, min(error.at + 1, len(written.text))), str(error)))
+            self.problems.append(
+                SyntaxProblem(written.part(error.at, min(error.at + 1, len(written.text))), str(error))
+            )
             return unknown_text(written.span)
         self.texts.append(found)
         return found
@@ -158,8 +161,8 @@ def joined(names: list[LaunchText]) -> LaunchText:
     return LaunchText(Span(names[0].span.start, names[-1].span.end), tuple(parts))
 
 
-def launch_file(source: Source, frontend: Frontend, root: Entity, errors: list[FrontendError]) -> LaunchFile:
-    visitor = EntityVisitor(errors)
+def launch_file(source: Source, frontend: Frontend, root: Entity, problems: list[SyntaxProblem]) -> LaunchFile:
+    visitor = EntityVisitor(problems)
     visitor.visit(root, True)
     return LaunchFile(
         source,
@@ -174,5 +177,5 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, errors: list[F
         events=xml_events(root),
         ros1=is_ros1(root),
         root=root,
-        frontend_errors=tuple(visitor.errors),
+        syntax_problems=tuple(visitor.problems),
     )

@@ -9,9 +9,10 @@ from typing import Literal
 
 from ...files import Reading
 from ...languages.python.file import Import, PythonFile
+from ...languages.syntax_problem import SyntaxProblem
 from ...source import Source, Span
 from .configuration_events import Event, Summary, summary
-from .entity import Entity, FrontendError
+from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import guarded_in
 from .file_references import NamedPath
@@ -106,7 +107,7 @@ class LaunchFile:
     """Of a Python file: every call that it makes. What a check needs to know besides the fields above comes from it."""
     root: Entity | None = None
     """Of an XML or YAML file: its entities, for the same purpose."""
-    frontend_errors: tuple[FrontendError, ...] = ()
+    syntax_problems: tuple[SyntaxProblem, ...] = ()
     """Of an XML or YAML file: text that the frontend can't parse."""
 
     @property

@@ -16,5 +16,5 @@ def read_xml_launch(source: Source) -> LaunchFile | None:
 
 def read_yaml_launch(source: Source) -> LaunchFile | None:
     """Read a YAML launch file; None where it is some other YAML; raises UnreadableError."""
-    root, errors = from_yaml(source)
-    return launch_file(source, "yaml", root, errors) if root is not None and root.name == "launch" else None
+    root, problems = from_yaml(source)
+    return launch_file(source, "yaml", root, problems) if root is not None and root.name == "launch" else None

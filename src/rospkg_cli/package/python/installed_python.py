@@ -18,12 +18,12 @@ class InstalledPython:
 
     def __init__(self, files: PackageFiles, table: InstallTable | None) -> None:
         self.files = files
-        self.told = table is not None and table.knows("module") and table.knows("executable")
+        self.is_known = table is not None and table.knows("module") and table.knows("executable")
         rows = table.rows if table else ()
         self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable"))
 
     def has(self, path: str) -> bool:
-        if path in self.sources or self.told:
+        if path in self.sources or self.is_known:
             return path in self.sources
         if path.rpartition("/")[2] in self.programs:
             return True

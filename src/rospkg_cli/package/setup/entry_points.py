@@ -31,7 +31,7 @@ EntryPointFault = Literal["", "no-equals", "no-attribute", "joined", "file-name"
 @dataclass(frozen=True)
 class EntryPoint:
     group: str
-    said: SetupText
+    setup_text: SetupText
     name: str
     """"" where the text can't be taken apart."""
     module: str = ""
@@ -47,15 +47,15 @@ class EntryPoint:
 
     @property
     def path(self) -> str:
-        return self.said.path
+        return self.setup_text.path
 
     @property
     def text(self) -> str:
-        return self.said.text
+        return self.setup_text.text
 
     @property
     def span(self) -> Span:
-        return self.said.shown
+        return self.setup_text.shown
 
     @property
     def script(self) -> bool:

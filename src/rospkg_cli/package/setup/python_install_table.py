@@ -72,7 +72,7 @@ def data_rows(setup: SetupPy) -> Iterator[InstalledFile]:
         what: InstallKind = "share" if file.destination.startswith("share/") else "other"
         if re.fullmatch(r"lib/[^/]+/[^/]+|bin/[^/]+", file.destination):
             what = "executable"
-        yield InstalledFile(what, file.destination, file.source, "", file.said.path, file.said.shown)
+        yield InstalledFile(what, file.destination, file.source, "", file.setup_text.path, file.setup_text.shown)
 
 
 def implied_rows(setup: SetupPy, name: str) -> Iterator[InstalledFile]:

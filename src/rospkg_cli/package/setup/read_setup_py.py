@@ -32,7 +32,7 @@ def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
         file=file,
         folder=folder,
         call=call,
-        doubt=doubt,
+        call_unknown=doubt,
         cfg=cfg.only,
         cfg_broken=bool(cfg.broken) or has_project_table(reading),
         calls=tuple(evaluator.calls),

@@ -20,7 +20,7 @@ class SetupArguments:
     folder: SandboxFilesystem
     call: Call | None
     """The call of setup(); None where it can't be told."""
-    doubt: Unknown | None
+    call_unknown: Unknown | None
     """Why not."""
     cfg: SetupCfg | None
     cfg_broken: bool
@@ -61,19 +61,19 @@ class SetupArguments:
     def value(self, name: str) -> Value | None:
         """Return what setup() is given; None where setup.cfg or nobody says it; Unknown where it can't be told."""
         if self.call is None:
-            return self.doubt
+            return self.call_unknown
         found = self.call.get(name)
         if found is None:
             return self.call.rest
         return None if isinstance(found, Constant) and not found.value else found
 
-    def absent(self, name: str) -> Unknown | None:
+    def may_be_given_elsewhere(self, name: str) -> Unknown | None:
         """Return why a missing argument may yet be given elsewhere."""
         if self.cfg_broken:
             return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
         return None
 
-    def said(self, name: str) -> SetupText | None:
+    def setup_text(self, name: str) -> SetupText | None:
         """Return a text of the metadata, as setup.py or setup.cfg gives it; None where it isn't known."""
         value = self.value(name)
         if value is None and self.cfg is not None:

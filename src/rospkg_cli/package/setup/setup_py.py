@@ -61,7 +61,9 @@ class SetupPy(SetupArguments):
         found: dict[str, Unknown] = {}
         for name in ARGUMENTS:
             value = self.value(name)
-            reasons = list(unknowns(value)) if value is not None else [u for u in [self.absent(name)] if u]
+            reasons = (
+                list(unknowns(value)) if value is not None else [u for u in [self.may_be_given_elsewhere(name)] if u]
+            )
             if isinstance(value, Call):
                 reasons = [Unknown(value.span, f"{value.callee or 'a call'} is not known here")]
             if reasons:

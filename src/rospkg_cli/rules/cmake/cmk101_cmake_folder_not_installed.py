@@ -51,10 +51,10 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     'my_pkg'": only what `install()` names is installed.
     """
     package, place = folders.package, folders.place
-    if not package.ament or place is None:
+    if not package.is_ament or place is None:
         return
     name = package.facts.name
-    for folder in folders.forgotten():
+    for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
         start = f"`ros2 launch {name} …`" if folder == "launch" else "what opens it in the share directory"

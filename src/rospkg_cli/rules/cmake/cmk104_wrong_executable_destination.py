@@ -78,7 +78,7 @@ def wrong_executable_destination(astray: MisplacedExecutables) -> Iterator[Hit]:
     not safe.
     """
     name = astray.package.facts.name
-    if not astray.package.ament:
+    if not astray.package.is_ament:
         return
     project = astray.package.cmake.project_name
     for each in astray.all():

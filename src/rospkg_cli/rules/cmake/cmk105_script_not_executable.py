@@ -62,7 +62,7 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     `ros2 run` says "No executable found", or the script ends with "Exec format error". PROGRAMS sets the bit on a copy;
     with `colcon build --symlink-install` there is no copy, and the bit of the source counts.
     """
-    if not scripts.package.ament:
+    if not scripts.package.is_ament:
         return
     for script in scripts.broken():
         mild = script.wrong == "no bit" or (script.wrong == "directory" and scripts.uses_programs)

@@ -62,7 +62,7 @@ def headers_not_installed(headers: PublicHeaders) -> Iterator[Hit]:
     `#include`.
     """
     package = headers.package
-    if not package.ament or not headers.forgotten():
+    if not package.is_ament or not headers.are_uninstalled():
         return
     call = headers.exports[0]
     first = headers.offered[0]

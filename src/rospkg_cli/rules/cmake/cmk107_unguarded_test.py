@@ -50,7 +50,7 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer
     there for the rest of the file when tests are off.
     """
-    if not package.ament:
+    if not package.is_ament:
         return
     found = list(unguarded(package))
     guards = guard(package.cmake.root, [each.call.command for each in found])

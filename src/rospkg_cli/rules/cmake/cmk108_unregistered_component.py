@@ -96,11 +96,11 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     class with the requested plugin name"; its executable starts and ends without a message.
     """
     cmake = components.package.cmake
-    if not components.package.ament:
+    if not components.package.is_ament:
         return
     for each in components.without_target():
         word, made = each.target, [target.name for target in cmake.targets]
-        message = f"nothing makes the target {cmake.shown(word)}{did_you_mean(word.text, made)}: CMake stops"
+        message = f"nothing makes the target {cmake.quoted(word)}{did_you_mean(word.text, made)}: CMake stops"
         yield Hit(word.path, word.span, f"{message}; name the library that holds `{each.plugin.text}`")
     for each in components.without_source():
         yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))

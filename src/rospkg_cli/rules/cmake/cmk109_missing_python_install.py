@@ -55,7 +55,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     """
     cmake = packages.package.cmake
     ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
-    if not packages.package.ament or not ends:
+    if not packages.package.is_ament or not ends:
         return
     for each in packages.uninstalled():
         place = ends[-1]

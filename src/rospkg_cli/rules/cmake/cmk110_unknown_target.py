@@ -70,7 +70,7 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
 
 
 def said(package: CMakePackage, reference: TargetReference) -> str:
-    name = package.cmake.shown(reference.word)
+    name = package.cmake.quoted(reference.word)
     if reference.kind == "export":
         return f"no `install(… EXPORT …)` fills {name}, which `{reference.call.name}` exports"
     return f"`{reference.call.name}` names the target {name}, which nothing makes"

@@ -55,7 +55,7 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
         word = install.destination_word
         if word is None or install.call.maybe or (word.path, word.span) in seen:
             continue
-        raw = package.cmake.raw(word).strip('"')
+        raw = package.cmake.source_text(word).strip('"')
         if OUTSIDE.match(raw) and install.call.name != "ament_python_install_package":
             seen.add((word.path, word.span))
             message = (
@@ -75,6 +75,6 @@ def fix(package: CMakePackage, word: Word, raw: str) -> Fix | None:
     found = STANDARD.fullmatch(raw)
     if found is None:
         return None
-    quote = '"' if package.cmake.raw(word).startswith('"') else ""
+    quote = '"' if package.cmake.source_text(word).startswith('"') else ""
     edit = Edit(word.path, word.span, f"{quote}{found.group(1)}{quote}")
     return Fix(f"install into `{found.group(1)}` below the prefix", (edit,))

@@ -41,9 +41,9 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     ## Why is this bad?
     The build is green, and `ros2 run` finds the one and not the other.
     """
-    if not scripts.package.ament:
+    if not scripts.package.is_ament:
         return
-    for path, beside in scripts.forgotten():
+    for path, beside in scripts.uninstalled():
         message = (
             f"`{path}` is not installed as `{beside.source}` beside it is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"

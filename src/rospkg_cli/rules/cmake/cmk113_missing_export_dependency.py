@@ -75,7 +75,7 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     The package is added. Where the library needs it only inside, linking it as PRIVATE is better.
     """
     package = exported.headers.package
-    if not package.ament:
+    if not package.is_ament:
         return
     for number, each in enumerate(exported.missing()):
         lacks = "a target" if each.as_target else "a header"

@@ -56,16 +56,16 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     The name is replaced by the suggested one; where only a letter differs, another one may be right.
     """
     manifest = names.declared.manifest
-    for each in names.strange():
+    for each in names.unknown():
         name = each.dependency.name
-        instead = each.instead or (f"write `{each.meant}`" if each.meant else "")
-        others = names.again(each.dependency)
+        advice = each.advice or (f"write `{each.suggestion}`" if each.suggestion else "")
+        others = names.repeated(each.dependency)
         fix = None
-        if each.meant:
-            edits = tuple(rename_dependency(manifest, d, each.meant) for d in (each.dependency, *others))
-            fix = Fix(f"write `{each.meant}`", edits, Safety.UNSAFE)
+        if each.suggestion:
+            edits = tuple(rename_dependency(manifest, d, each.suggestion) for d in (each.dependency, *others))
+            fix = Fix(f"write `{each.suggestion}`", edits, Safety.UNSAFE)
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
-        message = f'`{name}` {each.why}: `rosdep install` ends with "{each.fails.format(name)}"'
-        message += f"; {instead}" if instead else ""
-        level = Severity.INFO if each.elsewhere else None
+        message = f'`{name}` {each.reason}: `rosdep install` ends with "{each.rosdep_error.format(name)}"'
+        message += f"; {advice}" if advice else ""
+        level = Severity.INFO if each.is_released_elsewhere else None
         yield Hit(manifest.path, each.dependency.span, message, level, related, fix)

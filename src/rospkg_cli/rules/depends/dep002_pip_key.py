@@ -35,7 +35,10 @@ def pip_key(names: DependencyNames) -> Iterator[Hit]:
     ## References
     - rosdistro, REVIEW_GUIDELINES.md
     """
-    for each in names.pip_keys():
+    workspace = names.declared.workspace
+    for each in names.active():
+        if workspace.named(each.name) or not workspace.index.is_pip(each.name, names.targets):
+            continue
         message = (
             f"`{each.name}` is installed from PyPI: a package that depends on it can't be released; depend on a key "
             f"that Ubuntu serves, or have the library packaged"

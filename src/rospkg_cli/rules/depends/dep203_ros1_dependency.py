@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.depends.unknown_dependencies import DependencyNames
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
+from ...ros.aliases import successors
 from ...rule import rule
 
 
@@ -37,7 +38,10 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [rospy]".
     """
-    for each, taken in names.of_ros1():
+    for each in names.active():
+        taken = successors(each.name)
+        if taken is None or names.declared.workspace.named(each.name) is not None:
+            continue
         instead = " or ".join(f"`{name}`" for name in taken)
         todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 has nothing in its place: take the line out"
         message = (
@@ -45,5 +49,5 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
         )
         path = names.declared.manifest.path
-        related = tuple(Related(path, other.span, "and here") for other in names.again(each))
+        related = tuple(Related(path, other.span, "and here") for other in names.repeated(each))
         yield Hit(path, each.span, message, related=related)

@@ -57,7 +57,7 @@ def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     """
     path = scope.interface.path
     for kind in scope.unknown_types():
-        better = scope.meant(kind)
+        better = scope.suggestion(kind)
         hint = f": write `{better}`" if better else ""
         fix = None
         if better:

@@ -51,7 +51,7 @@ def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
     The build succeeds, and the type does not exist: code that includes or imports it gets an error that does not say
     why.
     """
-    for interface in generated.left_out():
+    for interface in generated.unlisted():
         message = f"`{interface.path}` is not in `rosidl_generate_interfaces`: nothing is generated of it"
         edit = list_interface(generated, interface)
         fix = Fix("list it in CMakeLists.txt", (edit,)) if edit else None

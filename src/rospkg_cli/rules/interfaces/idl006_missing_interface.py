@@ -40,7 +40,7 @@ def missing_interface(generated: GeneratedInterfaces) -> Iterator[Hit]:
     CMake stops: "the passed file … doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR".
     """
     known = [interface.path for interface in generated.interfaces]
-    for listed in generated.absent():
+    for listed in generated.missing():
         hint = did_you_mean(listed.path or "", known)
         message = f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops the build"
         yield Hit(listed.word.path, listed.word.span, message)

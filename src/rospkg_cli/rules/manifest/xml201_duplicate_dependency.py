@@ -41,7 +41,7 @@ CMAKE = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
 def duplicate_dependency(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
-    Finds duplicate dependencies: one name in the same tag, condition and version limits.
+    Finds dependencies that are declared twice with the same tag, condition and version limits.
 
     ## Why is this bad?
     One of them is forgotten when the dependency changes. Two equal `<depend>` are refused by colcon, which then builds

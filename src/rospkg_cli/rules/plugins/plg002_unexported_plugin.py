@@ -92,8 +92,8 @@ def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
     The type of a description is set to what the source exports. A missing export of the description in CMake is added
     only with `--unsafe-fixes`: its package is taken from the base class.
     """
-    for entry in package.unmade():
-        yield unmade(package, entry)
+    for entry in package.without_source():
+        yield without_source(package, entry)
     for description, exported in package.unexported():
         yield unexported(package, description, exported)
     for exported in package.undescribed():
@@ -104,8 +104,8 @@ def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
         yield Hit(exported.path, exported.span, message, Severity.WARNING)
 
 
-def unmade(package: PluginPackage, entry: DescribedPlugin) -> Hit:
-    kind, file, meant = entry.plugin.type, entry.description.file, package.meant(entry)
+def without_source(package: PluginPackage, entry: DescribedPlugin) -> Hit:
+    kind, file, meant = entry.plugin.type, entry.description.file, package.suggestion(entry)
     if meant is None:
         message = (
             f"no source exports `{entry.type}`: loading the plug-in `{entry.plugin.called}` fails; add "

@@ -77,12 +77,12 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     for unknown in PluginReferences(workspace).unknown():
         if unknown.user.folder in workspace.given:
             yield at_use(unknown)
-        elif unknown.meant is not None and unknown.owner.folder in workspace.given:
+        elif unknown.suggestion is not None and unknown.owner.folder in workspace.given:
             yield at_description(unknown)
 
 
 def at_use(unknown: UnknownPlugin) -> Hit:
-    use, owner, meant = unknown.use, unknown.owner, unknown.meant
+    use, owner, meant = unknown.use, unknown.owner, unknown.suggestion
     path = unknown.user.at(use.path)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
@@ -94,7 +94,7 @@ def at_use(unknown: UnknownPlugin) -> Hit:
 
 
 def at_description(unknown: UnknownPlugin) -> Hit:
-    use, meant = unknown.use, unknown.meant
+    use, meant = unknown.use, unknown.suggestion
     assert meant is not None
     message = (
         f"`{unknown.user.name}` asks for the plug-in `{use.name}`, and this one is called `{meant.name}`: "

@@ -78,7 +78,7 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
         yield at_export(bases, misplaced)
     for misnamed in bases.misnamed():
         yield at_class(misnamed)
-    for astray in bases.astray():
+    for astray in bases.unmatched_loaders():
         yield at_loader(astray)
 
 
@@ -105,21 +105,25 @@ def written(bases: PluginBases, found: WrongExport) -> Fix | None:
 
 def at_class(found: WrongBaseClass) -> Hit:
     base, file = found.plugin.base, found.description.file
-    message = f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.meant}`"
-    fix = Fix(f"write `{found.meant}`", (Edit(file, base.value_span, found.meant),))
-    return Hit(file, base.value_span, message, fix=only_plain(fix, found.meant))
+    message = (
+        f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.suggestion}`"
+    )
+    fix = Fix(f"write `{found.suggestion}`", (Edit(file, base.value_span, found.suggestion),))
+    return Hit(file, base.value_span, message, fix=only_plain(fix, found.suggestion))
 
 
 def at_loader(found: UnmatchedLoader) -> Hit:
     package, base = found.loader.names
     argument = found.loader.package
     message = f"`{package}` is no package that is known, so the loader of `{base}` throws when it is made"
-    if found.meant is None:
+    if found.suggestion is None:
         return Hit(found.loader.path, argument.inner, message)
-    fix = Fix(f"write `{found.meant}`", (Edit(found.loader.path, argument.inner, found.meant),), Safety.UNSAFE)
+    fix = Fix(
+        f"write `{found.suggestion}`", (Edit(found.loader.path, argument.inner, found.suggestion),), Safety.UNSAFE
+    )
     return Hit(
         found.loader.path,
         argument.inner,
-        f"{message}; plug-ins of it are exported to `{found.meant}`",
-        fix=only_plain(fix, found.meant),
+        f"{message}; plug-ins of it are exported to `{found.suggestion}`",
+        fix=only_plain(fix, found.suggestion),
     )

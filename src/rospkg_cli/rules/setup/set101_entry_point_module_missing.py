@@ -44,9 +44,9 @@ def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
     The build does not look: it is green, and `ros2 run` raises ModuleNotFoundError.
     """
     for entry in package.setup.entry_points:
-        if not entry.module or entry.fault or not package.lacks(entry.module):
+        if not entry.module or entry.fault or not package.is_missing(entry.module):
             continue
-        meant = package.meant(entry.module)
+        meant = package.suggestion(entry.module)
         hint = f"did you mean `{meant}`? " if meant else ""
         message = f"there is no module `{entry.module}`: {hint}{consequence(package, entry)}"
         yield Hit(entry.path, entry.module_span, message)

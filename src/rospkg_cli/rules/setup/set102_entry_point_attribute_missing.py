@@ -41,7 +41,7 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
     The build is green; starting the executable raises ImportError or AttributeError.
     """
     for entry in package.setup.entry_points:
-        if entry.fault or not entry.attribute or package.offers(entry.module, entry.attribute):
+        if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
             continue
         path = package.setup.file_of(entry.module) or ""
         file = package.modules.at(path)

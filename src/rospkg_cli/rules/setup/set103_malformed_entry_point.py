@@ -66,7 +66,7 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
             message = f"`{entry.text}` {WHY[entry.fault]}; write `name = module:function`{consequence(entry)}"
             edits = repair(package.setup, entry)
             fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
-            yield Hit(entry.path, entry.said.span if entry.fault == "joined" else entry.span, message, fix=fix)
+            yield Hit(entry.path, entry.setup_text.span if entry.fault == "joined" else entry.span, message, fix=fix)
 
 
 def consequence(entry: EntryPoint) -> str:

@@ -39,7 +39,7 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     The module may belong elsewhere instead.
     """
     setup = tree.setup
-    if not tree.package.installs_all_it_says:
+    if not tree.package.knows_installed_modules:
         return
     for entry in setup.entry_points:
         path = setup.file_of(entry.module) if entry.module and not entry.fault else None

@@ -43,7 +43,7 @@ def unregistered_main(package: PythonPackage) -> Iterator[Hit]:
     ## Fix safety
     It makes an executable of a module that may be there for import only.
     """
-    for module, path, main, like in package.forgotten_nodes:
+    for module, path, main, like in package.unregistered_nodes:
         name = module.rpartition(".")[2]
         edits = add_entry(package.setup, like, f"{name} = {module}:main")
         fix = Fix(f"add `{name} = {module}:main`", edits, Safety.UNSAFE) if edits else None

@@ -45,17 +45,17 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     colcon adds a missing marker for now and warns that it will not in the future; a Debian package and pip do not.
     """
     package, name = shared.package, shared.package.name
-    if not package.installs_known_files or shared.installs_marker:
+    if not package.knows_data_files or shared.installs_marker:
         return
     wrong = next(iter(shared.markers), None)
     operations = install_marker(package.setup, name, wrong, absent=not package.files.exists(f"resource/{name}"))
     fix = Fix(f"install resource/{name}", operations) if operations else None
     if wrong is not None:
         message = (
-            f"the marker is installed as `{wrong.said.text}`: the index then knows another package, and `{name}` is "
-            f"not found once it is installed from a Debian package; install `resource/{name}`"
+            f"the marker is installed as `{wrong.setup_text.text}`: the index then knows another package, and `{name}` "
+            f"is not found once it is installed from a Debian package; install `resource/{name}`"
         )
-        yield Hit(wrong.said.path, wrong.said.shown, message, fix=fix)
+        yield Hit(wrong.setup_text.path, wrong.setup_text.shown, message, fix=fix)
         return
     message = (
         f"the marker `resource/{name}` is not installed: colcon still adds it with a warning, Debian packages and pip "

@@ -42,4 +42,4 @@ def missing_marker(shared: ShareFiles) -> Iterator[Hit]:
                 f"empty file and commit it"
             )
             fix = Fix(f"create the empty file {file.source}", (Create(file.source, ""),))
-            yield Hit(file.said.path, file.said.shown, message, fix=fix)
+            yield Hit(file.setup_text.path, file.setup_text.shown, message, fix=fix)

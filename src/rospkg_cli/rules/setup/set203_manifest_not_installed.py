@@ -32,7 +32,7 @@ def manifest_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     for now and warns that it will not in the future; a Debian package and pip do not.
     """
     package, name = shared.package, shared.package.name
-    if not package.installs_known_files or shared.installs_manifest:
+    if not package.knows_data_files or shared.installs_manifest:
         return
     setup = package.setup
     edits = add_data_entry(setup, share_code(setup, name), f"[{quoted(setup, 'package.xml')}]")

@@ -67,7 +67,7 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
             shown = ", ".join(f"`{path}`" for path in held[:3]) + (", …" if len(held) > 3 else "")
             what = f"the folder holds {shown}"
         else:
-            near = shared.meant(folder)
+            near = shared.suggestion(folder)
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
             level = Severity.ERROR if near and shared.refers_to(near) else None if near else Severity.INFO
         message = f"`{glob.pattern}` matches no file; {what}. The build is green and installs nothing for it"

@@ -73,12 +73,12 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
         for file in entry.files:
             why = fault(shared, entry, file)
             if why:
-                yield Hit(file.said.path, file.said.shown, why)
+                yield Hit(file.setup_text.path, file.setup_text.shown, why)
 
 
 def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:
     """Return what keeps a file from being installed; "" where nothing does."""
-    text, package = file.said.text, shared.package
+    text, package = file.setup_text.text, shared.package
     if file.absolute:
         return f"`{text}` is an absolute path: colcon stops, `data_files` must be relative to setup.py"
     if file.source is None or file in shared.markers:

@@ -55,9 +55,9 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     """
     package = shared.package
     setup = package.setup
-    if not package.installs_known_files:
+    if not package.knows_data_files:
         return
-    for folder in shared.forgotten:
+    for folder in shared.uninstalled_runtime_folders:
         files = shared.useful(folder)
         edits = install_folder(setup, package.name, folder, files)
         fix = Fix(f"install {folder}/ into share/{package.name}/{folder}", edits) if edits else None

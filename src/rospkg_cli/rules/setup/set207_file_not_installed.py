@@ -47,7 +47,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     A wider glob may install more than is wanted.
     """
     package = shared.package
-    for missed in shared.missed if package.installs_known_files else ():
+    for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
         edits = widen_glob(package.setup, missed.glob, missed.path)
         fix = Fix(f"widen the glob so that it finds {missed.path}", edits, Safety.UNSAFE) if edits else None
         folder = missed.path.endswith("/")

@@ -45,7 +45,7 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
     `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another
     package's folder is usually left over from a copied setup.py, and overwrites that package's files.
     """
-    for entry, right, why in destinations.astray:
+    for entry, right, why in destinations.misplaced:
         assert entry.destination is not None
         edits = replace_text(entry.destination, right)
         fix = Fix(f"install into {right}", edits) if edits else None

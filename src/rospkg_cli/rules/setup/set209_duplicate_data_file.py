@@ -34,14 +34,14 @@ def duplicate_data_file(shared: ShareFiles) -> Iterator[Hit]:
     setup = shared.package.setup
     for file, first in shared.doubles:
         if file.destination == first.destination:
-            message = f"`{file.said.text}` is installed twice as `{file.destination}`; take one out"
+            message = f"`{file.setup_text.text}` is installed twice as `{file.destination}`; take one out"
             edits = drop_source(setup, file)
         else:
             message = (
-                f"`{file.said.text}` is installed as `{file.destination}` and as `{first.destination}`: colcon keeps "
-                f"the last place alone and warns that the other is missing; install it once"
+                f"`{file.setup_text.text}` is installed as `{file.destination}` and as `{first.destination}`: colcon "
+                f"keeps the last place alone and warns that the other is missing; install it once"
             )
             edits = ()
-        fix = Fix(f"install {file.said.text} once", edits) if edits else None
-        related = (Related(first.said.path, first.said.shown, "the other one"),)
-        yield Hit(file.said.path, file.said.shown, message, related=related, fix=fix)
+        fix = Fix(f"install {file.setup_text.text} once", edits) if edits else None
+        related = (Related(first.setup_text.path, first.setup_text.shown, "the other one"),)
+        yield Hit(file.setup_text.path, file.setup_text.shown, message, related=related, fix=fix)

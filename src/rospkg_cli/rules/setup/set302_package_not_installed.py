@@ -48,7 +48,7 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     does not exist" and stops.
     """
     setup = tree.setup
-    if not tree.package.installs_all_it_says or setup.searches:
+    if not tree.package.knows_installed_modules or setup.searches:
         return
     for said in setup.packages:
         if setup.kind(setup.folder_of(said.text)) is None:

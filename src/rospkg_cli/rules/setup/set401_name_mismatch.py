@@ -39,7 +39,7 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     ## Fix safety
     Where the name is held by a variable that is used elsewhere, other things change with it.
     """
-    said = package.setup.said("name")
+    said = package.setup.setup_text("name")
     if said is None or same(said.text, package.name):
         return
     used = package.setup.used_elsewhere(said)

@@ -31,7 +31,7 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     bloom and rosdep release the version in package.xml, pip and `importlib.metadata` see the one in setup.py: and they
     disagree. `catkin_prepare_release` refuses to tag such a package.
     """
-    said, manifest = package.setup.said("version"), package.manifest
+    said, manifest = package.setup.setup_text("version"), package.manifest
     element = manifest.first("version")
     if said is None or element is None or said.text == manifest.version or not VERSION.fullmatch(manifest.version):
         return  # a version that colcon refuses is XML103's

@@ -70,7 +70,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     shape out.
     """
     for each in scope.missing():
-        again = tuple(Related(scope.robot.path, span, "here too") for span in each.again)
+        again = tuple(Related(scope.robot.path, span, "here too") for span in each.other_spans)
         yield Hit(scope.robot.path, each.span, message(each), related=again)
 
 
@@ -78,5 +78,5 @@ def message(missing: MissingResource) -> str:
     harm = "xacro stops here" if missing.include else "it is missing wherever the robot is shown"
     if missing.state == "not installed":
         return f"`{missing.path}` is there, but `{missing.package}` does not install it: {harm}"
-    hint = f" (did you mean `{missing.meant}`?)" if missing.meant else ""
+    hint = f" (did you mean `{missing.suggestion}`?)" if missing.suggestion else ""
     return f"`{missing.package}` has no file `{missing.path}`{hint}: {harm}"
