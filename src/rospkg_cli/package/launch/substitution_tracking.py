@@ -48,7 +48,7 @@ class SubstitutionTracker(Evaluator):
             self.uses.append(SubstitutionUse(call.span, "method", call.callee, (receiver,)))
         return super().known_call(function, receiver, call)
 
-    def made_of(self, node: ast.expr, *operands: Value) -> None:
+    def on_operands(self, node: ast.expr, *operands: Value) -> None:
         operator = operator_of(node)
         if operator and any(map(is_resolved_at_run_time, operands)):
             self.uses.append(SubstitutionUse(self.span(node), "operator", operator, operands))
