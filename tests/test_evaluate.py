@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.languages.python.evaluate.conversion import NotPlainError, plain, unknowns
+from rospkg_cli.languages.python.evaluate.conversion import NoPythonValueError, to_python, unknowns
 from rospkg_cli.languages.python.evaluate.evaluator import Evaluator
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
-from rospkg_cli.languages.python.evaluate.values import Call, Joined, Sequence, Text, Unknown, Value
+from rospkg_cli.languages.python.evaluate.values import Call, PartialText, Sequence, Text, Unknown, Value
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
@@ -91,7 +91,7 @@ KNOWN = [
 def test_what_it_computes_is_what_python_computes(text: str) -> None:
     scope: dict = {}
     exec(text, scope)
-    assert plain(value(text)) == scope["x"]
+    assert to_python(value(text)) == scope["x"]
 
 
 ON_DISK = [
@@ -123,7 +123,7 @@ def test_the_package_looks_as_it_does_on_disk(text: str, tmp_path: Path, monkeyp
     monkeypatch.chdir(tmp_path)
     scope: dict = {}
     exec(text, scope)
-    assert plain(value(text)) == scope["x"]
+    assert to_python(value(text)) == scope["x"]
 
 
 NOT_KNOWN = [
@@ -151,8 +151,8 @@ NOT_KNOWN = [
 
 @pytest.mark.parametrize("text", NOT_KNOWN)
 def test_it_knows_what_it_does_not_know(text: str) -> None:
-    with pytest.raises(NotPlainError):
-        plain(value(text))
+    with pytest.raises(NoPythonValueError):
+        to_python(value(text))
 
 
 def test_what_perhaps_is_there_is_kept_aside() -> None:
@@ -162,13 +162,13 @@ def test_what_perhaps_is_there_is_kept_aside() -> None:
     assert isinstance(sure, Text)
     assert isinstance(perhaps, Unknown)
     assert perhaps.many
-    assert [plain(option) for option in perhaps.options] == ["b"]
+    assert [to_python(option) for option in perhaps.options] == ["b"]
     assert "os.environ" in perhaps.why
 
 
 def test_a_choice_keeps_its_options() -> None:
     (found,) = unknowns(value("import os\nx = 'a' if os.environ.get('Q') else 'b'"))
-    assert [plain(option) for option in found.options] == ["a", "b"]
+    assert [to_python(option) for option in found.options] == ["a", "b"]
 
 
 LAUNCH = """\
@@ -198,15 +198,15 @@ def test_calls_that_it_does_not_know_are_values() -> None:
     assert made is not None
     assert isinstance(found.call(made), Call)
     nodes = [call for call in found.calls if call.callee == "launch_ros.actions.Node"]
-    assert [plain(node.get("executable")) for node in nodes] == ["talker", "listener"]  # type: ignore[arg-type]
+    assert [to_python(node.get("executable")) for node in nodes] == ["talker", "listener"]  # type: ignore[arg-type]
     parameters = nodes[0].get("parameters")
     assert isinstance(parameters, Sequence)
     (joined,) = parameters.items
-    assert isinstance(joined, Joined)
+    assert isinstance(joined, PartialText)
     directory, rest = joined.parts
     assert isinstance(directory, Call)
     assert directory.callee == "ament_index_python.packages.get_package_share_directory"
-    assert plain(directory.positional[0]) == "nav2_bringup"
+    assert to_python(directory.positional[0]) == "nav2_bringup"
     assert isinstance(rest, Text)
     assert rest.text == "/config/nav2_bringup.yaml"
     assert [call.receiver.callee for call in found.calls if call.callee == "add_action"] == [

@@ -29,7 +29,7 @@ app = typer.Typer(
     help="Write ROS 2 packages that are right, and find what is wrong in those that exist.",
     epilog="Examples:  rospkg new my_robot_nav  ·  rospkg lint src/  ·  rospkg explain SET101",
 )
-app.command(epilog=new.EPILOG)(new.new)
+app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
 app.command(epilog=inspect.EPILOG)(inspect.inspect)

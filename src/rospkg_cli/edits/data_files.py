@@ -5,7 +5,7 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 
 from ..finding import Create, Edit, Operation
-from ..languages.python.evaluate.values import Globbed, Sequence, Symbol
+from ..languages.python.evaluate.values import GlobResult, Sequence, Symbol
 from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
@@ -73,7 +73,7 @@ def glob_code(setup: SetupPy) -> str:
     return "glob.glob" if isinstance(bound, Symbol) and bound.name == "glob" else "glob"
 
 
-def widen_glob(setup: SetupPy, glob: Globbed, path: str) -> tuple[Edit, ...]:
+def widen_glob(setup: SetupPy, glob: GlobResult, path: str) -> tuple[Edit, ...]:
     """Let a glob of launch files find one more, where its pattern is a plain text."""
     code = setup.source.slice(glob.span)
     at = code.find(glob.pattern)

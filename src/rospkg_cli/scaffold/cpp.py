@@ -9,21 +9,13 @@ from ..ros.manifest import PACKAGE_NAME
 from ..ros.names import BUILT_IN
 from .node import RequestedNode
 
-LIBRARIES = {
-    "action-server": {"rclcpp_action": "rclcpp_action::rclcpp_action"},
-    "action-client": {"rclcpp_action": "rclcpp_action::rclcpp_action"},
-    "lifecycle": {"rclcpp_lifecycle": "rclcpp_lifecycle::rclcpp_lifecycle"},
-    "component": {"rclcpp_components": "rclcpp_components::component"},
-}
-"""What a kind of node needs beside rclcpp: package to target."""
-
 OF_CMAKE_17 = frozenset({"humble", "jazzy", "kilted"})
 """The distributions whose C++ is of 2017; later ones want that of 2020."""
 
 
 def libraries_of(node: RequestedNode) -> dict[str, str]:
     """Return the packages of the client library that a node needs, and their targets."""
-    return {"rclcpp": "rclcpp::rclcpp", **LIBRARIES.get(node.kind.name, {})}
+    return {"rclcpp": "rclcpp::rclcpp", **node.kind.libraries}
 
 
 def packages_of(nodes: tuple[RequestedNode, ...]) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from ..suggest import did_you_mean
 from . import ScaffoldError
 from .message import Message, is_message, message_of
 from .names import LONGEST, check_node_name
-from .node_kinds import LANGUAGES, NodeKind, about, all_kinds, kind_of_message
+from .node_kinds import LANGUAGES, NodeKind, about, all_kinds, kind_of_message, offered_kinds, shown
 from .template import Template
 from .workspace import WorkspacePackages
 
@@ -85,19 +85,19 @@ def node_of(text: str, package: str, template: Template, there: WorkspacePackage
 
 
 def known_kind(word: str, template: Template) -> str:
-    if word not in template.kinds:
-        known = ", ".join(template.kinds)
-        meant = did_you_mean(word, [*template.kinds, *LANGUAGES])
-        reason = f"there is no kind of node `{word}`{meant}; known here: {known}"
-        if word in all_kinds():
-            fitting = " and ".join(map(shown, all_kinds()[word].languages))
-            reason = f"there is a {word} in {fitting} alone; known here: {known}"
-        raise ScaffoldError(reason)
-    return word
-
-
-def shown(language: str) -> str:
-    return LANGUAGES[language]
+    """Return a kind that a template offers; raises ScaffoldError for one that it doesn't, or that nobody knows."""
+    if word in template.kinds:
+        return word
+    offered = ", ".join(template.kinds)
+    if word not in offered_kinds():
+        hint = did_you_mean(word, [*template.kinds, *LANGUAGES])
+        raise ScaffoldError(f"there is no kind of node `{word}`{hint}; known: {', '.join(offered_kinds())}")
+    languages = all_kinds()[word].languages
+    if set(languages).isdisjoint(template.languages):
+        written = f"only in {' and '.join(map(shown, languages))}"
+        here = " and ".join(map(shown, template.languages))
+        raise ScaffoldError(f"a {word} can be written {written}, and `{template.name}` has nodes in {here}: {offered}")
+    raise ScaffoldError(f"`{template.name}` offers no {word}; it offers: {offered}")
 
 
 def check_languages(nodes: tuple[RequestedNode, ...], package: str, template: Template) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -61,6 +62,8 @@ class NodeKind:
     parameters: tuple[NodeParameter, ...]
     languages: tuple[str, ...]
     """Those that it can be written in."""
+    libraries: dict[str, str]
+    """What C++ needs beside rclcpp: package to target."""
 
 
 def kind_of_message(kind: NodeKind) -> NodeKind:
@@ -92,6 +95,29 @@ def all_kinds() -> dict[str, NodeKind]:
             uses=tuple(InterfaceUse(**use) for use in row["uses"]),
             parameters=tuple(NodeParameter(**parameter) for parameter in row["parameters"]),
             languages=tuple(row.get("languages", LANGUAGES)),
+            libraries=row.get("libraries", {}),
         )
         for name, row in data.items()
     }
+
+
+def offered_kinds(languages: Iterable[str] = LANGUAGES) -> tuple[str, ...]:
+    """Return the kinds that a user may name and that can be written in one of some languages."""
+    there = set(languages)
+    return tuple(
+        name for name, kind in all_kinds().items() if not name.endswith(OF) and there.intersection(kind.languages)
+    )
+
+
+def listed_kinds() -> str:
+    """Return the kinds as help texts and documents list them: `publisher, component (C++), empty`."""
+    listed = []
+    for name in offered_kinds():
+        languages = all_kinds()[name].languages
+        only = "" if set(languages) == set(LANGUAGES) else f" ({' and '.join(map(shown, languages))})"
+        listed.append(name + only)
+    return ", ".join(listed)
+
+
+def shown(language: str) -> str:
+    return LANGUAGES[language]

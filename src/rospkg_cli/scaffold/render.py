@@ -152,8 +152,19 @@ def escaped_only(value: object) -> object:
 
 def in_order(lines: str) -> str:
     """Sort import lines as Google's style wants them: by module, whatever the form."""
-    imports = [line for line in lines.splitlines(keepends=True) if line.strip()]
-    return "".join(sorted(imports, key=lambda line: line.split()[1].lower()))
+    imports = merged([line for line in lines.splitlines() if line.strip()])
+    return "".join(f"{line}\n" for line in sorted(imports, key=lambda line: line.split()[1].lower()))
+
+
+def merged(imports: list[str]) -> list[str]:
+    """Put what several lines import from one module into one of them."""
+    found: dict[str, list[str]] = {}
+    for line in imports:
+        module, _, names = line.partition(" import ")
+        found.setdefault(module, []).extend(names.split(", ") if names else [])
+    several = {module for module in found if sum(line.startswith(f"{module} import ") for line in imports) > 1}
+    lines = (f"{module} import {', '.join(sorted(set(found[module]), key=str.lower))}" for module in several)
+    return [*(line for line in imports if line.partition(" import ")[0] not in several), *lines]
 
 
 def includes(lines: str) -> str:

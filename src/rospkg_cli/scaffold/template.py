@@ -9,12 +9,16 @@ from pathlib import Path
 from typing import Any
 
 from ..resources import resources
+from .node_kinds import offered_kinds
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
+
+ALL = "all"
+"""The word for all kinds of nodes that can be written in the languages of a template."""
 
 HEAD = {
     **dict.fromkeys(("title", "build-type", "description"), str),
@@ -103,6 +107,8 @@ def check_types(data: Any, wanted: Mapping[str, type]) -> None:
 def read_template(folder: Path) -> Template:
     """Read a template; raises OSError, and ValueError, KeyError or TypeError where its template.toml is wrong."""
     data = tomllib.loads((folder / "template.toml").read_text("utf-8"))
+    if data.get("kinds") == ALL:
+        data["kinds"] = list(offered_kinds(data.get("languages", ())))
     check_types(data, HEAD)
     for row in data.get("files", ()):
         check_types(row, ROW)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from ...languages.python.evaluate.values import Argument, Call, Constant, Joined, Sequence, Text, Unknown, Value
+from ...languages.python.evaluate.values import Argument, Call, Constant, PartialText, Sequence, Text, Unknown, Value
 from ...languages.python.evaluate.values import Mapping as Dict
 from ...package.launch.launch_classes import (
     class_of,
@@ -32,9 +32,9 @@ def constant_fault(value: Constant, place: Span, message: str, better: str) -> F
 
 def is_path(value: Value) -> bool:
     """Return whether a value is a pathlib.Path; what PathSubstitution makes is a substitution."""
-    if isinstance(value, Joined) and is_substitution(value.parts[0]):
+    if isinstance(value, PartialText) and is_substitution(value.parts[0]):
         return False
-    return isinstance(value, Text | Joined) and value.path
+    return isinstance(value, Text | PartialText) and value.path
 
 
 def text_faults(argument: Argument, what: str) -> Iterator[Fault]:
@@ -74,7 +74,7 @@ def words_faults(argument: Argument, what: str) -> Iterator[Fault]:
 
 def condition_faults(argument: Argument, what: str) -> Iterator[Fault]:
     value = argument.value
-    if is_substitution(value) or isinstance(value, Text | Joined | Constant | Sequence | Dict):
+    if is_substitution(value) or isinstance(value, Text | PartialText | Constant | Sequence | Dict):
         message = f"{what} takes IfCondition or UnlessCondition, not {type_name(value)}: the launch stops with "
         yield Fault(value_span(argument), f"{message}\"object has no attribute 'evaluate'\"")
 
@@ -95,7 +95,11 @@ def action_list_faults(value: Sequence, what: str) -> Iterator[Fault]:
     """Yield the items of a list that launch can't visit."""
     for item, place in zip(value.items, value.places, strict=True):
         component = isinstance(item, Call) and class_of(item) == "ComposableNode"
-        if is_resolved_at_run_time(item) or component or isinstance(item, Text | Joined | Constant | Sequence | Dict):
+        if (
+            is_resolved_at_run_time(item)
+            or component
+            or isinstance(item, Text | PartialText | Constant | Sequence | Dict)
+        ):
             hint = "; put a `*` before it" if isinstance(item, Sequence) and item.kind != "set" else ""
             hint = "; a component needs a container" if component else hint
             message = f"{type_name(item)} is no action, and {what} takes a list of actions: the launch stops"
@@ -138,7 +142,7 @@ def period_faults(argument: Argument, what: str) -> Iterator[Fault]:
 def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
     """launch_ros takes a list of dicts and of files."""
     value, place = argument.value, value_span(argument)
-    if isinstance(value, Dict | Text | Joined | Constant) or is_substitution(value):
+    if isinstance(value, Dict | Text | PartialText | Constant) or is_substitution(value):
         yield Fault(place, f"{what} takes a list of dicts and files, not {type_name(value)}: write `[…]`")
     for item in value.items if isinstance(value, Sequence) else ():
         at, holds = span_within(item, place), f"{what} holds dicts and files"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Joined, Sequence, Text, Value
+from ...languages.python.evaluate.values import Argument, Call, Constant, Function, PartialText, Sequence, Text, Value
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import class_of, is_resolved_at_run_time, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
@@ -90,7 +90,7 @@ def is_none(value: Value) -> bool:
 
 
 def is_plain(value: Value) -> bool:
-    return isinstance(value, Text | Joined)
+    return isinstance(value, Text | PartialText)
 
 
 def is_comparison(use: SubstitutionUse) -> bool:

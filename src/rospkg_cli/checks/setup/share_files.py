@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC
-from ...languages.python.evaluate.values import Globbed
+from ...languages.python.evaluate.values import GlobResult
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
@@ -26,7 +26,7 @@ class UninstalledNeighbour:
     path: str
     entry: DataEntry
     """The entry that installs its neighbours."""
-    glob: Globbed
+    glob: GlobResult
     """The glob that finds them."""
 
 
@@ -78,7 +78,7 @@ class ShareFiles:
         return tuple(path for path in found if not path.endswith("/__init__.py") and "/test/" not in path)
 
     @cached_property
-    def empty_globs(self) -> tuple[Globbed, ...]:
+    def empty_globs(self) -> tuple[GlobResult, ...]:
         """Globs that match nothing, where nothing else installs what their folder holds."""
         found = []
         for glob in self.package.setup.globs:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from typer import Argument, Option
+from typer.core import TyperCommand
 
 from .. import UsageError
 from ..arguments import one_of, split
@@ -15,14 +16,24 @@ WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
 TYPE = "ament_python, ament_cmake, mixed, interfaces, description or bringup."
 NODE = (
-    "A node; repeatable. Kinds: publisher, subscriber, timer, service, client, action-server, action-client, "
-    "lifecycle, component (C++), empty. In a mixed package also its language: planner:timer:python. "
+    "A node; repeatable. In a mixed package also its language: planner:timer:python. "
     "Of a message: status:publisher:my_msgs/Status. In a bringup package: PACKAGE/EXECUTABLE."
 )
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
 Names = list[str] | None
+
+
+class NewCommand(TyperCommand):
+    """Lists the kinds of nodes in its help; they are read when that is printed, not whenever rospkg starts."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        from ...scaffold.node_kinds import listed_kinds
+
+        [node] = [each for each in self.params if "--node" in each.opts]
+        node.help = f"{NODE} Kinds: {listed_kinds()}."  # type: ignore[attr-defined]
+        super().format_help(ctx, formatter)
 
 
 def new(

@@ -45,7 +45,7 @@ class CppCall:
     """A name with its arguments: `NAME(a, b)`, `name<T>(a)`, `Name<T> variable(a, b)`."""
 
     name: str
-    template: str
+    template_end: str
     """What stands between `<` and `>`, "" where there is none."""
     arguments: tuple[CppArgument, ...] | None
     """None where no parentheses follow: the declaration of a variable, or a type."""
@@ -70,31 +70,31 @@ def arguments(source: Source, at: int) -> tuple[tuple[CppArgument, ...], int] | 
         elif kind == "close":
             depth -= 1
             if depth == 0:
-                last = argument(source, start, match.start())
+                last = argument_between(source, start, match.start())
                 return (*found, last) if found or last.text else (), match.end()
         elif kind == "comma" and depth == 1:
-            found.append(argument(source, start, match.start()))
+            found.append(argument_between(source, start, match.start()))
             start = match.end()
     return None
 
 
-def argument(source: Source, start: int, end: int) -> CppArgument:
+def argument_between(source: Source, start: int, end: int) -> CppArgument:
     """Return what stands between two offsets, without the comments and blanks around it."""
     comments = [m.span() for m in PIECE.finditer(source.text, start, end) if m.lastgroup == "comment"]
     borders = [start, *(offset for comment in comments for offset in comment), end]
-    code = [solid(source.text, *borders[i : i + 2]) for i in range(0, len(borders), 2)]
+    code = [stripped_span(source.text, *borders[i : i + 2]) for i in range(0, len(borders), 2)]
     code = [span for span in code if span.start < span.end] or [Span(end, end)]
     text = " ".join(" ".join(source.slice(span) for span in code).split())
     return CppArgument(text, Span(code[0].start, code[-1].end))
 
 
-def solid(text: str, start: int, end: int) -> Span:
+def stripped_span(text: str, start: int, end: int) -> Span:
     """Return a span without the blanks at its ends."""
     raw = text[start:end]
     return Span(start + len(raw) - len(raw.lstrip()), start + len(raw.rstrip()))
 
 
-def template(text: str, at: int) -> int | None:
+def template_end(text: str, at: int) -> int | None:
     """Return the offset behind the `>` that closes the `<` at an offset; None where there is none near."""
     depth = 0
     for match in PIECE.finditer(text, at, at + MAX_LENGTH):

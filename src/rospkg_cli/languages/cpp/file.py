@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...source import Source, Span
-from .call import MAX_LENGTH, CppArgument, CppCall, arguments, template
+from .call import MAX_LENGTH, CppArgument, CppCall, arguments, template_end
 from .lexer import CppToken, tokens
 
 INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
@@ -104,7 +104,7 @@ def call_at(source: Source, token: CppToken) -> Iterator[CppCall]:
     """Yield the call at a name; nothing where it is only named."""
     text, at, kind = source.text, token.at, ""
     if text[at] == "<":
-        end = template(text, at)
+        end = template_end(text, at)
         if end is None:
             return
         kind, at = " ".join(text[at + 1 : end - 1].split()), end

@@ -61,13 +61,13 @@ class PythonFile(PythonSyntax):
                     inner = Import("", (), 0, under.span, under.optional, under.typing, True)
                     yield from self.imports_in(ast.iter_child_nodes(node), inner)
                 case ast.Try():
-                    survives = under.optional or any(survives_import_error(handler) for handler in node.handlers)
+                    survives = under.optional or any(handles_import_error(handler) for handler in node.handlers)
                     inner = Import("", (), 0, under.span, survives, under.typing, under.local)
                     yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
                     yield from self.imports_in(node.finalbody, under)
                 case ast.If():
                     typing = under.typing or is_type_checking(node.test)
-                    optional = under.optional or asks_the_machine(node.test)
+                    optional = under.optional or depends_on_platform(node.test)
                     inner = Import("", (), 0, under.span, optional, typing, under.local)
                     other = Import("", (), 0, under.span, optional, under.typing, under.local)
                     yield from self.imports_in(node.body, inner)
@@ -124,7 +124,7 @@ def parse_python(source: Source) -> PythonFile:
     return PythonFile(source, parse(source))
 
 
-def survives_import_error(handler: ast.ExceptHandler) -> bool:
+def handles_import_error(handler: ast.ExceptHandler) -> bool:
     if handler.type is None:
         return True
     return any(isinstance(node, ast.Name) and node.id in IMPORT_ERRORS for node in ast.walk(handler.type))
@@ -132,15 +132,17 @@ def survives_import_error(handler: ast.ExceptHandler) -> bool:
 
 def suppresses_import_error(manager: ast.expr) -> bool:
     """Return whether this is contextlib.suppress(ImportError)."""
-    return isinstance(manager, ast.Call) and {"suppress"} <= words(manager) and bool(words(manager) & IMPORT_ERRORS)
+    return (
+        isinstance(manager, ast.Call) and {"suppress"} <= names_in(manager) and bool(names_in(manager) & IMPORT_ERRORS)
+    )
 
 
-def asks_the_machine(test: ast.expr) -> bool:
+def depends_on_platform(test: ast.expr) -> bool:
     """Return whether a condition asks where the file runs: elsewhere, what stands under it is not needed."""
-    return bool(words(test) & MACHINE)
+    return bool(names_in(test) & MACHINE)
 
 
-def words(node: ast.expr) -> set[str]:
+def names_in(node: ast.expr) -> set[str]:
     """Return the names and attributes that stand in an expression."""
     names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
     return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
@@ -158,7 +160,7 @@ def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr
         match node:
             case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
                 yield node.name, node
-                yield from ((name, node) for name in made_global(node))
+                yield from ((name, node) for name in global_names(node))
             case ast.Import():
                 yield from ((alias.asname or alias.name.partition(".")[0], alias) for alias in node.names)
             case ast.ImportFrom():
@@ -171,5 +173,5 @@ def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr
                 yield from bindings(ast.iter_child_nodes(node))
 
 
-def made_global(function: ast.AST) -> set[str]:
+def global_names(function: ast.AST) -> set[str]:
     return {name for node in ast.walk(function) if isinstance(node, ast.Global) for name in node.names}

@@ -86,27 +86,29 @@ def parse(source: Source) -> ast.Module:
     With `skipped` where it is too large, or nested too deeply, for what visits the tree.
     """
     if is_too_large(source.text):
-        raise skipped(source, f"it has more than {MAX_TOKENS:,} tokens; leave generated files out with `exclude`")
+        raise skipped_file(source, f"it has more than {MAX_TOKENS:,} tokens; leave generated files out with `exclude`")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(source.text, source.path)
     except SyntaxError as error:
-        raise not_python(source, error) from None
+        raise syntax_error(source, error) from None
     except (RecursionError, MemoryError):
         raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is nested too deeply to be read") from None
     except ValueError as error:
         raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is not Python: {error}") from None
     if is_too_deep(tree):
-        raise skipped(source, f"its code is nested deeper than {MAX_DEPTH} levels; spread it over several statements")
+        raise skipped_file(
+            source, f"its code is nested deeper than {MAX_DEPTH} levels; spread it over several statements"
+        )
     return tree
 
 
-def skipped(source: Source, why: str) -> UnreadableError:
+def skipped_file(source: Source, why: str) -> UnreadableError:
     return UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
 
 
-def not_python(source: Source, error: SyntaxError) -> UnreadableError:
+def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
     """Return the complaint at the place that Python names (its columns are characters, from 1)."""
     starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
     line = min(max(error.lineno or 1, 1), len(starts))

@@ -29,11 +29,11 @@ def describe_error(source: Source, code: int, at: int, inside: str, opened: int)
     if code in UNCLOSED and inside:
         at, why = opened, f"`<{inside}>` is never closed"
     else:
-        why = explain(source.text, code, at, inside)
+        why = explain_code(source.text, code, at, inside)
     return at, f"`{source.path}` is not well-formed XML: {why}"
 
 
-def explain(text: str, code: int, at: int, inside: str) -> str:
+def explain_code(text: str, code: int, at: int, inside: str) -> str:
     around = text[max(0, at - 40) : at + 1].rpartition("\n")[2]
     if not text.strip():
         return "the file is empty"

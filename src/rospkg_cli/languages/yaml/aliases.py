@@ -19,12 +19,12 @@ def read_resolved(source: Source) -> ResolvedNode | None:
     """Return the one document of a file, None where there is none; raises UnreadableError for what is not that."""
     roots = documents(source)
     if len(roots) > 1:
-        at = start_of(roots[1])
+        at = first_character(roots[1])
         raise UnreadableError(source.path, at, f"`{source.path}` is not one YAML document: another one begins here")
     return AliasResolver(source).node(roots[0], 0) if roots else None
 
 
-def start_of(node: YamlNode) -> Span:
+def first_character(node: YamlNode) -> Span:
     return Span(node.span.start, min(node.span.start + 1, node.span.end))
 
 

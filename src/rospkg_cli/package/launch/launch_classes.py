@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.python.evaluate.values import Argument, Call, Constant, Joined, Mapping, Sequence, Text, Value
+from ...languages.python.evaluate.values import Argument, Call, Constant, Mapping, PartialText, Sequence, Text, Value
 from ...ros.launch_calls import CONDITIONS, SUBSTITUTIONS, Signature
 from ...source import Span
 
@@ -47,7 +47,7 @@ def type_name(value: Value) -> str:
     match value:
         case Constant():
             return "`None`" if value.value is None else f"the {type(value.value).__name__} `{value.value}`"
-        case Text() | Joined():
+        case Text() | PartialText():
             return "a path" if value.path else "a string"
         case Sequence():
             return f"a {value.kind}"

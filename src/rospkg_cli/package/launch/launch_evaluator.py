@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState
-from ...languages.python.evaluate.values import Call, Class, Function, Joined, Namespace, Value
+from ...languages.python.evaluate.values import Call, Class, Function, Namespace, PartialText, Value
 from ...languages.python.file import PythonFile
 from ...source import Span
 from .launch_classes import class_of
@@ -19,13 +19,13 @@ ENTRIES = ("generate_launch_description", "generate_test_description")
 def found_path(machine: EvaluationState, call: Call) -> Value:
     """get_package_share_path: what is joined to it with `/` is a path below it."""
     machine.calls.append(call)
-    return Joined(call.span, (call,), path=True)
+    return PartialText(call.span, (call,), path=True)
 
 
 def as_path(machine: EvaluationState, call: Call) -> Value | None:
     """PathSubstitution(text): a path of one text, to be joined with `/`."""
     path = call.get("path", 0)
-    return Joined(call.span, (path,), path=True) if isinstance(path, Call) else None
+    return PartialText(call.span, (path,), path=True) if isinstance(path, Call) else None
 
 
 PATHS = {

@@ -10,8 +10,8 @@ from ...languages.python.evaluate.values import (
     Call,
     Constant,
     Function,
-    Joined,
     Mapping,
+    PartialText,
     Sequence,
     Text,
     Unknown,
@@ -217,7 +217,7 @@ def used(value: Value, depth: int) -> Iterator[Event]:
             for key, item in value.items.values():
                 yield from used(key, depth + 1)
                 yield from used(item, depth + 1)
-        case Joined():
+        case PartialText():
             for part in value.parts:
                 yield from used(part, depth + 1)
         case AttributeValue():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ...languages.python.evaluate.values import AttributeValue, Call, Constant, Joined, Sequence, Text, Value
+from ...languages.python.evaluate.values import AttributeValue, Call, Constant, PartialText, Sequence, Text, Value
 from ...source import Span
 from .launch_classes import class_of
 from .text import UNKNOWN, LaunchText, Literal, Substitution, plain_text, unknown_text
@@ -69,7 +69,7 @@ def text_of(value: Value, depth: int = 0) -> LaunchText:
             return plain_text(str(value.value), value.span)
         case Sequence():
             return one_after_another(value.items, value.span, depth) if value.complete else unknown_text(value.span)
-        case Joined():
+        case PartialText():
             return one_after_another(list(value.parts), value.span, depth)
         case AttributeValue(of=of, name="parent" | "as_posix"):
             return LaunchText(value.span, (*text_of(of, depth + 1).parts, *unknown_text(value.span).parts))

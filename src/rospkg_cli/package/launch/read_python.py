@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
-from ...languages.python.evaluate.values import Call, Constant, Joined, Mapping, Sequence, Text, Value
+from ...languages.python.evaluate.values import Call, Constant, Mapping, PartialText, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from .argument_defaults import literal_defaults
 from .collect_texts import named_paths
@@ -85,7 +85,7 @@ def shown(value: Value, depth: int = 0) -> object:
             return value.span, tuple(shown(item, depth + 1) for item in value.items)
         case Mapping():
             return value.span, tuple((shown(k, depth + 1), shown(v, depth + 1)) for k, v in value.items.values())
-        case Joined():
+        case PartialText():
             return value.span, tuple(shown(part, depth + 1) for part in value.parts)
         case Call():
             return value.span, value.callee, tuple(shown(argument.value, depth + 1) for argument in value.arguments)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.python.evaluate.sandbox_filesystem import ROOT, OutsideError, SandboxFilesystem
-from ...languages.python.evaluate.values import Constant, Globbed, Sequence, Text, Unknown, Value
+from ...languages.python.evaluate.values import Constant, GlobResult, Sequence, Text, Unknown, Value
 from ...source import Span
 from .setup_text import SetupText
 
@@ -50,7 +50,7 @@ class DataEntry:
     files: tuple[DataFile, ...] = ()
     unknown: tuple[Unknown, ...] = ()
     shape: Shape = ""
-    glob: Globbed | None = None
+    glob: GlobResult | None = None
     """The glob that made the list of sources as a whole."""
 
     @property

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from ...languages.python.evaluate.conversion import known
+from ...languages.python.evaluate.conversion import is_known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
 from ...source import Span
 from ..package_facts import NOWHERE
@@ -109,7 +109,7 @@ def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
         yield from from_ini(SetupText.of(path, value))
         return
     if not isinstance(value, Mapping):
-        if not (known(value) and not getattr(value, "value", value)):
+        if not (is_known(value) and not getattr(value, "value", value)):
             yield value if isinstance(value, Unknown) else Unknown(value.span, "it can't be evaluated")
         return
     yield from value.rest

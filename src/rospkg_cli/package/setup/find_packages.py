@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
-from ...languages.python.evaluate.conversion import NotPlainError, plain
+from ...languages.python.evaluate.conversion import NoPythonValueError, to_python
 from ...languages.python.evaluate.sandbox_filesystem import MAX_DEPTH, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState, Intrinsic
 from ...languages.python.evaluate.values import Call, Text, Value
@@ -49,27 +49,27 @@ def finder(searches: list[PackageSearch], *, namespace: bool) -> Intrinsic:
             exclude, include = as_texts(call, "exclude", 1, ()), as_texts(call, "include", 2, ("*",))
             inside = machine.folder.inside(where, machine.cwd)
             found = tuple(find(machine.folder, inside, include, exclude, namespace=namespace))
-        except (NotPlainError, OutsideError, TypeError):
+        except (NoPythonValueError, OutsideError, TypeError):
             return None
         searches.append(PackageSearch("setup.py", call.span, inside, include, exclude, namespace, found, call))
-        return machine.new_list(call.span, [Text(call.span, name) for name in found])
+        return machine.computed_list(call.span, [Text(call.span, name) for name in found])
 
     return intrinsic
 
 
 def as_text(call: Call, name: str, position: int, default: str) -> str:
     value = call.get(name, position)
-    found = default if value is None else plain(value)
+    found = default if value is None else to_python(value)
     if not isinstance(found, str):
-        raise NotPlainError
+        raise NoPythonValueError
     return found
 
 
 def as_texts(call: Call, name: str, position: int, default: tuple[str, ...]) -> tuple[str, ...]:
     value = call.get(name, position)
-    found = default if value is None else plain(value)
+    found = default if value is None else to_python(value)
     if not isinstance(found, list | tuple | set | str) or not all(isinstance(each, str) for each in found):
-        raise NotPlainError
+        raise NoPythonValueError
     return tuple(found)
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ...languages.python.evaluate.conversion import unknowns
 from ...languages.python.evaluate.sandbox_filesystem import Kind, OutsideError
-from ...languages.python.evaluate.values import Call, Globbed, Sequence, Text, Unknown, Value
+from ...languages.python.evaluate.values import Call, GlobResult, Sequence, Text, Unknown, Value
 from ...languages.python.evaluate.values import Mapping as MappingValue
 from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
@@ -30,7 +30,7 @@ ARGUMENTS = (
 class SetupPy(SetupArguments):
     calls: tuple[Call, ...]
     """Every call of setup.py that was left alone."""
-    globs: tuple[Globbed, ...]
+    globs: tuple[GlobResult, ...]
     searches: tuple[PackageSearch, ...]
     """Every find_packages()."""
     names: Mapping[str, Value]

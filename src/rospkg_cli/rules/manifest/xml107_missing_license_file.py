@@ -50,10 +50,10 @@ def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
         if not attribute.value.strip():
             why = "`file` names no file; name the license text, or remove the attribute"
         elif path.startswith(("/", "..")):
-            why = f"`{attribute.value}` lies outside of the package, and is left out of what is released; copy it in"
+            why = f"`{attribute.value}` is outside of the package, and is not released with it; copy it in"
         elif package.files.exists(path):
             continue
         else:
             near = did_you_mean(path, package.files.paths)
-            why = f"`{attribute.value}` is not there{near}: bloom refuses to release the package; add the license text"
+            why = f"`{attribute.value}` does not exist{near}: bloom refuses to release it; add the license text"
         yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, why)

@@ -53,5 +53,5 @@ def no_license_text(package: ManifestAndFiles) -> Iterator[Hit]:
     by_id = [f"LICENSES/{spdx_id(each.text)}.txt" for each in licenses]
     if any(TEXT.fullmatch(path) for path in files.paths) or files.above((*USUAL, *by_id)):
         return
-    message = "no license text lies in the package or in a folder above it; a release is refused without: add `LICENSE`"
+    message = "no license text is in the package or in a folder above it; a release is refused without: add `LICENSE`"
     yield Hit(manifest.path, manifest.span(licenses[0]), message)

@@ -6,8 +6,8 @@ import ast
 
 from ....source import Span
 from .containers import Containers
-from .iterables import items_of, many
-from .methods import method
+from .iterables import is_many, items_of
+from .methods import call_method
 from .values import (
     Argument,
     Call,
@@ -52,11 +52,11 @@ class Calls(Containers):
         name = function.name if isinstance(function, Symbol | Function | Class) else ""
         call = Call(self.span(node), name, arguments, receiver, self.certain, rest)
         found = self.known_call(function, receiver, call)
-        return self.leave(call, node, scope) if found is None else found
+        return self.record_call(call, node, scope) if found is None else found
 
     def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
         if receiver is not None:
-            return method(self, receiver, call)
+            return call_method(self, receiver, call)
         if isinstance(function, Function):
             return None if function.decorated else self.run(function, call)
         if isinstance(function, Symbol) and function.name in self.library:
@@ -65,16 +65,16 @@ class Calls(Containers):
             return self.library[function.name](self, call)
         return None
 
-    def leave(self, call: Call, node: ast.Call, scope: Namespace) -> Call:
+    def record_call(self, call: Call, node: ast.Call, scope: Namespace) -> Call:
         """Record a call that is not known; lists that it was handed by name may have been changed by it."""
-        self.doubts += 1
+        self.unknown_count += 1
         self.calls.append(call)
         last = call.callee.rpartition(".")[2]
         if last[:1].islower() and last != "setup":
             for each in [*node.args, *[keyword.value for keyword in node.keywords]]:
                 handed = scope.find(each.id) if isinstance(each, ast.Name) else None
                 if isinstance(handed, MUTABLE):
-                    self.spoil(handed, call.span, f"{self.shown(call.span)} may change it")
+                    self.mark_unknown(handed, call.span, f"{self.quoted(call.span)} may change it")
         return call
 
     def arguments(self, node: ast.Call, scope: Namespace) -> tuple[tuple[Argument, ...], Unknown | None]:
@@ -86,12 +86,12 @@ class Calls(Containers):
                 continue
             value = self.evaluate(each.value, scope)
             items = items_of(self, value)
-            if items is None or any(map(many, items)):
+            if items is None or any(map(is_many, items)):
                 rest = self.unknown(
-                    self.span(each), getattr(value, "why", f"{self.shown(self.span(each))} can't be told")
+                    self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be told")
                 )
             self.tick(len(items or ()))
-            found += [Argument("", item, self.span(each)) for item in items or () if not many(item)]
+            found += [Argument("", item, self.span(each)) for item in items or () if not is_many(item)]
         for keyword in node.keywords:
             value = self.evaluate(keyword.value, scope)
             if keyword.arg is not None:
@@ -101,7 +101,7 @@ class Calls(Containers):
                 rest = value.rest[0] if value.rest else rest
             else:
                 rest = self.unknown(
-                    self.span(keyword), getattr(value, "why", f"{self.shown(self.span(keyword))} can't be told")
+                    self.span(keyword), getattr(value, "why", f"{self.quoted(self.span(keyword))} can't be told")
                 )
         return tuple(found), rest
 
@@ -110,7 +110,7 @@ class Calls(Containers):
         name = function.name if isinstance(function, Symbol | Function) else ""
         call = Call(span, name, tuple(Argument("", value, span) for value in arguments), None, self.certain)
         found = self.known_call(function, None, call)
-        return self.unknown(span, f"{self.shown(span)} can't be evaluated") if found is None else found
+        return self.unknown(span, f"{self.quoted(span)} can't be evaluated") if found is None else found
 
     def on_Starred(self, node: ast.Starred, scope: Namespace) -> Value:
         return self.evaluate(node.value, scope)
@@ -123,9 +123,9 @@ class Calls(Containers):
         value: Value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
         if yields is not None and isinstance(node, ast.YieldFrom):
             for item in items_of(self, value) or [self.unknown(self.span(node), "it can't be told", many=True)]:
-                self.put(yields, item, self.span(node))
+                self.add_item(yields, item, self.span(node))
         elif yields is not None:
-            self.put(yields, value, self.span(node))
+            self.add_item(yields, value, self.span(node))
         return Constant(self.span(node), None)
 
     on_YieldFrom = on_Yield

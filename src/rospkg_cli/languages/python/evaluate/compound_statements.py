@@ -6,15 +6,15 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
-from .conversion import same
+from .conversion import is_equal
 from .iterables import items_of
 from .limits import ITEM, Flow, spend
-from .simple_statements import Statements
+from .simple_statements import SimpleStatements
 from .truthiness import truth
 from .values import Class, Function, Namespace, Symbol, Unknown, Value
 
 
-class Blocks(Statements):
+class CompoundStatements(SimpleStatements):
     """Executes conditions, loops and the like."""
 
     def execute(self, body: list[ast.stmt], scope: Namespace) -> Flow:
@@ -24,14 +24,14 @@ class Blocks(Statements):
             handler: Callable[[Any, Namespace], Flow | None] | None = getattr(self, f"do_{type(node).__name__}", None)
             flow = (handler(node, scope) if handler else self.do_unknown(node, scope)) or Flow.NEXT
             if flow is Flow.MAYBE:
-                self.branch([body[index + 1 :]], scope, f"{self.shown(self.span(node))} may leave early")
+                self.branch([body[index + 1 :]], scope, f"{self.quoted(self.span(node))} may leave early")
             if flow is not Flow.NEXT:
                 return flow
         return Flow.NEXT
 
     def do_unknown(self, node: ast.stmt, scope: Namespace) -> Flow | None:
         """A statement that has no method here: whatever names it binds are unknown from here on."""
-        why = f"{self.shown(self.span(node))} can't be evaluated"
+        why = f"{self.quoted(self.span(node))} can't be evaluated"
         for each in ast.walk(node):
             spend(ITEM)
             if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
@@ -44,28 +44,28 @@ class Blocks(Statements):
         spend(len(before) * (len(bodies) + 1))
         for body in bodies:
             scope.names = dict(before)
-            with self.under(why):
+            with self.assuming(why):
                 flows.append(self.execute(body, scope))
             if flows[-1] in (Flow.NEXT, Flow.MAYBE):
                 ends.append(scope.names)
         if len(bodies) == 1:
             ends.append(before)
             flows.append(Flow.NEXT)
-        scope.names = self.joined(ends or [before], why)
+        scope.names = self.join_scopes(ends or [before], why)
         leaves = {flow for flow in flows if flow is not Flow.RAISE}
         if not leaves:
             return Flow.RAISE
         return leaves.pop() if len(leaves) == 1 else Flow.MAYBE
 
-    def joined(self, ends: list[dict[str, Value]], why: str) -> dict[str, Value]:
+    def join_scopes(self, ends: list[dict[str, Value]], why: str) -> dict[str, Value]:
         result = dict(ends[0])
         for end in ends[1:]:
             spend(len(result) * ITEM)
             for name in [*result, *[name for name in end if name not in result]]:
-                result[name] = self.either(result.get(name), end.get(name), why)
+                result[name] = self.one_of(result.get(name), end.get(name), why)
         return result
 
-    def either(self, a: Value | None, b: Value | None, why: str) -> Value:
+    def one_of(self, a: Value | None, b: Value | None, why: str) -> Value:
         """Return a value that stands for one of two; where one of them was imported, that one is meant."""
         if a is None or b is None:
             found = b if a is None else a
@@ -75,7 +75,7 @@ class Blocks(Statements):
                 if isinstance(found, Symbol | Function | Class)
                 else self.unknown(found.span, why, options=(found,))
             )
-        if same(a, b) or isinstance(a, Symbol):
+        if is_equal(a, b) or isinstance(a, Symbol):
             return a
         if isinstance(b, Symbol):
             return b
@@ -85,14 +85,14 @@ class Blocks(Statements):
         verdict = truth(self.evaluate(node.test, scope))
         if verdict is not None:
             return self.execute(node.body if verdict else node.orelse, scope)
-        why = f"{self.shown(self.span(node.test))} can't be evaluated"
+        why = f"{self.quoted(self.span(node.test))} can't be evaluated"
         return self.branch([node.body, node.orelse], scope, why)
 
     def do_For(self, node: ast.For | ast.AsyncFor, scope: Namespace) -> Flow | None:
         source = self.evaluate(node.iter, scope)
         items, span = items_of(self, source), self.span(node.iter)
         if items is None:
-            items = [self.unknown(span, getattr(source, "why", f"{self.shown(span)} can't be evaluated"), many=True)]
+            items = [self.unknown(span, getattr(source, "why", f"{self.quoted(span)} can't be evaluated"), many=True)]
         for index, item in enumerate(items):
             perhaps = isinstance(item, Unknown) and item.many
             if isinstance(item, Unknown) and item.many:
@@ -111,7 +111,7 @@ class Blocks(Statements):
 
     def rest_of_loop(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Namespace) -> Flow:
         """Run the rounds after one that perhaps was the last."""
-        why = f"{self.shown(self.span(node.iter))} may end early"
+        why = f"{self.quoted(self.span(node.iter))} may end early"
         for item in items:
             self.assign(node.target, item, scope)
             self.branch([node.body], scope, why)
@@ -123,7 +123,7 @@ class Blocks(Statements):
         while True:
             verdict = truth(self.evaluate(node.test, scope))
             if verdict is None:
-                self.branch([node.body], scope, f"{self.shown(self.span(node.test))} can't be evaluated")
+                self.branch([node.body], scope, f"{self.quoted(self.span(node.test))} can't be evaluated")
                 return self.do_unknown(node, scope)
             if not verdict:
                 return self.execute(node.orelse, scope)
@@ -136,9 +136,9 @@ class Blocks(Statements):
                 return self.do_unknown(node, scope)
 
     def do_Try(self, node: ast.Try, scope: Namespace) -> Flow:
-        before, doubts = dict(scope.names), self.doubts
+        before, doubts = dict(scope.names), self.unknown_count
         flow = self.execute(node.body, scope)
-        raises = flow is Flow.RAISE or self.doubts > doubts
+        raises = flow is Flow.RAISE or self.unknown_count > doubts
         if flow is Flow.NEXT:
             flow = self.execute(node.orelse, scope)
         if raises and node.handlers:
@@ -148,10 +148,10 @@ class Blocks(Statements):
                 scope.names = dict(before)
                 if handler.name:
                     scope.bind(handler.name, self.unknown(self.span(handler), "it depends on what is raised"))
-                with self.under("it can't be told whether an exception is raised"):
+                with self.assuming("it can't be told whether an exception is raised"):
                     if self.execute(handler.body, scope) in (Flow.NEXT, Flow.MAYBE):
                         ends.append(scope.names)
-            scope.names = self.joined(ends or [before], "it can't be told whether an exception is raised")
+            scope.names = self.join_scopes(ends or [before], "it can't be told whether an exception is raised")
             flow = flow if flow is not Flow.RAISE else Flow.NEXT
         final = self.execute(node.finalbody, scope)
         return flow if final is Flow.NEXT else final
@@ -169,7 +169,7 @@ class Blocks(Statements):
 
     def do_Match(self, node: ast.Match, scope: Namespace) -> Flow:
         self.evaluate(node.subject, scope)
-        why = f"{self.shown(self.span(node.subject))} is not matched here"
+        why = f"{self.quoted(self.span(node.subject))} is not matched here"
         return self.branch([*[case.body for case in node.cases], []], scope, why)
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from .conversion import NotPlainError, plain
+from .conversion import NoPythonValueError, to_python
 from .dict_methods import set_item
 from .expressions import Expressions
-from .iterables import items_of, many
+from .iterables import is_many, items_of
 from .limits import ITEM, spend
-from .operators import sliced, subscript
+from .operators import slice_of, subscript
 from .truthiness import truth
 from .values import (
     Argument,
@@ -30,25 +30,25 @@ class Containers(Expressions):
 
     def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Namespace) -> Value:
         kind: Kind = "list" if isinstance(node, ast.List) else "tuple" if isinstance(node, ast.Tuple) else "set"
-        result = Sequence(self.span(node), kind, display=True, born=len(self.conditions))
+        result = Sequence(self.span(node), kind, display=True, open_conditions=len(self.conditions))
         for each in node.elts:
             if not isinstance(each, ast.Starred):
-                self.put(result, self.evaluate(each, scope), self.span(each))
+                self.add_item(result, self.evaluate(each, scope), self.span(each))
                 continue
             value = self.evaluate(each.value, scope)
             items = items_of(self, value)
             if items is None:
-                self.spoil(
-                    result, self.span(each), getattr(value, "why", f"{self.shown(self.span(each))} can't be told")
+                self.mark_unknown(
+                    result, self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be told")
                 )
             for item in items or ():
-                self.put(result, item, self.span(each))
+                self.add_item(result, item, self.span(each))
         return result
 
     on_Tuple = on_Set = on_List
 
     def on_Dict(self, node: ast.Dict, scope: Namespace) -> Value:
-        result = Mapping(self.span(node), display=True, born=len(self.conditions))
+        result = Mapping(self.span(node), display=True, open_conditions=len(self.conditions))
         for key, item in zip(node.keys, node.values, strict=True):
             value = self.evaluate(item, scope)
             if key is not None:
@@ -58,7 +58,7 @@ class Containers(Expressions):
                 result.items.update(value.items)
                 result.rest += value.rest
             else:
-                self.spoil(result, self.span(item), f"{self.shown(self.span(item))} can't be evaluated")
+                self.mark_unknown(result, self.span(item), f"{self.quoted(self.span(item))} can't be evaluated")
         return result
 
     def on_Subscript(self, node: ast.Subscript, scope: Namespace) -> Value:
@@ -67,35 +67,35 @@ class Containers(Expressions):
             index = self.evaluate(node.slice, scope)
             if isinstance(value, Symbol) and (known := self.library.get(f"{value.name}[]")) is not None:
                 asked = Call(self.span(node), value.name, (Argument("", index, index.span),))
-                return self.otherwise(known(self, asked), node, index)
-            return self.otherwise(subscript(value, index, self.span(node)), node, value, index)
+                return self.or_unknown(known(self, asked), node, index)
+            return self.or_unknown(subscript(value, index, self.span(node)), node, value, index)
         try:
             ends = [
-                None if n is None else plain(self.evaluate(n, scope))
+                None if n is None else to_python(self.evaluate(n, scope))
                 for n in (node.slice.lower, node.slice.upper, node.slice.step)
             ]
-            return self.otherwise(sliced(value, slice(*ends), self.span(node)), node, value)
-        except (NotPlainError, TypeError, ValueError):
-            return self.vague(node)
+            return self.or_unknown(slice_of(value, slice(*ends), self.span(node)), node, value)
+        except (NoPythonValueError, TypeError, ValueError):
+            return self.unknown_expression(node)
 
     def on_ListComp(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Namespace) -> Value:
         kind: Kind = "set" if isinstance(node, ast.SetComp) else "list"
-        result = Sequence(self.span(node), kind, born=len(self.conditions))
-        for inner in self.rounds(node.generators, Namespace(scope)):
-            self.put(result, self.evaluate(node.elt, inner), self.span(node.elt))
+        result = Sequence(self.span(node), kind, open_conditions=len(self.conditions))
+        for inner in self.iterations(node.generators, Namespace(scope)):
+            self.add_item(result, self.evaluate(node.elt, inner), self.span(node.elt))
         return result
 
     on_SetComp = on_GeneratorExp = on_ListComp
 
     def on_DictComp(self, node: ast.DictComp, scope: Namespace) -> Value:
-        result = Mapping(self.span(node), born=len(self.conditions))
-        for inner in self.rounds(node.generators, Namespace(scope)):
+        result = Mapping(self.span(node), open_conditions=len(self.conditions))
+        for inner in self.iterations(node.generators, Namespace(scope)):
             set_item(
                 self, result, self.evaluate(node.key, inner), self.evaluate(node.value, inner), self.span(node.key)
             )
         return result
 
-    def rounds(self, generators: list[ast.comprehension], scope: Namespace) -> Iterator[Namespace]:
+    def iterations(self, generators: list[ast.comprehension], scope: Namespace) -> Iterator[Namespace]:
         """Yield a scope for each round that a comprehension makes."""
         if not generators:
             yield scope
@@ -103,16 +103,16 @@ class Containers(Expressions):
         source = self.evaluate(generators[0].iter, scope)
         items = items_of(self, source)
         if items is None:
-            why = getattr(source, "why", f"{self.shown(self.span(generators[0].iter))} can't be evaluated")
+            why = getattr(source, "why", f"{self.quoted(self.span(generators[0].iter))} can't be evaluated")
             items = [self.unknown(self.span(generators[0].iter), why, many=True)]
         for item in items:
             if isinstance(item, Unknown) and item.many:
-                with self.under(item.why):
-                    yield from self.round(generators, Unknown(item.span, item.why), scope)
+                with self.assuming(item.why):
+                    yield from self.iteration(generators, Unknown(item.span, item.why), scope)
             else:
-                yield from self.round(generators, item, scope)
+                yield from self.iteration(generators, item, scope)
 
-    def round(self, generators: list[ast.comprehension], item: Value, scope: Namespace) -> Iterator[Namespace]:
+    def iteration(self, generators: list[ast.comprehension], item: Value, scope: Namespace) -> Iterator[Namespace]:
         inner = Namespace(scope)
         self.assign(generators[0].target, item, inner)
         doubtful = ""
@@ -120,12 +120,12 @@ class Containers(Expressions):
             verdict = truth(self.evaluate(test, inner))
             if verdict is False:
                 return
-            doubtful = doubtful or ("" if verdict else f"{self.shown(self.span(test))} can't be evaluated")
+            doubtful = doubtful or ("" if verdict else f"{self.quoted(self.span(test))} can't be evaluated")
         if not doubtful:
-            yield from self.rounds(generators[1:], inner)
+            yield from self.iterations(generators[1:], inner)
             return
-        with self.under(doubtful):
-            yield from self.rounds(generators[1:], inner)
+        with self.assuming(doubtful):
+            yield from self.iterations(generators[1:], inner)
 
     def assign(self, target: ast.expr, value: Value, scope: Namespace) -> None:
         """Bind what stands left of an `=`."""
@@ -141,12 +141,12 @@ class Containers(Expressions):
                 if isinstance(holder, Mapping):
                     set_item(self, holder, self.evaluate(target.slice, scope), value, self.span(target))
                 else:
-                    self.spoil(holder, self.span(target), f"{self.shown(self.span(target))} can't be followed")
+                    self.mark_unknown(holder, self.span(target), f"{self.quoted(self.span(target))} can't be followed")
 
     def unpack(self, targets: list[ast.expr], value: Value, scope: Namespace) -> None:
         items = items_of(self, value)
         plain_targets = not any(isinstance(target, ast.Starred) for target in targets)
-        if items is None or any(map(many, items)) or not plain_targets or len(items) != len(targets):
+        if items is None or any(map(is_many, items)) or not plain_targets or len(items) != len(targets):
             why = getattr(value, "why", "it can't be taken apart")
             items = [self.unknown(self.span(target), why) for target in targets]
         for target, item in zip(targets, items, strict=True):

@@ -8,10 +8,10 @@ from itertools import groupby
 
 from ....source import Span
 from .limits import ITEM, MAX_TEXT, STEP, spend
-from .values import AttributeValue, Call, Constant, Joined, Kind, Mapping, Sequence, Symbol, Text, Unknown, Value
+from .values import AttributeValue, Call, Constant, Kind, Mapping, PartialText, Sequence, Symbol, Text, Unknown, Value
 
 
-class NotPlainError(Exception):
+class NoPythonValueError(Exception):
     """A value, or a part of it, has no plain Python counterpart."""
 
 
@@ -23,7 +23,7 @@ MAX_NODES = 100_000
 """The values in a value; one that is held twice counts twice."""
 
 
-def plain(value: Value) -> object:
+def to_python(value: Value) -> object:
     """Return the Python value; raises NotPlainError where anything in it is not known, or where it is too large."""
     if isinstance(value, Constant):
         spend(ITEM)
@@ -31,7 +31,7 @@ def plain(value: Value) -> object:
     if isinstance(value, Text):
         spend(ITEM + len(value.text) // 10)
         return value.text
-    meter = Plain()
+    meter = PythonConverter()
     try:
         return meter.of(value, 0)
     finally:
@@ -39,7 +39,7 @@ def plain(value: Value) -> object:
 
 
 @dataclass
-class Plain:
+class PythonConverter:
     """Takes a value apart, and counts what it comes by."""
 
     nodes: int = 0
@@ -48,7 +48,7 @@ class Plain:
     def of(self, value: Value, depth: int) -> object:
         self.nodes += 1
         if self.nodes > MAX_NODES or self.characters > MAX_TEXT or depth > MAX_DEPTH:
-            raise NotPlainError
+            raise NoPythonValueError
         match value:
             case Text():
                 self.characters += len(value.text)
@@ -57,10 +57,10 @@ class Plain:
                 return value.value
             case Sequence():
                 items = [self.of(item, depth + 1) for item in value.items]
-                return items if value.kind == "list" else as_set(items) if value.kind == "set" else tuple(items)
+                return items if value.kind == "list" else hashable_set(items) if value.kind == "set" else tuple(items)
             case Mapping() if not value.rest:
                 return {key: self.of(item, depth + 1) for key, (_, item) in value.items.items()}
-        raise NotPlainError
+        raise NoPythonValueError
 
 
 def weight_of(value: Value, limit: int) -> int:
@@ -74,7 +74,7 @@ def weight_of(value: Value, limit: int) -> int:
             case Mapping(items=entries, rest=rest):
                 waiting += [each for pair in entries.values() for each in pair]
                 waiting += rest
-            case Joined(parts=parts):
+            case PartialText(parts=parts):
                 waiting += parts
             case Unknown(options=options):
                 waiting += options
@@ -86,14 +86,14 @@ def weight_of(value: Value, limit: int) -> int:
     return found + len(waiting) if found > limit else found
 
 
-def as_set(items: list[object]) -> set[object]:
+def hashable_set(items: list[object]) -> set[object]:
     try:
         return set(items)
     except TypeError:
-        raise NotPlainError from None
+        raise NoPythonValueError from None
 
 
-def lift(found: object, span: Span, *, path: bool = False) -> Value:
+def from_python(found: object, span: Span, *, path: bool = False) -> Value:
     """Return the value of a plain Python object."""
     if isinstance(found, str):
         spend(len(found))
@@ -103,30 +103,30 @@ def lift(found: object, span: Span, *, path: bool = False) -> Value:
     if isinstance(found, list | tuple | set | frozenset):
         kind: Kind = "list" if isinstance(found, list) else "tuple" if isinstance(found, tuple) else "set"
         ordered: Iterable[object] = sorted(found, key=repr) if kind == "set" else found
-        items = [lift(item, span, path=path) for item in ordered]
+        items = [from_python(item, span, path=path) for item in ordered]
         return Sequence(span, kind, items, [span] * len(items))
     if isinstance(found, dict):
-        return Mapping(span, {key: (lift(key, span), lift(item, span)) for key, item in found.items()})
+        return Mapping(span, {key: (from_python(key, span), from_python(item, span)) for key, item in found.items()})
     return Constant(span, found)
 
 
-def known(value: Value) -> bool:
+def is_known(value: Value) -> bool:
     try:
-        plain(value)
-    except NotPlainError:
+        to_python(value)
+    except NoPythonValueError:
         return False
     return True
 
 
-def same(a: Value, b: Value) -> bool:
+def is_equal(a: Value, b: Value) -> bool:
     """Return whether two values are equal for certain."""
     if a is b:
         return True
     if isinstance(a, Symbol) and isinstance(b, Symbol):
         return a.name == b.name
     try:
-        return type(a) is type(b) and plain(a) == plain(b)
-    except NotPlainError:
+        return type(a) is type(b) and to_python(a) == to_python(b)
+    except NoPythonValueError:
         return False
 
 
@@ -145,7 +145,7 @@ def unknowns(value: Value, seen: set[int] | None = None) -> Iterator[Unknown]:
         case Mapping():
             yield from value.rest
             inner = [item for _, item in value.items.values()]
-        case Joined():
+        case PartialText():
             inner = value.parts
     if inner:
         seen.add(id(value))
@@ -153,7 +153,7 @@ def unknowns(value: Value, seen: set[int] | None = None) -> Iterator[Unknown]:
         yield from unknowns(item, seen)
 
 
-def merged(texts: list[Text], span: Span) -> list[Text]:
+def merge_texts(texts: list[Text], span: Span) -> list[Text]:
     """Return texts as one at the span of all; a lone one stays where it stands, an empty one is none."""
     start = next((index for index, each in enumerate(texts) if each.text), len(texts))
     if len(texts) - start < 2:
@@ -161,9 +161,9 @@ def merged(texts: list[Text], span: Span) -> list[Text]:
     return [Text(span, "".join(each.text for each in texts))]
 
 
-def join(parts: Iterable[Value], span: Span, *, path: bool = False) -> Value:
+def join_texts(parts: Iterable[Value], span: Span, *, path: bool = False) -> Value:
     """Return the text of parts one after the other: a Text where all of them are, else a Joined."""
-    pieces = [each for part in parts for each in (part.parts if isinstance(part, Joined) else (part,))]
+    pieces = [each for part in parts for each in (part.parts if isinstance(part, PartialText) else (part,))]
     size = sum(len(each.text) for each in pieces if isinstance(each, Text))
     spend(len(pieces) * 2 * ITEM)
     if size > MAX_TEXT:
@@ -173,9 +173,9 @@ def join(parts: Iterable[Value], span: Span, *, path: bool = False) -> Value:
     for _, group in groupby(pieces, lambda each: isinstance(each, Text)):
         several = list(group)
         texts = [each for each in several if isinstance(each, Text)]
-        flat += merged(texts, span) if texts else several
+        flat += merge_texts(texts, span) if texts else several
     if not flat:
         return Text(span, "", path=path)
     if len(flat) == 1 and isinstance(flat[0], Text):
         return replace(flat[0], span=span, literal=None, path=path)
-    return Joined(span, tuple(flat), path)
+    return PartialText(span, tuple(flat), path)

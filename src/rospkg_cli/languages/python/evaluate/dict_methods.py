@@ -6,18 +6,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ....source import Span
-from .conversion import NotPlainError, plain
+from .conversion import NoPythonValueError, to_python
 from .limits import ITEM, spend
-from .list_methods import unfollowed
+from .list_methods import mark_unknown
 from .state import EvaluationState
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 
-def get(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+def get(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     try:
-        found = value.items.get(plain(call.positional[0]))
-    except (NotPlainError, IndexError, TypeError):
+        found = value.items.get(to_python(call.positional[0]))
+    except (NoPythonValueError, IndexError, TypeError):
         return None
     if value.rest:
         return None
@@ -26,7 +26,7 @@ def get(machine: EvaluationState, value: MappingValue, call: Call) -> Value | No
     return call.positional[1] if len(call.positional) > 1 else Constant(call.span, None)
 
 
-def views(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+def views(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
     match call.callee:
         case "keys":
@@ -35,67 +35,67 @@ def views(machine: EvaluationState, value: MappingValue, call: Call) -> Value | 
             found = [item for _, item in value.items.values()]
         case _:
             found = [Sequence(call.span, "tuple", list(pair), [call.span] * 2) for pair in value.items.values()]
-    rest: list[Value] = [machine.unknown(call.span, each.why, many=True) for each in value.rest[:1]]
-    return machine.new_list(call.span, found + rest)
+    rest: list[Value] = [state.unknown(call.span, each.why, many=True) for each in value.rest[:1]]
+    return state.computed_list(call.span, found + rest)
 
 
-def set_item(machine: EvaluationState, value: MappingValue, key: Value, item: Value, span: Span) -> None:
+def set_item(state: EvaluationState, value: MappingValue, key: Value, item: Value, span: Span) -> None:
     """`mapping[key] = item`, for certain or perhaps."""
-    machine.tick()
+    state.tick()
     try:
-        at = plain(key)
+        at = to_python(key)
         hash(at)
-    except (NotPlainError, TypeError):
-        machine.spoil(value, span, f"{machine.shown(span)} can't be evaluated")
+    except (NoPythonValueError, TypeError):
+        state.mark_unknown(value, span, f"{state.quoted(span)} can't be evaluated")
         return
-    if len(machine.conditions) > value.born:
+    if len(state.conditions) > value.open_conditions:
         old = value.items[at][1:] if at in value.items else ()
-        item = machine.unknown(span, machine.conditions[-1], options=(*old, item))
+        item = state.unknown(span, state.conditions[-1], options=(*old, item))
     value.items[at] = (key, item)
 
 
-def update(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+def update(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     source = call.positional[0] if call.positional else None
     if isinstance(source, MappingValue):
         for key, item in list(source.items.values()):
-            set_item(machine, value, key, item, key.span)
+            set_item(state, value, key, item, key.span)
         value.rest += source.rest
     elif source is not None or call.rest:
-        return unfollowed(machine, value, call)
+        return mark_unknown(state, value, call)
     for argument in call.arguments:
         if argument.name:
-            set_item(machine, value, Text(argument.span, argument.name), argument.value, argument.span)
+            set_item(state, value, Text(argument.span, argument.name), argument.value, argument.span)
     return Constant(call.span, None)
 
 
-def setdefault(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+def setdefault(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     try:
-        found = value.items.get(plain(call.positional[0]))
-    except (NotPlainError, IndexError, TypeError):
-        return unfollowed(machine, value, call)
+        found = value.items.get(to_python(call.positional[0]))
+    except (NoPythonValueError, IndexError, TypeError):
+        return mark_unknown(state, value, call)
     if found:
         return found[1]
     if value.rest:
-        return unfollowed(machine, value, call)
+        return mark_unknown(state, value, call)
     default = call.positional[1] if len(call.positional) > 1 else Constant(call.span, None)
-    set_item(machine, value, call.positional[0], default, call.span)
+    set_item(state, value, call.positional[0], default, call.span)
     return default
 
 
-def pop_key(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
-    found = get(machine, value, call)
-    if found is None or len(machine.conditions) > value.born:
-        return unfollowed(machine, value, call)
-    value.items.pop(plain(call.positional[0]), None)
+def pop_key(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+    found = get(state, value, call)
+    if found is None or len(state.conditions) > value.open_conditions:
+        return mark_unknown(state, value, call)
+    value.items.pop(to_python(call.positional[0]), None)
     return found
 
 
-def copied_dict(machine: EvaluationState, value: MappingValue, call: Call) -> Value | None:
+def copy_dict(state: EvaluationState, value: MappingValue, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
-    return replace(value, items=dict(value.items), rest=list(value.rest), born=len(machine.conditions))
+    return replace(value, items=dict(value.items), rest=list(value.rest), open_conditions=len(state.conditions))
 
 
-DICTS: Mapping[str, Callable[[EvaluationState, MappingValue, Call], Value | None]] = {
+DICT_METHODS: Mapping[str, Callable[[EvaluationState, MappingValue, Call], Value | None]] = {
     "get": get,
     "keys": views,
     "values": views,
@@ -103,5 +103,5 @@ DICTS: Mapping[str, Callable[[EvaluationState, MappingValue, Call], Value | None
     "update": update,
     "setdefault": setdefault,
     "pop": pop_key,
-    "copy": copied_dict,
+    "copy": copy_dict,
 }

@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 from ....source import Span
-from .conversion import join
-from .formatting import in_format
-from .methods import attribute
-from .operators import binary
+from .conversion import join_texts
+from .formatting import format_value
+from .methods import path_attribute
+from .operators import binary_operation
 from .state import EvaluationState
-from .truthiness import compared, truth
+from .truthiness import compare, truth
 from .values import (
     AttributeValue,
     Call,
@@ -29,15 +29,15 @@ from .values import (
 BUILTINS = frozenset(dir(builtins))
 
 DATA: dict[str, Callable[[EvaluationState, Span], Value]] = {
-    "os.sep": lambda machine, span: Text(span, "/"),
-    "os.path.sep": lambda machine, span: Text(span, "/"),
-    "os.linesep": lambda machine, span: Text(span, "\n"),
-    "os.curdir": lambda machine, span: Text(span, "."),
-    "os.pardir": lambda machine, span: Text(span, ".."),
-    "sys.version_info": lambda machine, span: machine.unknown(span, "`sys.version_info` depends on the Python"),
-    "sys.platform": lambda machine, span: machine.unknown(span, "`sys.platform` depends on the machine"),
-    "sys.argv": lambda machine, span: machine.unknown(span, "`sys.argv` depends on the command"),
-    "sys.path": lambda machine, span: machine.unknown(span, "`sys.path` depends on the environment"),
+    "os.sep": lambda state, span: Text(span, "/"),
+    "os.path.sep": lambda state, span: Text(span, "/"),
+    "os.linesep": lambda state, span: Text(span, "\n"),
+    "os.curdir": lambda state, span: Text(span, "."),
+    "os.pardir": lambda state, span: Text(span, ".."),
+    "sys.version_info": lambda state, span: state.unknown(span, "`sys.version_info` depends on the Python"),
+    "sys.platform": lambda state, span: state.unknown(span, "`sys.platform` depends on the machine"),
+    "sys.argv": lambda state, span: state.unknown(span, "`sys.argv` depends on the command"),
+    "sys.path": lambda state, span: state.unknown(span, "`sys.path` depends on the environment"),
 }
 """What a name of the standard library holds."""
 
@@ -51,23 +51,23 @@ class Expressions(EvaluationState):
         handler: Callable[[Any, Namespace], Value] | None = getattr(self, f"on_{type(node).__name__}", None)
         if handler is not None:
             return handler(node, scope)
-        return self.vague(node)
+        return self.unknown_expression(node)
 
-    def made_of(self, node: ast.expr, *operands: Value) -> None:
+    def on_operands(self, node: ast.expr, *operands: Value) -> None:
         """Look at what an operator or an f-string is given: nothing here, but a subclass may have something to say."""
 
-    def vague(self, node: ast.expr, *, options: tuple[Value, ...] = ()) -> Unknown:
+    def unknown_expression(self, node: ast.expr, *, options: tuple[Value, ...] = ()) -> Unknown:
         span = self.span(node)
-        return self.unknown(span, f"{self.shown(span)} can't be evaluated", options=options)
+        return self.unknown(span, f"{self.quoted(span)} can't be evaluated", options=options)
 
-    def otherwise(self, found: Value | None, node: ast.expr, *operands: Value) -> Value:
+    def or_unknown(self, found: Value | None, node: ast.expr, *operands: Value) -> Value:
         """Return what was found, or the first reason why it could not be."""
         if found is not None:
             return found
         for each in operands:
             if isinstance(each, Unknown):
                 return self.unknown(self.span(node), each.why)
-        return self.vague(node)
+        return self.unknown_expression(node)
 
     def on_Constant(self, node: ast.Constant, scope: Namespace) -> Value:
         span = self.span(node)
@@ -103,31 +103,31 @@ class Expressions(EvaluationState):
             return DATA[name](self, span) if name in DATA else Symbol(span, name)
         if isinstance(value, Class):
             found = value.scope.names.get(node.attr)
-            return self.vague(node) if found is None else found
+            return self.unknown_expression(node) if found is None else found
         if isinstance(value, Unknown):
             return self.unknown(span, value.why)
-        found = attribute(value, node.attr, Call(span, node.attr))
+        found = path_attribute(value, node.attr, Call(span, node.attr))
         if found is not None:
             return found
-        self.doubts += 1
+        self.unknown_count += 1
         return AttributeValue(span, value, node.attr)
 
     def on_BinOp(self, node: ast.BinOp, scope: Namespace) -> Value:
         left, right = self.evaluate(node.left, scope), self.evaluate(node.right, scope)
-        self.made_of(node, left, right)
-        found = binary(type(node.op), left, right, self.span(node))
-        return self.otherwise(found, node, left, right)
+        self.on_operands(node, left, right)
+        found = binary_operation(type(node.op), left, right, self.span(node))
+        return self.or_unknown(found, node, left, right)
 
     def on_UnaryOp(self, node: ast.UnaryOp, scope: Namespace) -> Value:
         value, span = self.evaluate(node.operand, scope), self.span(node)
-        self.made_of(node, value)
+        self.on_operands(node, value)
         if isinstance(node.op, ast.Not):
             verdict = truth(value)
-            return self.otherwise(None, node, value) if verdict is None else Constant(span, not verdict)
+            return self.or_unknown(None, node, value) if verdict is None else Constant(span, not verdict)
         number = value.value if isinstance(value, Constant) else None
         if isinstance(number, int | float) and isinstance(node.op, ast.USub | ast.UAdd):
             return Constant(span, -number if isinstance(node.op, ast.USub) else number)
-        return self.otherwise(None, node, value)
+        return self.or_unknown(None, node, value)
 
     def on_BoolOp(self, node: ast.BoolOp, scope: Namespace) -> Value:
         stops = isinstance(node.op, ast.Or)
@@ -142,29 +142,29 @@ class Expressions(EvaluationState):
                 options.append(value)
             elif verdict is stops:
                 break
-        self.made_of(node, *asked)
+        self.on_operands(node, *asked)
         if not options or options == [value]:
             return value
-        return self.vague(node, options=tuple(options if value in options else [*options, value]))
+        return self.unknown_expression(node, options=tuple(options if value in options else [*options, value]))
 
     def on_Compare(self, node: ast.Compare, scope: Namespace) -> Value:
         left, told = self.evaluate(node.left, scope), True
         for kind, each in zip(node.ops, node.comparators, strict=True):
             right = self.evaluate(each, scope)
-            self.made_of(node, left, right)
-            verdict = compared(type(kind), left, right)
+            self.on_operands(node, left, right)
+            verdict = compare(type(kind), left, right)
             if verdict is False:
                 return Constant(self.span(node), False)
             told, left = told and verdict is True, right
-        return Constant(self.span(node), True) if told else self.vague(node)
+        return Constant(self.span(node), True) if told else self.unknown_expression(node)
 
     def on_IfExp(self, node: ast.IfExp, scope: Namespace) -> Value:
         verdict = truth(self.evaluate(node.test, scope))
         if verdict is not None:
             return self.evaluate(node.body if verdict else node.orelse, scope)
-        with self.under(f"{self.shown(self.span(node.test))} can't be evaluated"):
+        with self.assuming(f"{self.quoted(self.span(node.test))} can't be evaluated"):
             options = (self.evaluate(node.body, scope), self.evaluate(node.orelse, scope))
-        return self.vague(node, options=options)
+        return self.unknown_expression(node, options=options)
 
     def on_NamedExpr(self, node: ast.NamedExpr, scope: Namespace) -> Value:
         value = self.evaluate(node.value, scope)
@@ -175,17 +175,17 @@ class Expressions(EvaluationState):
         span, before = self.span(node), self.fixed
         self.fixed = span
         try:
-            return join([self.piece(each, scope, span) for each in node.values], span)
+            return join_texts([self.format_piece(each, scope, span) for each in node.values], span)
         finally:
             self.fixed = before
 
-    def piece(self, node: ast.expr, scope: Namespace, span: Span) -> Value:
+    def format_piece(self, node: ast.expr, scope: Namespace, span: Span) -> Value:
         if not isinstance(node, ast.FormattedValue):
             return self.evaluate(node, scope)
         value = self.evaluate(node.value, scope)
-        self.made_of(node, value)
+        self.on_operands(node, value)
         spec = self.evaluate(node.format_spec, scope) if node.format_spec else Text(span, "")
         conversion = chr(node.conversion) if node.conversion > 0 else ""
         if not isinstance(spec, Text):
-            return self.vague(node)
-        return in_format(value, spec.text, conversion, span)
+            return self.unknown_expression(node)
+        return format_value(value, spec.text, conversion, span)

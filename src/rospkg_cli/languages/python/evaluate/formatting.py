@@ -8,9 +8,9 @@ from dataclasses import replace
 from string import Formatter
 
 from ....source import Span
-from .conversion import NotPlainError, join, plain
+from .conversion import NoPythonValueError, join_texts, to_python
 from .limits import STEP, spend
-from .values import Constant, Joined, Sequence, Text, Unknown, Value
+from .values import Constant, PartialText, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 
 PERCENT = re.compile(
@@ -29,20 +29,20 @@ def as_text(value: Value, span: Span) -> Value:
     match value:
         case Text():
             return replace(value, span=span, path=False) if value.path else value
-        case Joined():
+        case PartialText():
             return replace(value, path=False)
         case Constant():
-            return spelled(str, value, span)
+            return format_known(str, value, span)
         case Sequence() | MappingValue():
-            return spelled(str, value, span)
+            return format_known(str, value, span)
     return value
 
 
-def spelled(function: Callable[[object], str], value: Value, span: Span) -> Value:
+def format_known(function: Callable[[object], str], value: Value, span: Span) -> Value:
     """Return what a function makes of a known value; numbers of many thousand digits have no text."""
     try:
-        text = function(plain(value))
-    except NotPlainError:
+        text = function(to_python(value))
+    except NoPythonValueError:
         return Unknown(span, "a part of it can't be evaluated")
     except (ValueError, TypeError, KeyError, ArithmeticError):
         return Unknown(span, "its format can't be evaluated")
@@ -50,17 +50,17 @@ def spelled(function: Callable[[object], str], value: Value, span: Span) -> Valu
     return Text(span, text)
 
 
-def in_format(value: Value, spec: str, conversion: str, span: Span) -> Value:
+def format_value(value: Value, spec: str, conversion: str, span: Span) -> Value:
     """Return a replacement field's text."""
     if not spec and conversion in ("", "s"):
         return as_text(value, span)
     if WIDE.search(spec):
         return Unknown(span, "its format can't be evaluated")
     convert = CONVERSIONS.get(conversion)
-    return spelled(lambda known: format(convert(known) if convert else known, spec), value, span)
+    return format_known(lambda known: format(convert(known) if convert else known, spec), value, span)
 
 
-def percent(left: str, right: Value, span: Span) -> Value | None:
+def percent_format(left: str, right: Value, span: Span) -> Value | None:
     """Return `left % right`, or None where Python would raise."""
     arguments = list(right.items) if isinstance(right, Sequence) and right.kind == "tuple" else [right]
     arguments.reverse()
@@ -79,22 +79,22 @@ def percent(left: str, right: Value, span: Span) -> Value | None:
             value = arguments.pop() if arguments else None
         if value is None:
             return None
-        parts.append(converted(match, value, span))
+        parts.append(format_field(match, value, span))
     if arguments and not isinstance(right, MappingValue):
         return None
-    return join([*parts, Text(span, left[at:])], span)
+    return join_texts([*parts, Text(span, left[at:])], span)
 
 
-def converted(match: re.Match[str], value: Value, span: Span) -> Value:
+def format_field(match: re.Match[str], value: Value, span: Span) -> Value:
     if match["type"] == "s" and not (match["flags"] or match["width"] or match["precision"]):
         return as_text(value, span)
     if WIDE.search(match["width"] + (match["precision"] or "")):
         return Unknown(span, "its format can't be evaluated")
     form = match.group().replace(f"({match['key']})", "") if match["key"] is not None else match.group()
-    return spelled(lambda known: form % (known,), value, span)
+    return format_known(lambda known: form % (known,), value, span)
 
 
-def braces(text: str, positional: list[Value], named: Callable[[str], Value | None], span: Span) -> Value | None:
+def brace_format(text: str, positional: list[Value], named: Callable[[str], Value | None], span: Span) -> Value | None:
     """Return `text.format(…)`, or None where Python would raise or the fields are more than names."""
     parts: list[Value] = []
     count = 0
@@ -117,7 +117,7 @@ def braces(text: str, positional: list[Value], named: Callable[[str], Value | No
                 value = named(name)
             if value is None:
                 return None
-            parts.append(in_format(value, spec or "", conversion or "", span))
+            parts.append(format_value(value, spec or "", conversion or "", span))
     except ValueError:
         return None
-    return join(parts, span)
+    return join_texts(parts, span)

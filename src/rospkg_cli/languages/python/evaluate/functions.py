@@ -7,14 +7,14 @@ from collections import deque
 from functools import cached_property
 
 from ....source import Span
-from .compound_statements import Blocks
-from .conversion import same
+from .compound_statements import CompoundStatements
+from .conversion import is_equal
 from .dict_methods import set_item
 from .limits import ITEM, MAX_CALLS, Flow, spend
 from .values import Argument, Call, Class, Constant, Function, Mapping, Namespace, Sequence, Text, Value
 
 
-class Functions(Blocks):
+class Functions(CompoundStatements):
     """Binds and runs functions."""
 
     depth = 0
@@ -48,7 +48,7 @@ class Functions(Blocks):
             if isinstance(function.node, ast.Lambda):
                 return self.evaluate(function.node.body, scope)
             if self.is_generator(function.node):
-                scope.yields = Sequence(call.span, "list", born=len(self.conditions))
+                scope.yields = Sequence(call.span, "list", open_conditions=len(self.conditions))
             flow = self.execute(function.node.body, scope)
         finally:
             self.depth -= 1
@@ -56,7 +56,7 @@ class Functions(Blocks):
             return scope.yields
         if flow in (Flow.NEXT, Flow.MAYBE):
             scope.returns.append(Constant(call.span, None))
-        return self.returned(function, scope.returns, call.span)
+        return self.return_value(function, scope.returns, call.span)
 
     def is_generator(self, node: ast.AST) -> bool:
         """Return whether a `yield` stands in a function; each is looked through once."""
@@ -64,10 +64,10 @@ class Functions(Blocks):
             self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in ast.walk(node))
         return self.generators[id(node)]
 
-    def returned(self, function: Function, returns: list[Value], span: Span) -> Value:
+    def return_value(self, function: Function, returns: list[Value], span: Span) -> Value:
         if not returns:
             return self.unknown(span, f"`{function.name}` raises")
-        if all(same(returns[0], other) for other in returns[1:]):
+        if all(is_equal(returns[0], other) for other in returns[1:]):
             return returns[0]
         return self.unknown(span, f"what `{function.name}` returns can't be told", options=tuple(returns))
 
@@ -89,20 +89,20 @@ class Functions(Blocks):
                 value = self.unknown(call.span, f"`{parameter.arg}` is not given")
             scope.names[parameter.arg] = value
         if arguments.vararg:
-            scope.names[arguments.vararg.arg] = self.gathered(list(left), call)
+            scope.names[arguments.vararg.arg] = self.rest_arguments(list(left), call)
         if arguments.kwarg:
-            scope.names[arguments.kwarg.arg] = self.gathered_names(list(named.values()), call)
+            scope.names[arguments.kwarg.arg] = self.rest_keywords(list(named.values()), call)
 
-    def gathered(self, values: list[Value], call: Call) -> Value:
-        result = Sequence(call.span, "tuple", values, [call.span] * len(values), born=len(self.conditions))
+    def rest_arguments(self, values: list[Value], call: Call) -> Value:
+        result = Sequence(call.span, "tuple", values, [call.span] * len(values), open_conditions=len(self.conditions))
         if call.rest is not None:
-            self.spoil(result, call.span, call.rest.why)
+            self.mark_unknown(result, call.span, call.rest.why)
         return result
 
-    def gathered_names(self, arguments: list[Argument], call: Call) -> Value:
-        result = Mapping(call.span, born=len(self.conditions))
+    def rest_keywords(self, arguments: list[Argument], call: Call) -> Value:
+        result = Mapping(call.span, open_conditions=len(self.conditions))
         for argument in arguments:
             set_item(self, result, Text(argument.span, argument.name), argument.value, argument.span)
         if call.rest is not None:
-            self.spoil(result, call.span, call.rest.why)
+            self.mark_unknown(result, call.span, call.rest.why)
         return result

@@ -6,14 +6,14 @@ from collections.abc import Callable
 from typing import Any
 
 from ....unreadable import UnreadableError
-from .conversion import NotPlainError, lift, plain
+from .conversion import NoPythonValueError, from_python, to_python
 from .limits import ITEM, spend
 from .state import EvaluationState, Intrinsic
-from .values import Call, Opened, Sequence, Text, Unknown, Value
+from .values import Call, OpenedFile, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 
 
-def items_of(machine: EvaluationState, value: Value) -> list[Value] | None:
+def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
     """Return what a loop over a value sees; None where nothing of it is known."""
     match value:
         case Sequence():
@@ -21,43 +21,43 @@ def items_of(machine: EvaluationState, value: Value) -> list[Value] | None:
             return list(value.items)
         case MappingValue():
             spend(len(value.items) * ITEM)
-            rest = [machine.unknown(value.span, each.why, many=True) for each in value.rest[:1]]
+            rest = [state.unknown(value.span, each.why, many=True) for each in value.rest[:1]]
             return [key for key, _ in value.items.values()] + rest
         case Text() if not value.path:
-            machine.tick(len(value.text))
+            state.tick(len(value.text))
             return [Text(value.span, char) for char in value.text]
-        case Opened():
-            left = read_rest(machine, value)
+        case OpenedFile():
+            left = read_rest(state, value)
             lines = [] if left is None else left.splitlines(keepends=True)
-            machine.tick(len(lines))
+            state.tick(len(lines))
             return None if left is None else [Text(value.span, line) for line in lines]
     return None
 
 
-def read_rest(machine: EvaluationState, opened: Opened) -> str | None:
+def read_rest(state: EvaluationState, opened: OpenedFile) -> str | None:
     """Return what was not read yet, and take it as read; None where the file has no text."""
     try:
-        text = machine.folder.files.source(opened.path).text
+        text = state.folder.files.source(opened.path).text
     except UnreadableError:
         return None
-    machine.tick(len(text) // 100)
+    state.tick(len(text) // 100)
     rest, opened.at = text[opened.at :], len(text)
     return rest
 
 
-def many(item: Value) -> bool:
+def is_many(item: Value) -> bool:
     return isinstance(item, Unknown) and item.many
 
 
-def pure(function: Callable[..., Any]) -> Intrinsic:
+def plain_function(function: Callable[..., Any]) -> Intrinsic:
     """Return the intrinsic of a function over plain values that is cheap for whatever it gets."""
 
-    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
+    def intrinsic(state: EvaluationState, call: Call) -> Value | None:
         try:
-            positional = [plain(value) for value in call.positional]
-            named = {argument.name: plain(argument.value) for argument in call.arguments if argument.name}
-            return lift(function(*positional, **named), call.span)
-        except (NotPlainError, TypeError, ValueError, LookupError, AttributeError, ArithmeticError):
+            positional = [to_python(value) for value in call.positional]
+            named = {argument.name: to_python(argument.value) for argument in call.arguments if argument.name}
+            return from_python(function(*positional, **named), call.span)
+        except (NoPythonValueError, TypeError, ValueError, LookupError, AttributeError, ArithmeticError):
             return None
 
     return intrinsic

@@ -4,89 +4,91 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from .collection_builtins import LISTING
-from .iterables import items_of, many, pure
+from .collection_builtins import COLLECTION_BUILTINS
+from .iterables import is_many, items_of, plain_function
 from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 
-def zipped(machine: EvaluationState, call: Call) -> Value | None:
-    columns = [items_of(machine, value) for value in call.positional]
-    if not columns or any(column is None or any(map(many, column)) for column in columns):
+def as_zip(state: EvaluationState, call: Call) -> Value | None:
+    columns = [items_of(state, value) for value in call.positional]
+    if not columns or any(column is None or any(map(is_many, column)) for column in columns):
         return None
     rows: list[Value] = []
     for row in zip(*[column for column in columns if column is not None], strict=False):
         rows.append(Sequence(call.span, "tuple", list(row), [call.span] * len(row)))
-    return machine.new_list(call.span, rows)
+    return state.computed_list(call.span, rows)
 
 
-def mapped(machine: EvaluationState, call: Call) -> Value | None:
+def as_map(state: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
-    items = items_of(machine, call.positional[1])
+    items = items_of(state, call.positional[1])
     if items is None:
         return None
-    made = [item if many(item) else machine.apply(call.positional[0], [item], call.span) for item in items]
-    return machine.new_list(call.span, made)
+    made = [item if is_many(item) else state.apply(call.positional[0], [item], call.span) for item in items]
+    return state.computed_list(call.span, made)
 
 
-def filtered(machine: EvaluationState, call: Call) -> Value | None:
+def as_filter(state: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
-    test, items = call.positional[0], items_of(machine, call.positional[1])
+    test, items = call.positional[0], items_of(state, call.positional[1])
     if items is None:
         return None
     kept: list[Value] = []
     for item in items:
         nothing = isinstance(test, Constant) and test.value is None
-        holds = True if many(item) else truth(item if nothing else machine.apply(test, [item], call.span))
+        holds = True if is_many(item) else truth(item if nothing else state.apply(test, [item], call.span))
         if holds:
             kept.append(item)
         elif holds is None:
-            why = f"whether {machine.shown(call.span)} keeps an item can't be told"
-            kept.append(machine.unknown(call.span, why, many=True, options=(item,)))
-    return machine.new_list(call.span, kept)
+            why = f"whether {state.quoted(call.span)} keeps an item can't be told"
+            kept.append(state.unknown(call.span, why, many=True, options=(item,)))
+    return state.computed_list(call.span, kept)
 
 
-def chained(machine: EvaluationState, call: Call) -> Value | None:
+def as_chain(state: EvaluationState, call: Call) -> Value | None:
     """itertools.chain."""
     result: list[Value] = []
     for value in call.positional:
-        items = items_of(machine, value)
-        result += [machine.unknown(call.span, "it can't be evaluated", many=True)] if items is None else items
-    return machine.new_list(call.span, result)
+        items = items_of(state, value)
+        result += [state.unknown(call.span, "it can't be evaluated", many=True)] if items is None else items
+    return state.computed_list(call.span, result)
 
 
-def flattened(machine: EvaluationState, call: Call) -> Value | None:
+def as_flat_chain(state: EvaluationState, call: Call) -> Value | None:
     """itertools.chain.from_iterable, and sum(lists, [])."""
-    outer = items_of(machine, call.positional[0]) if call.positional else None
+    outer = items_of(state, call.positional[0]) if call.positional else None
     if outer is None:
         return None
     result: list[Value] = []
     for value in outer:
-        items = items_of(machine, value)
+        items = items_of(state, value)
         if items is None:
             return None
         result += items
-    return machine.new_list(call.span, result)
+    return state.computed_list(call.span, result)
 
 
-def total(machine: EvaluationState, call: Call) -> Value | None:
+def as_sum(state: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) == 2 and isinstance(call.positional[1], Sequence):
-        found = flattened(machine, call)
+        found = as_flat_chain(state, call)
         return (
-            machine.new_list(call.span, call.positional[1].items + found.items) if isinstance(found, Sequence) else None
+            state.computed_list(call.span, call.positional[1].items + found.items)
+            if isinstance(found, Sequence)
+            else None
         )
-    return pure(sum)(machine, call)
+    return plain_function(sum)(state, call)
 
 
-def quantified(over: Callable[[list[bool]], bool]) -> Intrinsic:
+def any_or_all(over: Callable[[list[bool]], bool]) -> Intrinsic:
     """any() and all()."""
 
-    def intrinsic(machine: EvaluationState, call: Call) -> Value | None:
-        items = items_of(machine, call.positional[0]) if call.positional else None
+    def intrinsic(state: EvaluationState, call: Call) -> Value | None:
+        items = items_of(state, call.positional[0]) if call.positional else None
         if items is None:
             return None
         verdicts = [truth(item) for item in items]
@@ -97,7 +99,7 @@ def quantified(over: Callable[[list[bool]], bool]) -> Intrinsic:
     return intrinsic
 
 
-def length(machine: EvaluationState, call: Call) -> Value | None:
+def as_len(state: EvaluationState, call: Call) -> Value | None:
     value = call.positional[0] if call.positional else None
     if isinstance(value, Sequence) and value.complete:
         return Constant(call.span, len(value.items))
@@ -106,26 +108,26 @@ def length(machine: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, len(value.text)) if isinstance(value, Text) else None
 
 
-def first(machine: EvaluationState, call: Call) -> Value | None:
+def as_next(state: EvaluationState, call: Call) -> Value | None:
     """next(): of a list that was made by a generator expression, its first item."""
-    items = items_of(machine, call.positional[0]) if call.positional else None
-    if items is None or (items and many(items[0])):
+    items = items_of(state, call.positional[0]) if call.positional else None
+    if items is None or (items and is_many(items[0])):
         return None
     return items[0] if items else call.positional[1] if len(call.positional) > 1 else None
 
 
-ITERATION: Mapping[str, Intrinsic] = {
-    **LISTING,
-    "zip": zipped,
-    "map": mapped,
-    "filter": filtered,
-    "itertools.chain": chained,
-    "itertools.chain.from_iterable": flattened,
-    "any": quantified(any),
-    "all": quantified(all),
-    "len": length,
-    "next": first,
-    "sum": total,
-    "min": pure(min),
-    "max": pure(max),
+ITERATOR_BUILTINS: Mapping[str, Intrinsic] = {
+    **COLLECTION_BUILTINS,
+    "zip": as_zip,
+    "map": as_map,
+    "filter": as_filter,
+    "itertools.chain": as_chain,
+    "itertools.chain.from_iterable": as_flat_chain,
+    "any": any_or_all(any),
+    "all": any_or_all(all),
+    "len": as_len,
+    "next": as_next,
+    "sum": as_sum,
+    "min": plain_function(min),
+    "max": plain_function(max),
 }

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .formatting import as_text, in_format
-from .iterables import pure
-from .iterator_builtins import ITERATION
-from .path_functions import PATHS
+from .formatting import as_text, format_value
+from .iterables import plain_function
+from .iterator_builtins import ITERATOR_BUILTINS
+from .path_functions import PATH_FUNCTIONS
 from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
@@ -21,20 +21,20 @@ TYPES: Mapping[str, type | tuple[type, ...]] = {
 }  # fmt: skip
 
 
-def as_str(machine: EvaluationState, call: Call) -> Value | None:
+def as_str(state: EvaluationState, call: Call) -> Value | None:
     return as_text(call.positional[0], call.span) if len(call.positional) == 1 else None
 
 
-def as_bool(machine: EvaluationState, call: Call) -> Value | None:
+def as_bool(state: EvaluationState, call: Call) -> Value | None:
     verdict = truth(call.positional[0]) if call.positional else False
     return None if verdict is None else Constant(call.span, verdict)
 
 
-def represented(machine: EvaluationState, call: Call) -> Value | None:
-    return in_format(call.positional[0], "", "r", call.span) if len(call.positional) == 1 else None
+def as_repr(state: EvaluationState, call: Call) -> Value | None:
+    return format_value(call.positional[0], "", "r", call.span) if len(call.positional) == 1 else None
 
 
-def is_instance(machine: EvaluationState, call: Call) -> Value | None:
+def is_instance(state: EvaluationState, call: Call) -> Value | None:
     if len(call.positional) != 2:
         return None
     value, asked = call.positional
@@ -54,25 +54,25 @@ def is_instance(machine: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, bool(own & names)) if len(names) == len(wanted) else None
 
 
-def as_int(value: Any = 0, base: Any = None) -> int:
+def bounded_int(value: Any = 0, base: Any = None) -> int:
     """int(); raises ValueError for texts that no interpreter should be given: the time is quadratic in their length."""
     if isinstance(value, str | bytes) and len(value) > MAX_DIGITS:
         raise ValueError
     return int(value) if base is None else int(value, base)
 
 
-def rounded(number: Any, digits: Any = None) -> Any:
+def bounded_round(number: Any, digits: Any = None) -> Any:
     """round(); raises ValueError for so many digits that the power of ten would not end."""
     if digits is not None and abs(digits) > MAX_DIGITS:
         raise ValueError
     return round(number, digits)
 
 
-def nothing(machine: EvaluationState, call: Call) -> Value | None:
+def returns_none(state: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, None)
 
 
-def is_callable(machine: EvaluationState, call: Call) -> Value | None:
+def is_callable(state: EvaluationState, call: Call) -> Value | None:
     return Constant(call.span, isinstance(call.positional[0], Function)) if call.positional else None
 
 
@@ -80,34 +80,34 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 """The variables that are the same wherever a ROS 2 package is built (REP-149 knows them too)."""
 
 
-def variable(machine: EvaluationState, call: Call) -> Value | None:
+def environment_variable(state: EvaluationState, call: Call) -> Value | None:
     """os.environ, whichever way it is asked."""
     name = call.positional[0] if call.positional else None
     text = ENVIRONMENT.get(name.text) if isinstance(name, Text) else None
     if text is None:
-        return machine.unknown(call.span, f"{machine.shown(call.span)} depends on the environment")
+        return state.unknown(call.span, f"{state.quoted(call.span)} depends on the environment")
     return Text(call.span, text)
 
 
 LIBRARY: Mapping[str, Intrinsic] = {
-    **ITERATION,
-    **PATHS,
+    **ITERATOR_BUILTINS,
+    **PATH_FUNCTIONS,
     "str": as_str,
     "bool": as_bool,
-    "repr": represented,
-    "int": pure(as_int),
-    "float": pure(float),
-    "abs": pure(abs),
-    "round": pure(rounded),
-    "ord": pure(ord),
-    "chr": pure(chr),
+    "repr": as_repr,
+    "int": plain_function(bounded_int),
+    "float": plain_function(float),
+    "abs": plain_function(abs),
+    "round": plain_function(bounded_round),
+    "ord": plain_function(ord),
+    "chr": plain_function(chr),
     "isinstance": is_instance,
     "callable": is_callable,
-    "os.environ[]": variable,
-    "os.environ.get": variable,
-    "os.getenv": variable,
-    "print": nothing,
-    "warnings.warn": nothing,
-    "warnings.filterwarnings": nothing,
-    "copy.copy": lambda machine, call: call.positional[0] if call.positional else None,
+    "os.environ[]": environment_variable,
+    "os.environ.get": environment_variable,
+    "os.getenv": environment_variable,
+    "print": returns_none,
+    "warnings.warn": returns_none,
+    "warnings.filterwarnings": returns_none,
+    "copy.copy": lambda state, call: call.positional[0] if call.positional else None,
 }

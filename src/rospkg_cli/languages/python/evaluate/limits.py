@@ -29,7 +29,7 @@ ITEM = 10
 MAX_COST = MAX_STEPS * STEP
 
 
-class Meter:
+class CostMeter:
     """What an evaluation has cost so far."""
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ class Meter:
             RUNNING.reset(before)
 
 
-RUNNING: ContextVar[Meter | None] = ContextVar("RUNNING", default=None)
+RUNNING: ContextVar[CostMeter | None] = ContextVar("RUNNING", default=None)
 
 
 def spend(cost: int) -> None:

@@ -6,92 +6,92 @@ import ast
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from .conversion import NotPlainError, plain
+from .conversion import NoPythonValueError, to_python
 from .iterables import items_of
 from .limits import ITEM, MAX_ITEMS, spend
 from .state import EvaluationState
-from .truthiness import compared
+from .truthiness import compare
 from .values import Call, Constant, Sequence, Value
 
 
-def unfollowed(machine: EvaluationState, value: Value, call: Call) -> Value | None:
+def mark_unknown(state: EvaluationState, value: Value, call: Call) -> Value | None:
     """Note that a list or dict was changed in a way that can't be followed."""
-    machine.spoil(value, call.span, f"{machine.shown(call.span)} can't be followed")
+    state.mark_unknown(value, call.span, f"{state.quoted(call.span)} can't be followed")
     return None
 
 
-def append(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def append(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     for argument in call.arguments[:1]:
-        machine.put(value, argument.value, argument.span)
+        state.add_item(value, argument.value, argument.span)
     return Constant(call.span, None)
 
 
-def extend(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def extend(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     source = call.positional[0] if call.positional else None
-    extend_by(machine, value, source, call)
+    extend_by(state, value, source, call)
     return Constant(call.span, None)
 
 
-def extend_by(machine: EvaluationState, value: Sequence, source: Value | None, call: Call) -> None:
-    items = items_of(machine, source) if source is not None else None
+def extend_by(state: EvaluationState, value: Sequence, source: Value | None, call: Call) -> None:
+    items = items_of(state, source) if source is not None else None
     if items is None:
-        machine.spoil(value, call.span, getattr(source, "why", f"{machine.shown(call.span)} can't be evaluated"))
+        state.mark_unknown(value, call.span, getattr(source, "why", f"{state.quoted(call.span)} can't be evaluated"))
         return
     places = source.places if isinstance(source, Sequence) else [call.span] * len(items)
     for item, place in zip(items, list(places), strict=False):
-        machine.put(value, item, place)
+        state.add_item(value, item, place)
 
 
-def insert(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def insert(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0] if len(call.positional) == 2 else None
     if not isinstance(at, Constant) or not isinstance(at.value, int) or abs(at.value) > MAX_ITEMS:
-        return unfollowed(machine, value, call)
+        return mark_unknown(state, value, call)
     spend(len(value.items))
-    machine.put(value, call.positional[1], call.arguments[1].span)
+    state.add_item(value, call.positional[1], call.arguments[1].span)
     item, place = value.items.pop(), value.places.pop()
     value.items.insert(at.value, item)
     value.places.insert(at.value, place)
     return Constant(call.span, None)
 
 
-def remove(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def remove(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """list.remove and set.discard: for certain only where the item is there."""
     wanted = call.positional[0] if call.positional else None
     for index, item in enumerate(value.items):
         spend(2 * ITEM)
-        verdict = compared(ast.Eq, item, wanted) if wanted is not None else None
-        if verdict and len(machine.conditions) <= value.born:
+        verdict = compare(ast.Eq, item, wanted) if wanted is not None else None
+        if verdict and len(state.conditions) <= value.open_conditions:
             del value.items[index], value.places[index]
             return Constant(call.span, None)
         if verdict is not False:
-            return unfollowed(machine, value, call)
+            return mark_unknown(state, value, call)
     return Constant(call.span, None)
 
 
-def pop(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def pop(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0].value if call.positional and isinstance(call.positional[0], Constant) else -1
-    if not value.complete or not isinstance(at, int) or len(machine.conditions) > value.born:
-        return unfollowed(machine, value, call)
+    if not value.complete or not isinstance(at, int) or len(state.conditions) > value.open_conditions:
+        return mark_unknown(state, value, call)
     if not -len(value.items) <= at < len(value.items):
         return None
     value.places.pop(at)
     return value.items.pop(at)
 
 
-def cleared(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
-    if len(machine.conditions) > value.born:
-        return unfollowed(machine, value, call)
+def clear(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
+    if len(state.conditions) > value.open_conditions:
+        return mark_unknown(state, value, call)
     value.items.clear()
     value.places.clear()
     return Constant(call.span, None)
 
 
-def copied(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def copy_list(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     spend(len(value.items) * ITEM)
-    return replace(value, items=list(value.items), places=list(value.places), born=len(machine.conditions))
+    return replace(value, items=list(value.items), places=list(value.places), open_conditions=len(state.conditions))
 
 
-def reordered(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def reorder(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """sort and reverse: what uses a setup.py or a launch file hardly ever looks at the order."""
     spend(len(value.items))
     if call.callee == "reverse":
@@ -100,24 +100,24 @@ def reordered(machine: EvaluationState, value: Sequence, call: Call) -> Value | 
     return Constant(call.span, None)
 
 
-def counted(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def count(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     try:
-        items = plain(value)
-        return Constant(call.span, items.count(plain(call.positional[0])))  # type: ignore[attr-defined]
-    except (NotPlainError, IndexError, AttributeError):
+        items = to_python(value)
+        return Constant(call.span, items.count(to_python(call.positional[0])))  # type: ignore[attr-defined]
+    except (NoPythonValueError, IndexError, AttributeError):
         return None
 
 
-def add(machine: EvaluationState, value: Sequence, call: Call) -> Value | None:
+def add(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     """set.add."""
     wanted = call.positional[0] if call.positional else None
     spend(len(value.items) * 2 * ITEM)
-    if wanted is not None and not any(compared(ast.Eq, item, wanted) for item in value.items):
-        machine.put(value, wanted, call.arguments[0].span)
+    if wanted is not None and not any(compare(ast.Eq, item, wanted) for item in value.items):
+        state.add_item(value, wanted, call.arguments[0].span)
     return Constant(call.span, None)
 
 
-LISTS: Mapping[str, Callable[[EvaluationState, Sequence, Call], Value | None]] = {
+LIST_METHODS: Mapping[str, Callable[[EvaluationState, Sequence, Call], Value | None]] = {
     "append": append,
     "extend": extend,
     "update": extend,
@@ -125,10 +125,10 @@ LISTS: Mapping[str, Callable[[EvaluationState, Sequence, Call], Value | None]] =
     "remove": remove,
     "discard": remove,
     "pop": pop,
-    "clear": cleared,
-    "copy": copied,
-    "sort": reordered,
-    "reverse": reordered,
-    "count": counted,
+    "clear": clear,
+    "copy": copy_list,
+    "sort": reorder,
+    "reverse": reorder,
+    "count": count,
     "add": add,
 }

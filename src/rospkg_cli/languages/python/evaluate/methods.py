@@ -5,17 +5,17 @@ from __future__ import annotations
 import posixpath
 from dataclasses import replace
 
-from .conversion import join, lift
-from .dict_methods import DICTS
-from .formatting import as_text, braces
-from .iterables import items_of, many, pure, read_rest
+from .conversion import from_python, join_texts
+from .dict_methods import DICT_METHODS
+from .formatting import as_text, brace_format
+from .iterables import is_many, items_of, plain_function, read_rest
 from .limits import MAX_TEXT, STEP, spend
-from .list_methods import LISTS, unfollowed
+from .list_methods import LIST_METHODS, mark_unknown
 from .operators import path_join
-from .path_functions import PATHS, path_glob, recorded
+from .path_functions import PATH_FUNCTIONS, pathlib_glob, record_glob
 from .sandbox_filesystem import OutsideError
 from .state import EvaluationState
-from .values import Argument, Call, Constant, Opened, Sequence, Text, Value
+from .values import Argument, Call, Constant, OpenedFile, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 NONE_OF_THEM = frozenset({"zfill", "ljust", "rjust", "center", "expandtabs", "translate", "encode"})
@@ -31,61 +31,61 @@ MAX_SEARCH = 10_000_000
 """Methods of str that take the time of the product of both lengths, and the bound of that."""
 
 
-def method(machine: EvaluationState, value: Value, call: Call) -> Value | None:
+def call_method(state: EvaluationState, value: Value, call: Call) -> Value | None:
     """Return what a method of a value returns; None where it isn't known."""
     name = call.callee
     if call.rest is not None and not isinstance(value, Sequence | MappingValue):
         return None
     match value:
         case Text() if value.path:
-            return path_method(machine, value, call)
+            return path_method(state, value, call)
         case Text():
-            return text_method(machine, value, call)
+            return text_method(state, value, call)
         case Sequence():
-            found = LISTS.get(name)
-            return found(machine, value, call) if found else unfollowed(machine, value, call)
+            found = LIST_METHODS.get(name)
+            return found(state, value, call) if found else mark_unknown(state, value, call)
         case MappingValue():
-            found_too = DICTS.get(name)
-            return found_too(machine, value, call) if found_too else unfollowed(machine, value, call)
-        case Opened():
-            return file_method(machine, value, call)
+            found_too = DICT_METHODS.get(name)
+            return found_too(state, value, call) if found_too else mark_unknown(state, value, call)
+        case OpenedFile():
+            return file_method(state, value, call)
     return None
 
 
-def text_method(machine: EvaluationState, value: Text, call: Call) -> Value | None:
+def text_method(state: EvaluationState, value: Text, call: Call) -> Value | None:
     if call.callee == "join" and call.positional:
-        items = items_of(machine, call.positional[0])
-        if items is None or any(map(many, items)):
+        items = items_of(state, call.positional[0])
+        if items is None or any(map(is_many, items)):
             return None
         between: list[Value] = []
         for item in items:
             between += [Text(call.span, value.text), item]
-        return join(between[1:], call.span)
+        return join_texts(between[1:], call.span)
     if call.callee == "format":
-        return braces(value.text, list(call.positional), lambda name: call.get(name), call.span)
+        return brace_format(value.text, list(call.positional), lambda name: call.get(name), call.span)
     if call.callee not in PURE:
         return None
-    if call.callee == "replace" and not fits(value.text, call):
+    if call.callee == "replace" and not is_small_replacement(value.text, call):
         return None
     if call.callee in SEARCHES and any(
         isinstance(given, Text) and len(given.text) * len(value.text) > MAX_SEARCH for given in call.positional
     ):
         return None
-    machine.tick(1 + len(value.text) // 100)
-    return pure(getattr(value.text, call.callee))(machine, call)
+    state.tick(1 + len(value.text) // 100)
+    return plain_function(getattr(value.text, call.callee))(state, call)
 
 
-def fits(text: str, call: Call) -> bool:
+def is_small_replacement(text: str, call: Call) -> bool:
     """Return whether the result of a replacement stays small."""
     new = call.positional[1] if len(call.positional) > 1 else None
     return isinstance(new, Text) and (len(text) + 1) * max(len(new.text), 1) <= MAX_TEXT
 
 
-def file_method(machine: EvaluationState, value: Opened, call: Call) -> Value | None:
+def file_method(state: EvaluationState, value: OpenedFile, call: Call) -> Value | None:
     if call.callee == "close":
         return Constant(call.span, None)
     start = value.at
-    rest = read_rest(machine, value) if call.callee in ("read", "readline", "readlines") else None
+    rest = read_rest(state, value) if call.callee in ("read", "readline", "readlines") else None
     if rest is None or call.arguments:
         return None
     lines = rest.splitlines(keepends=True)
@@ -94,7 +94,7 @@ def file_method(machine: EvaluationState, value: Opened, call: Call) -> Value | 
     if call.callee == "readline":
         value.at = start + len(lines[0] if lines else "")
         return Text(call.span, lines[0] if lines else "")
-    return machine.new_list(call.span, [Text(call.span, line) for line in lines])
+    return state.computed_list(call.span, [Text(call.span, line) for line in lines])
 
 
 BY_FUNCTION = {
@@ -107,10 +107,10 @@ BY_FUNCTION = {
 }
 
 
-def path_method(machine: EvaluationState, value: Text, call: Call) -> Value | None:
+def path_method(state: EvaluationState, value: Text, call: Call) -> Value | None:
     if call.callee in BY_FUNCTION:
         arguments = (Argument("", value, value.span), *call.arguments)
-        found = PATHS[BY_FUNCTION[call.callee]](machine, replace(call, arguments=arguments))
+        found = PATH_FUNCTIONS[BY_FUNCTION[call.callee]](state, replace(call, arguments=arguments))
         return replace(found, path=True) if isinstance(found, Text) else found
     first = call.positional[0] if call.positional else None
     match call.callee:
@@ -125,32 +125,32 @@ def path_method(machine: EvaluationState, value: Text, call: Call) -> Value | No
         case "with_name" if isinstance(first, Text):
             return Text(call.span, posixpath.join(posixpath.dirname(value.text), first.text), path=True)
         case "relative_to" if isinstance(first, Text):
-            start = posixpath.join(machine.cwd, first.text)
-            whole = posixpath.join(machine.cwd, value.text)
+            start = posixpath.join(state.cwd, first.text)
+            whole = posixpath.join(state.cwd, value.text)
             inside = posixpath.relpath(whole, start)
             return None if inside.startswith("..") else Text(call.span, inside, path=True)
         case "read_text":
-            opened = path_method(machine, value, replace(call, callee="open", arguments=()))
-            content = read_rest(machine, opened) if isinstance(opened, Opened) else None
+            opened = path_method(state, value, replace(call, callee="open", arguments=()))
+            content = read_rest(state, opened) if isinstance(opened, OpenedFile) else None
             return None if content is None else Text(call.span, content)
         case "glob" | "rglob" | "iterdir":
-            return path_listing(machine, value, call, first)
+            return path_listing(state, value, call, first)
     return None
 
 
-def path_listing(machine: EvaluationState, value: Text, call: Call, first: Value | None) -> Value | None:
+def path_listing(state: EvaluationState, value: Text, call: Call, first: Value | None) -> Value | None:
     pattern = "*" if call.callee == "iterdir" else first.text if isinstance(first, Text) else None
     if pattern is None:
         return None
     pattern = f"**/{pattern}" if call.callee == "rglob" else pattern
     try:
-        found = path_glob(machine, value.text, pattern)
+        found = pathlib_glob(state, value.text, pattern)
     except OutsideError:
         return None
-    return recorded(machine, call, posixpath.join(value.text, pattern), found, path=True)
+    return record_glob(state, call, posixpath.join(value.text, pattern), found, path=True)
 
 
-def attribute(value: Value, name: str, call: Call) -> Value | None:
+def path_attribute(value: Value, name: str, call: Call) -> Value | None:
     """Return a data attribute of a path."""
     if not isinstance(value, Text) or not value.path:
         return None
@@ -165,9 +165,9 @@ def attribute(value: Value, name: str, call: Call) -> Value | None:
         case "parent":
             return Text(span, head or ".", path=True)
         case "parents":
-            return lift(ancestors(value.text), span, path=True)
+            return from_python(ancestors(value.text), span, path=True)
         case "parts":
-            return lift(tuple(part for part in value.text.split("/") if part), span)
+            return from_python(tuple(part for part in value.text.split("/") if part), span)
     return None
 
 

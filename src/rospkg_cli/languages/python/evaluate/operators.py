@@ -10,15 +10,15 @@ from dataclasses import replace
 from typing import Any
 
 from ....source import Span
-from .conversion import NotPlainError, join, lift, plain
-from .formatting import percent
+from .conversion import NoPythonValueError, from_python, join_texts, to_python
+from .formatting import percent_format
 from .limits import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
 from .values import (
     AttributeValue,
     Call,
     Constant,
-    Joined,
     Mapping,
+    PartialText,
     Sequence,
     Symbol,
     Text,
@@ -41,29 +41,29 @@ ARITHMETIC: dict[type, Callable[[Any, Any], Any]] = {
 }
 
 
-def binary(kind: type, left: Value, right: Value, span: Span) -> Value | None:
-    if kind is ast.Add and (found := concatenated(left, right, span)) is not None:
+def binary_operation(kind: type, left: Value, right: Value, span: Span) -> Value | None:
+    if kind is ast.Add and (found := concatenate(left, right, span)) is not None:
         return found
     if (kind is ast.Div and is_path(left)) or (kind is ast.Div and is_path(right)):
         return path_join([left, right], span, path=True)
     if kind is ast.Mod and isinstance(left, Text):
-        return percent(left.text, right, span)
+        return percent_format(left.text, right, span)
     if kind is ast.Mult and isinstance(left, Sequence | Text):
-        return repeated(left, right, span)
+        return repeat(left, right, span)
     if kind is ast.BitOr and isinstance(left, Mapping) and isinstance(right, Mapping):
         spend((len(left.items) + len(right.items)) * ITEM)
         return Mapping(span, left.items | right.items, left.rest + right.rest)
-    return computed(kind, left, right, span)
+    return compute(kind, left, right, span)
 
 
-def computed(kind: type, left: Value, right: Value, span: Span) -> Value | None:
+def compute(kind: type, left: Value, right: Value, span: Span) -> Value | None:
     """Return the result over numbers or sets."""
     try:
-        a, b = plain(left), plain(right)
+        a, b = to_python(left), to_python(right)
         if kind not in ARITHMETIC or not (is_small(a) and is_small(b)):
             return None
-        return lift(ARITHMETIC[kind](a, b), span)
-    except (NotPlainError, TypeError, ValueError, ArithmeticError):
+        return from_python(ARITHMETIC[kind](a, b), span)
+    except (NoPythonValueError, TypeError, ValueError, ArithmeticError):
         return None
 
 
@@ -72,18 +72,18 @@ def is_small(operand: object) -> bool:
     return isinstance(operand, set) or (isinstance(operand, int | float) and abs(operand) < LARGE)
 
 
-def concatenated(left: Value, right: Value, span: Span) -> Value | None:
+def concatenate(left: Value, right: Value, span: Span) -> Value | None:
     if isinstance(left, Sequence) or isinstance(right, Sequence):
-        return chained(left, right, span)
-    textual = isinstance(left, Text | Joined), isinstance(right, Text | Joined)
+        return concatenate_sequences(left, right, span)
+    textual = isinstance(left, Text | PartialText), isinstance(right, Text | PartialText)
     if not any(textual) or isinstance(left, Constant) or isinstance(right, Constant):
         return None
     if all(textual) or isinstance(left if textual[1] else right, Call | Unknown | AttributeValue | Symbol):
-        return join([left, right], span)
+        return join_texts([left, right], span)
     return None
 
 
-def chained(left: Value, right: Value, span: Span) -> Value | None:
+def concatenate_sequences(left: Value, right: Value, span: Span) -> Value | None:
     """Return the items of two sequences in a new one; one that can't be told leaves its mark."""
     result = Sequence(span, left.kind if isinstance(left, Sequence) else right.kind)  # type: ignore[union-attr]
     for side in (left, right):
@@ -101,7 +101,7 @@ def chained(left: Value, right: Value, span: Span) -> Value | None:
     return result
 
 
-def repeated(left: Sequence | Text, right: Value, span: Span) -> Value | None:
+def repeat(left: Sequence | Text, right: Value, span: Span) -> Value | None:
     times = right.value if isinstance(right, Constant) else None
     if not isinstance(times, int) or times < 0:
         return None
@@ -117,7 +117,7 @@ def repeated(left: Sequence | Text, right: Value, span: Span) -> Value | None:
 
 
 def is_path(value: Value) -> bool:
-    return isinstance(value, Text | Joined) and value.path
+    return isinstance(value, Text | PartialText) and value.path
 
 
 def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
@@ -125,8 +125,8 @@ def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | 
 
     Of paths that are joined with `/`, a call may stand behind as well.
     """
-    if path and len(parts) == 2 and isinstance(parts[0], Joined) and isinstance(parts[1], Call):
-        return join([parts[0], Text(span, "/"), parts[1]], span, path=True)
+    if path and len(parts) == 2 and isinstance(parts[0], PartialText) and isinstance(parts[1], Call):
+        return join_texts([parts[0], Text(span, "/"), parts[1]], span, path=True)
     texts = [part.text for part in parts[1:] if isinstance(part, Text)]
     size = sum(map(len, texts), len(texts)) + (len(parts[0].text) if parts and isinstance(parts[0], Text) else 0)
     spend(len(parts) * ITEM)
@@ -136,16 +136,16 @@ def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | 
     first = parts[0]
     if isinstance(first, Text):
         found = posixpath.join(first.text, *texts)
-        return Text(span, clean(found) if path else found, path=path)
-    if not isinstance(first, Call | Joined | Unknown | AttributeValue):
+        return Text(span, normalized_path(found) if path else found, path=path)
+    if not isinstance(first, Call | PartialText | Unknown | AttributeValue):
         return None
     rest = posixpath.join("/", *texts) if texts else ""
     if any(text.startswith("/") for text in texts):
         return Text(span, rest, path=path)
-    return join([first, Text(span, rest)], span, path=path)
+    return join_texts([first, Text(span, rest)], span, path=path)
 
 
-def clean(text: str) -> str:
+def normalized_path(text: str) -> str:
     """Return a path as pathlib writes it: no double slashes, no single dots."""
     parts = [part for part in text.split("/") if part not in ("", ".")]
     return ("/" if text.startswith("/") else "") + "/".join(parts) or "."
@@ -154,8 +154,8 @@ def clean(text: str) -> str:
 def subscript(value: Value, index: Value, span: Span) -> Value | None:
     if isinstance(value, Mapping):
         try:
-            found = value.items.get(plain(index))
-        except (NotPlainError, TypeError):
+            found = value.items.get(to_python(index))
+        except (NoPythonValueError, TypeError):
             return None
         return found[1] if found and not value.rest else None
     at = index.value if isinstance(index, Constant) else None
@@ -171,7 +171,7 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
         return None
 
 
-def sliced(value: Value, bounds: slice, span: Span) -> Value | None:
+def slice_of(value: Value, bounds: slice, span: Span) -> Value | None:
     if isinstance(value, Text) and not value.path:
         part = value.text[bounds]
         spend(len(part))

@@ -102,7 +102,7 @@ class SandboxFilesystem:
         if len(pattern) > MAX_PATH or pattern.count("/") > MAX_DEPTH:
             raise OutsideError("the pattern is longer than any path")
         if not MAGIC.search(pattern):
-            return [pattern] if self.there(pattern, cwd) else []
+            return [pattern] if self.is_there(pattern, cwd) else []
         head, name = posixpath.split(pattern)
         heads = self.glob(head, recursive=recursive, cwd=cwd) if MAGIC.search(head) else [head]
         found: list[str] = []
@@ -110,18 +110,18 @@ class SandboxFilesystem:
             spend(STEP)
             inside = self.inside(each or ".", cwd)
             if recursive and name == "**":
-                found += self.below(each, inside)
+                found += self.double_star_matches(each, inside)
             elif not name or not MAGIC.search(name):
-                found += [posixpath.join(each, name)] if self.there(posixpath.join(each, name), cwd) else []
+                found += [posixpath.join(each, name)] if self.is_there(posixpath.join(each, name), cwd) else []
             else:
-                found += [posixpath.join(each, n) for n in self.names(inside) if fits(n, name)]
+                found += [posixpath.join(each, n) for n in self.names(inside) if glob_matches(n, name)]
         return sorted(found)
 
-    def there(self, path: str, cwd: str) -> bool:
+    def is_there(self, path: str, cwd: str) -> bool:
         inside = self.inside(path, cwd)
         return self.kind(inside) == "dir" if path.endswith("/") else self.kind(inside) is not None
 
-    def below(self, shown: str, inside: str) -> list[str]:
+    def double_star_matches(self, shown: str, inside: str) -> list[str]:
         """Return what `**` matches: the folder itself, and all that is not hidden below it."""
         if inside.count("/") > MAX_DEPTH:
             raise OutsideError(f"`{inside[:80]}…` lies too deep")
@@ -131,15 +131,15 @@ class SandboxFilesystem:
                 path = posixpath.join(inside, name)
                 found.append(posixpath.join(shown, name))
                 if self.kind(path) == "dir":
-                    found += self.below(posixpath.join(shown, name), path)[1:]
+                    found += self.double_star_matches(posixpath.join(shown, name), path)[1:]
         return found
 
 
-def fits(name: str, pattern: str) -> bool:
+def glob_matches(name: str, pattern: str) -> bool:
     """Return whether a name fits a pattern by the rules of glob: hidden ones only where the pattern says so."""
-    return (pattern.startswith(".") or not name.startswith(".")) and bool(compiled(pattern).match(name))
+    return (pattern.startswith(".") or not name.startswith(".")) and bool(compile_glob(pattern).match(name))
 
 
 @lru_cache(maxsize=256)
-def compiled(pattern: str) -> re.Pattern[str]:
+def compile_glob(pattern: str) -> re.Pattern[str]:
     return re.compile(translate(pattern))

@@ -40,7 +40,7 @@ class Symbol:
 
 
 @dataclass(slots=True, eq=False)
-class Opened:
+class OpenedFile:
     """A file of the package that was opened for reading."""
 
     span: Span
@@ -50,7 +50,7 @@ class Opened:
 
 
 @dataclass(frozen=True, slots=True)
-class Globbed:
+class GlobResult:
     """A glob that was evaluated."""
 
     span: Span

@@ -8,7 +8,7 @@ import sys
 from .calls import Calls
 from .limits import Flow
 from .list_methods import extend_by
-from .operators import binary
+from .operators import binary_operation
 from .values import Call, Constant, Namespace, Sequence, Symbol
 
 ALWAYS_THERE = sys.stdlib_module_names | {"setuptools"}
@@ -17,7 +17,7 @@ ALWAYS_THERE = sys.stdlib_module_names | {"setuptools"}
 EXITS = frozenset({"sys.exit", "exit", "quit", "os._exit"})
 
 
-class Statements(Calls):
+class SimpleStatements(Calls):
     """Executes assignments, imports and the like."""
 
     def do_Expr(self, node: ast.Expr, scope: Namespace) -> Flow | None:
@@ -45,8 +45,8 @@ class Statements(Calls):
         if isinstance(old, Sequence) and old.kind != "tuple" and isinstance(node.op, ast.Add | ast.BitOr):
             extend_by(self, old, value, Call(self.span(node), "+="))
             return
-        found = binary(type(node.op), old, value, self.span(node))
-        self.assign(target, self.otherwise(found, node.value, old, value), scope)
+        found = binary_operation(type(node.op), old, value, self.span(node))
+        self.assign(target, self.or_unknown(found, node.value, old, value), scope)
 
     def do_Delete(self, node: ast.Delete, scope: Namespace) -> None:
         for target in node.targets:
@@ -54,7 +54,7 @@ class Statements(Calls):
                 scope.names.pop(target.id, None)
             elif isinstance(target, ast.Subscript):
                 holder = self.evaluate(target.value, scope)
-                self.spoil(holder, self.span(node), f"{self.shown(self.span(node))} can't be followed")
+                self.mark_unknown(holder, self.span(node), f"{self.quoted(self.span(node))} can't be followed")
 
     def do_Return(self, node: ast.Return, scope: Namespace) -> Flow:
         value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
@@ -87,13 +87,13 @@ class Statements(Calls):
 
     def do_Import(self, node: ast.Import, scope: Namespace) -> None:
         for alias in node.names:
-            self.doubt_import(alias.name)
+            self.bind_uncertain_import(alias.name)
             bound = alias.name if alias.asname else alias.name.partition(".")[0]
             scope.bind(alias.asname or bound, Symbol(self.span(alias), bound))
 
     def do_ImportFrom(self, node: ast.ImportFrom, scope: Namespace) -> None:
         module = "." * node.level + (node.module or "")
-        self.doubt_import(module)
+        self.bind_uncertain_import(module)
         for alias in node.names:
             if alias.name == "*":
                 scope.bind("*", Symbol(self.span(alias), module))
@@ -101,9 +101,9 @@ class Statements(Calls):
                 between = "" if module.endswith(".") else "."
                 scope.bind(alias.asname or alias.name, Symbol(self.span(alias), f"{module}{between}{alias.name}"))
 
-    def doubt_import(self, module: str) -> None:
+    def bind_uncertain_import(self, module: str) -> None:
         if module.partition(".")[0] not in ALWAYS_THERE:
-            self.doubts += 1
+            self.unknown_count += 1
 
 
 def as_load(target: ast.expr) -> ast.expr:

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 
 from ....source import Span
 from ..syntax import PositionedNode, PythonSyntax
-from .limits import MAX_ITEMS, STEP, LimitError, Meter, spend
+from .limits import MAX_ITEMS, STEP, CostMeter, LimitError, spend
 from .sandbox_filesystem import ROOT, SandboxFilesystem
-from .values import Call, Function, Globbed, Sequence, Unknown, Value
+from .values import Call, Function, GlobResult, Sequence, Unknown, Value
 from .values import Mapping as MappingValue
 
 Intrinsic = Callable[["EvaluationState", Call], "Value | None"]
@@ -27,13 +27,13 @@ class EvaluationState(ABC):
         self.folder = folder
         self.library = library
         self.cwd = ROOT
-        self.meter = Meter()
+        self.meter = CostMeter()
         self.calls: list[Call] = []
         """Every call that was left alone, in order."""
-        self.globs: list[Globbed] = []
+        self.globs: list[GlobResult] = []
         self.conditions: list[str] = []
         """Why it can't be told whether we come here; empty where it is certain."""
-        self.doubts = 0
+        self.unknown_count = 0
         """How many values could not be told so far: a `try` whose body adds none does not raise."""
         self.fixed: Span | None = None
         """The span for all nodes inside an f-string, where older parsers count wrongly."""
@@ -55,7 +55,7 @@ class EvaluationState(ABC):
         return not self.conditions
 
     @contextmanager
-    def under(self, why: str) -> Iterator[None]:
+    def assuming(self, why: str) -> Iterator[None]:
         """Evaluate what may not happen at all."""
         self.conditions.append(why)
         try:
@@ -64,32 +64,32 @@ class EvaluationState(ABC):
             self.conditions.pop()
 
     def unknown(self, span: Span, why: str, *, many: bool = False, options: tuple[Value, ...] = ()) -> Unknown:
-        self.doubts += 1
+        self.unknown_count += 1
         return Unknown(span, why, many, options)
 
-    def shown(self, span: Span) -> str:
+    def quoted(self, span: Span) -> str:
         """Return the text at a span in one short line, in backticks."""
         begin = Span(span.start, min(span.end, span.start + MAX_SHOWN))
         text = " ".join(self.file.source.slice(begin).split())
         return f"`{text}`" if len(text) <= 60 and begin == span else f"`{text[:57]}…`"
 
-    def new_list(self, span: Span, items: list[Value]) -> Sequence:
+    def computed_list(self, span: Span, items: list[Value]) -> Sequence:
         """Return a list that was computed, not written."""
         if len(items) > MAX_ITEMS:
             raise LimitError(f"a list of more than {MAX_ITEMS} items")
         self.tick(len(items))
-        return Sequence(span, "list", items, [span] * len(items), born=len(self.conditions))
+        return Sequence(span, "list", items, [span] * len(items), open_conditions=len(self.conditions))
 
-    def put(self, into: Sequence, item: Value, place: Span) -> None:
+    def add_item(self, into: Sequence, item: Value, place: Span) -> None:
         """Add an item to a list: for certain, or perhaps."""
         self.tick()
         if len(into.items) >= MAX_ITEMS:
             raise LimitError(f"a list of more than {MAX_ITEMS} items")
-        if len(self.conditions) > into.born and not (isinstance(item, Unknown) and item.many):
+        if len(self.conditions) > into.open_conditions and not (isinstance(item, Unknown) and item.many):
             item = self.unknown(place, self.conditions[-1], many=True, options=(item,))
         into.add(item, place)
 
-    def spoil(self, value: Value, span: Span, why: str) -> None:
+    def mark_unknown(self, value: Value, span: Span, why: str) -> None:
         """Something was done to a list or dict that can't be followed."""
         if isinstance(value, Sequence):
             value.add(self.unknown(span, why, many=True), span)

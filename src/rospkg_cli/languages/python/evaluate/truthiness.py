@@ -7,8 +7,8 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-from .conversion import NotPlainError, plain
-from .values import Class, Constant, Function, Joined, Mapping, Opened, Sequence, Symbol, Text, Unknown, Value
+from .conversion import NoPythonValueError, to_python
+from .values import Class, Constant, Function, Mapping, OpenedFile, PartialText, Sequence, Symbol, Text, Unknown, Value
 
 COMPARISONS: dict[type, Callable[[Any, Any], Any]] = {
     ast.Eq: operator.eq,
@@ -27,28 +27,28 @@ COMPARISONS: dict[type, Callable[[Any, Any], Any]] = {
 def truth(value: Value) -> bool | None:
     """Return whether a value counts as true; None where that can't be told."""
     match value:
-        case Symbol() | Function() | Class() | Opened():
+        case Symbol() | Function() | Class() | OpenedFile():
             return True
         case Sequence() if any(not (isinstance(item, Unknown) and item.many) for item in value.items):
             return True
         case Mapping() if value.items:
             return True
-        case Joined() if any(isinstance(part, Text) for part in value.parts):
+        case PartialText() if any(isinstance(part, Text) for part in value.parts):
             return True
     try:
-        return bool(plain(value))
-    except NotPlainError:
+        return bool(to_python(value))
+    except NoPythonValueError:
         return None
 
 
-def compared(kind: type, left: Value, right: Value) -> bool | None:
+def compare(kind: type, left: Value, right: Value) -> bool | None:
     if kind in (ast.In, ast.NotIn) and isinstance(right, Mapping) and not right.rest:
         right = Sequence(right.span, "list", [key for key, _ in right.items.values()])
     if kind in (ast.Is, ast.IsNot, ast.Eq, ast.NotEq) and is_none(right) and not_none(left):
         return kind in (ast.IsNot, ast.NotEq)
     try:
-        return bool(COMPARISONS[kind](plain(left), plain(right)))
-    except (NotPlainError, TypeError, KeyError):
+        return bool(COMPARISONS[kind](to_python(left), to_python(right)))
+    except (NoPythonValueError, TypeError, KeyError):
         return None
 
 
@@ -57,4 +57,4 @@ def is_none(value: Value) -> bool:
 
 
 def not_none(value: Value) -> bool:
-    return isinstance(value, Symbol | Function | Class | Sequence | Mapping | Joined | Text | Opened)
+    return isinstance(value, Symbol | Function | Class | Sequence | Mapping | PartialText | Text | OpenedFile)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Literal
 from ....source import Span
 from .limits import spend
 from .scalar_values import Constant as Constant
-from .scalar_values import Globbed as Globbed
-from .scalar_values import Opened as Opened
+from .scalar_values import GlobResult as GlobResult
+from .scalar_values import OpenedFile as OpenedFile
 from .scalar_values import Symbol as Symbol
 from .scalar_values import Text as Text
 
@@ -45,9 +45,9 @@ class Sequence:
     """Where each item was put in: the expression between the commas, or the argument of `append`."""
     display: bool = False
     """Whether it was written with brackets at its span."""
-    origin: Globbed | None = None
+    origin: GlobResult | None = None
     """The glob that it is the result of."""
-    born: int = 0
+    open_conditions: int = 0
     """How many conditions that can't be told were open when it was made."""
 
     @property
@@ -68,7 +68,7 @@ class Mapping:
     rest: list[Unknown] = field(default_factory=list)
     """Why there may be other keys, or other values for these."""
     display: bool = False
-    born: int = 0
+    open_conditions: int = 0
 
     def get(self, key: Hashable) -> Value | None:
         found = self.items.get(key)
@@ -76,7 +76,7 @@ class Mapping:
 
 
 @dataclass(frozen=True, slots=True)
-class Joined:
+class PartialText:
     """A text of which some parts are only known as values: `Call`s, `Unknown`s, texts, one after the other."""
 
     span: Span
@@ -188,5 +188,16 @@ class Namespace:
 
 
 Value = (
-    Unknown | Text | Constant | Sequence | Mapping | Joined | Symbol | Function | Class | Call | AttributeValue | Opened
+    Unknown
+    | Text
+    | Constant
+    | Sequence
+    | Mapping
+    | PartialText
+    | Symbol
+    | Function
+    | Class
+    | Call
+    | AttributeValue
+    | OpenedFile
 )
