@@ -73,7 +73,7 @@ class Evaluator(Functions):
                     found = self.run(function, call)
                 else:
                     found = self.apply(function, list(arguments), span)
-                self.weigh(found)
+                self.charge_weight(found)
             return found
         except GIVE_UP as error:
             self.gave_up = reason(error)
@@ -81,7 +81,7 @@ class Evaluator(Functions):
             self.drop_vast_calls()
         return Unknown(span, self.gave_up)
 
-    def weigh(self, value: Value) -> None:
+    def charge_weight(self, value: Value) -> None:
         """Raise LimitError where values hold each other so often that who reads them would not come to an end."""
         self.weight += weight_of(value, MAX_WEIGHT - self.weight)
         if self.weight > MAX_WEIGHT:
@@ -91,7 +91,7 @@ class Evaluator(Functions):
         """Forget the calls from the first one on that is handed too much, and give up."""
         try:
             while self.weighed < len(self.calls):
-                self.weigh(self.calls[self.weighed])
+                self.charge_weight(self.calls[self.weighed])
                 self.weighed += 1
         except LimitError as error:
             del self.calls[self.weighed :]
