@@ -45,7 +45,7 @@ class CppCall:
     """A name with its arguments: `NAME(a, b)`, `name<T>(a)`, `Name<T> variable(a, b)`."""
 
     name: str
-    template_end: str
+    template: str
     """What stands between `<` and `>`, "" where there is none."""
     arguments: tuple[CppArgument, ...] | None
     """None where no parentheses follow: the declaration of a variable, or a type."""

@@ -42,5 +42,5 @@ class EvaluatedLaunch:
 
     def result_of(self, function: Function) -> Value | None:
         """Return what a function that launch calls returns; None where nothing called it."""
-        found = (self.return_value or {}).get(id(function.node))
+        found = (self.returned or {}).get(id(function.node))
         return found[1] if found else None
