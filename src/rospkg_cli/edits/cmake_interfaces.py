@@ -5,11 +5,11 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
+from ..checks.interfaces.rosidl_targets import GeneratedInterfaces, UnlistedDependency
 from ..finding import Edit
 from ..languages.cmake.values import Word
 from ..package.cmake.cmake_project import CMake
 from ..package.interfaces.interface_file import InterfaceFile
-from ..package.interfaces.rosidl_targets import GeneratedInterfaces, UnlistedDependency
 from ..source import Span
 from .cmake_commands import add_argument
 

@@ -59,15 +59,15 @@ class MessageSection:
 
 @dataclass(frozen=True, slots=True)
 class GrammarProblem:
-    """What rosidl refuses or silently takes otherwise than it is written; `repair` replaces `repair_span`."""
+    """What rosidl refuses, or reads otherwise than it is written; `repair` replaces `repair_span`."""
 
     span: Span
     message: str
     repair: str | None = None
     repair_span: Span | None = None
     title: str = ""
-    certain: bool = True
-    """The repair can't be meant otherwise."""
+    is_certain: bool = True
+    """Nothing but the repair can have been intended."""
 
 
 @dataclass(frozen=True)

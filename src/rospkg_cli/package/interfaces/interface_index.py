@@ -7,8 +7,8 @@ from ...ros.interfaces import KINDS
 from ..cmake.build import is_built_with_cmake
 from ..cmake.cmake_project import CMake
 from ..file_role import role_of
+from .listed_interfaces import listed_path
 from .reader import interface_paths
-from .rosidl_targets import listed_path
 
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.grammar import grammar_faults
 from ...checks.interfaces.type_resolution import InterfaceInWorkspace
+from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -77,12 +79,7 @@ def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     rosidl_adapter/parser.py; https://docs.ros.org/en/rolling/Concepts/Basic/About-Interfaces.html
     """
     path = scope.interface.path
-    for problem in scope.interface.problems:
-        fix = None
-        if problem.repair is not None and problem.repair_span is not None:
-            safety = Safety.SAFE if problem.certain else Safety.UNSAFE
-            fix = Fix(problem.title, (Edit(path, problem.repair_span, problem.repair),), safety)
-        yield Hit(path, problem.span, problem.message, fix=fix)
+    yield from hits(path, grammar_faults(scope.interface))
     for kind in scope.bare_headers():
         message = "a bare `Header` was ROS 1; here it means one of this package, which has none"
         fix = Fix("write `std_msgs/Header`", (Edit(path, kind.base_span, "std_msgs/Header"),))

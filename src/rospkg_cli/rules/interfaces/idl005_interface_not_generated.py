@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
 from ...edits.cmake_interfaces import list_interface
 from ...edits.plain_names import only_plain
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 from ...source import Span
 

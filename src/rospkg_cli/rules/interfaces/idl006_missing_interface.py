@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 from ...suggest import did_you_mean
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
 from ...edits.cmake_find import find
 from ...edits.cmake_interfaces import list_need
 from ...edits.plain_names import only_plain
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 
 FIND = INTERFACES_CMAKE.replace("rosidl_generate", "find_package(std_msgs REQUIRED)\nrosidl_generate").replace(
@@ -27,7 +27,7 @@ FILES = {
     "missing-interface-dependency",
     over=GeneratedInterfaces,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a listed package that is not at hand may pass the interfaces on"},
+    levels={Severity.WARNING: "a listed package that is not available may pass the interfaces on"},
     examples=(
         Example(
             on="interfaces",

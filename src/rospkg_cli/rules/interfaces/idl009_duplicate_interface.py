@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
 from ...edits.cmake_commands import remove_argument
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.rosidl_targets import GeneratedInterfaces
 from ...rule import rule
 
 

@@ -1,4 +1,4 @@
-"""The interface files that CMake hands to rosidl_generate_interfaces, beside those that are there."""
+"""What rosidl_generate_interfaces is called with, against the interface files of the package and what these use."""
 
 from __future__ import annotations
 
@@ -7,26 +7,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import path_in_package
-from ...languages.cmake.values import Word
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.components import InterfaceTarget
+from ...package.cmake.referenced_paths import ReferencedPaths
+from ...package.interfaces.interface_file import FieldType, InterfaceFile
+from ...package.interfaces.listed_interfaces import ListedInterface, listed_path
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
-from ..cmake.cmake_project import CMake
-from ..cmake.components import InterfaceTarget
-from ..cmake.referenced_paths import ReferencedPaths
-from ..package_facts import PackageFacts
-from ..workspace import Workspace
-from .interface_file import FieldType, InterfaceFile
-
-
-@dataclass(frozen=True, slots=True)
-class ListedInterface:
-    """One file of a call; `path` is relative to the package, None where it is elsewhere or unknown."""
-
-    word: Word
-    target: InterfaceTarget
-    path: str | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,12 +117,3 @@ class GeneratedInterfaces:
                 else:
                     certain = False
         return found, certain
-
-
-def listed_path(word: Word, target: InterfaceTarget) -> str | None:
-    """Return the path of a listed file; an absolute one has a `:` where its own part begins."""
-    text = word.text
-    if text.startswith("/") and ":" in text:
-        base, _, own = text.rpartition(":")
-        text = f"{base}/{own}"
-    return path_in_package(text, target.call.folder) if word.known else None

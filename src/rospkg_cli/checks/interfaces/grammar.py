@@ -1,0 +1,19 @@
+"""What rosidl refuses in an interface file, or reads otherwise than it is written, with the repairs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...package.interfaces.interface_file import GrammarProblem, InterfaceFile
+from ..fault import Fault, TextRepair
+
+
+def grammar_faults(interface: InterfaceFile) -> Iterator[Fault]:
+    for problem in interface.problems:
+        yield Fault(problem.span, problem.message, repair=repair_of(problem))
+
+
+def repair_of(problem: GrammarProblem) -> TextRepair | None:
+    if problem.repair is None or problem.repair_span is None:
+        return None
+    return TextRepair(problem.title, ((problem.repair_span, problem.repair),), problem.is_certain)
