@@ -11,7 +11,7 @@ from hypothesis import settings
 
 from rospkg_cli.example import Example
 from rospkg_cli.index.cache import cache_file
-from rospkg_cli.tree import as_entry
+from rospkg_cli.tree import to_entry
 
 settings.register_profile("usual", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True)
@@ -29,7 +29,7 @@ def write() -> Write:
         for path, text in files.items():
             target = folder / path
             target.parent.mkdir(parents=True, exist_ok=True)
-            entry = as_entry(text)
+            entry = to_entry(text)
             target.write_bytes(entry.data)
             target.chmod(entry.mode)
         return folder

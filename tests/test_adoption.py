@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from test_lint_command import TODO, rospkg
 
-from rospkg_cli.config.required_version import fulfils
+from rospkg_cli.config.required_version import satisfies
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.finding import Severity
 from rospkg_cli.package.manifest import Manifest
@@ -95,13 +95,13 @@ def test_a_new_rule_runs_only_in_preview() -> None:
     [(">=0.1", True), ("0.1.0", True), (">0.1", False), (">=0.1,<0.2", True), ("!=0.1", False), ("<=0.1.0", True)],
 )
 def test_required_version(wanted: str, holds: bool) -> None:
-    assert fulfils("0.1.0", wanted) is holds
+    assert satisfies("0.1.0", wanted) is holds
 
 
 def test_a_version_that_does_not_fit_stops_the_run(package: Path) -> None:
     (package.parent / "rospkg.toml").write_text('required-version = ">=99"\n')
     done = rospkg("lint", cwd=package)
     assert done.returncode == 2
-    assert "wants rospkg >=99" in done.stderr
+    assert "requires rospkg >=99" in done.stderr
     (package.parent / "rospkg.toml").write_text('required-version = "newest"\n')
     assert "is no requirement" in rospkg("lint", cwd=package).stderr

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.reorder import arrange, canonical_order, items_of, schema_order
+from rospkg_cli.edits.reorder import canonical_order, items_of, reorder, schema_order
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source
@@ -18,7 +18,7 @@ from rospkg_cli.tree import TreeEntry
 
 def arranged(text: str, order: Callable[[Manifest], Callable]) -> str:
     manifest = manifest_of(Source("package.xml", text))
-    return edited(TreeEntry("file", text.encode()), arrange(manifest, order(manifest))).text.text
+    return edited(TreeEntry("file", text.encode()), reorder(manifest, order(manifest))).text.text
 
 
 def package(*lines: str) -> str:

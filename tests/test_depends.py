@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
-PYTHON = present(BACKDROPS["ament_python"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
 ROS1 = '<build_type condition="$ROS_VERSION == 1">catkin</build_type>\n    <build_type'
 
 
 def said(code: str, files: dict[str, str | None]) -> list[str]:
     """Return the names in backticks that a rule's findings begin with: the dependency each is about."""
-    found = lint_files(present({**PYTHON, **files}), [code]).findings
+    found = lint_files(existing_files({**PYTHON, **files}), [code]).findings
     return [finding.message.split("`")[1] for finding in found]
 
 
@@ -256,7 +256,7 @@ def test_a_package_that_is_expected_to_be_missing_is_optional() -> None:
 
 def test_launch_files_of_tests_ask_for_test_dependencies() -> None:
     files: dict[str, str | None] = {**PYTHON, "test/a.launch.xml": xml('<node pkg="a" exec="x"/>')}
-    (finding,) = lint_files(present(files), ["DEP103"]).findings
+    (finding,) = lint_files(existing_files(files), ["DEP103"]).findings
     assert "<test_depend>a</test_depend>" in finding.message
 
 
@@ -307,7 +307,7 @@ SCRIPT = PYTHON["setup.py"].replace(
 
 def starts(inside: str, **more: str | None) -> list[str]:
     files = {**PYTHON, "setup.py": SCRIPT, "my_pkg/talker.py": "", "launch/a.launch.xml": xml(inside), **more}
-    return [f.place.path for f in lint_files(present(files), ["LCH002"]).findings]
+    return [f.place.path for f in lint_files(existing_files(files), ["LCH002"]).findings]
 
 
 def test_executables_of_the_own_package() -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, manifest, present
+from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
-PYTHON = present(BACKDROPS["ament_python"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
 LAUNCH = """\
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -113,7 +113,7 @@ def test_a_plugin_of_a_package_around_is_known_by_its_description() -> None:
         '<library path="shapes"><class type="acme::Square" name="shapes/Square" base_class_type="rviz_common::Panel"/>'
         "</library>\n"
     )
-    cmake = present(BACKDROPS["ament_cmake"])
+    cmake = existing_files(BACKDROPS["ament_cmake"])
     around = {f"b/{path}": text for path, text in cmake.items()}
     around["b/package.xml"] = manifest(build_type="ament_cmake", name="acme_shapes")
     around["b/plugins.xml"] = described

@@ -12,7 +12,7 @@ from test_lint_command import rospkg
 from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.discovery.incomplete_workspace import lists_more_packages
 from rospkg_cli.engine.run.session import Scope, Session
-from rospkg_cli.example import BACKDROPS, manifest, present
+from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.index.cache import cache_index
 from rospkg_cli.ros.distros import Targets
@@ -41,7 +41,7 @@ INDEX = Index(
 def lint(body: str, *targets: str, codes: str = "DEP001", complete: bool = True) -> list[Finding]:
     """Lint a package that declares something, where the index is known."""
     scope = Scope(("",), frozenset({""}), "my_pkg", complete, index=FetchedNames(dump(INDEX)))
-    files = present({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
+    files = existing_files({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
     return list(Session(MemoryTree.of(files), scope, frozenset({codes}), Targets(targets)).run().findings)
 
 

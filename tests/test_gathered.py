@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
 REPOSITORY = {".github/workflows/build.yml": "on: push\n"}
 NAMED = ("arm", "base", "camera", "driver")
-PYTHON = present(BACKDROPS["ament_python"])
-CPP = present(BACKDROPS["ament_cmake"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
+CPP = existing_files(BACKDROPS["ament_cmake"])
 
 
 def package(name: str, body: str = "") -> dict[str, str]:

@@ -9,7 +9,7 @@ from planned import plan, texts
 
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.template import template_names
-from rospkg_cli.sentence import LONGEST, sentence
+from rospkg_cli.sentence import LONGEST, single_line
 
 HOSTILE = ("\r\n::error::x", "\x1b[31m", "a\tb", "\u202e", "\udcff", "\u2028", "x" * 100_000, "\t" * 100_000)
 FIELDS = ("template", "license", "version", "distro", "launch", "tests", "email", "nodes", "depends", "msgs", "extras")
@@ -33,8 +33,8 @@ def test_a_name_of_a_package_is_quoted_on_one_line() -> None:
 
 
 def test_sentences_lose_their_middle_alone() -> None:
-    assert sentence("Ünïcode, 机器人 and all") == "Ünïcode, 机器人 and all"
-    said = sentence("begin" + "\0" * 10**6 + "end")
+    assert single_line("Ünïcode, 机器人 and all") == "Ünïcode, 机器人 and all"
+    said = single_line("begin" + "\0" * 10**6 + "end")
     assert said.startswith("begin\\x00")
     assert said.endswith("\\x00end")
     assert len(said) <= LONGEST + 3

@@ -14,7 +14,7 @@ import pytest
 from markdown_it import MarkdownIt
 
 from rospkg_cli.cli.diff import diff
-from rospkg_cli.control_characters import in_json, no_command, visible, visible_lines
+from rospkg_cli.control_characters import in_json, visible, visible_lines, without_workflow_commands
 from rospkg_cli.engine.run.session import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Location, Severity
 from rospkg_cli.report import FORMATS, Report, render
@@ -208,5 +208,5 @@ def test_a_prefix_stays_a_prefix() -> None:
 
 def test_lines_keep_their_ends_and_tabs() -> None:
     assert visible_lines("a\tb\r\nc\rd\n") == "a\tb\r\nc\\rd\n"
-    assert no_command("a\n ::b\n::c d::e") == "a\n \\x3a:b\n\\x3a:c d::e"
+    assert without_workflow_commands("a\n ::b\n::c d::e") == "a\n \\x3a:b\n\\x3a:c d::e"
     assert in_json('"\u202e\U0001f600"', only_ascii=True) == '"\\u202e\\ud83d\\ude00"'

@@ -9,7 +9,7 @@ import pytest
 
 from rospkg_cli.engine.discovery.installed_packages import installed_package_names
 from rospkg_cli.engine.run.session import Scope, Session
-from rospkg_cli.example import BACKDROPS, manifest, present
+from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.tree import MemoryTree
 
 INDEX = "share/ament_index/resource_index/packages"
@@ -38,7 +38,7 @@ def test_the_distribution_that_is_named_counts_else_all_that_are_there(tmp_path:
 
 def said(files: dict[str, str | None], installed: str) -> list[str]:
     scope = Scope(("",), frozenset({""}), "my_pkg", prefix_names=frozenset({installed} - {""}))
-    tree = MemoryTree.of(present({**present(BACKDROPS["ament_python"]), **files}))
+    tree = MemoryTree.of(existing_files({**existing_files(BACKDROPS["ament_python"]), **files}))
     codes = frozenset({"DEP001", "DEP101", "DEP103"})
     return [finding.code for finding in Session(tree, scope, codes).run().findings]
 

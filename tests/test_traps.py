@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.rule import Profile, all_rules
 from rospkg_cli.testing import lint_files
 
-PYTHON = present(BACKDROPS["ament_python"])
-CPP = present(BACKDROPS["ament_cmake"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
+CPP = existing_files(BACKDROPS["ament_cmake"])
 CODES = [rule.code for rule in all_rules() if rule.family == "DEP" and rule.profile is Profile.DEFAULT]
 NODE = "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\n"
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
-BASE = present(BACKDROPS["ament_cmake"])
+BASE = existing_files(BACKDROPS["ament_cmake"])
 LINKED = ("add_executable(node src/node.cpp)", "ament_target_dependencies(node std_msgs)")
 
 

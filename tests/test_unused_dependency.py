@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, manifest, present
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
 NODE = "import rclpy\n"
 NODE_TARGET = "add_executable(node src/node.cpp)"
-CPP = present(BACKDROPS["ament_cmake"])
+CPP = existing_files(BACKDROPS["ament_cmake"])
 
 
 def names(clean: dict[str, str], depends: str, **files: str) -> list[str]:

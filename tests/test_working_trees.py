@@ -13,7 +13,7 @@ from working_trees import PUT, folders_of
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
-from rospkg_cli.example import BACKDROPS, present
+from rospkg_cli.example import BACKDROPS, existing_files
 from rospkg_cli.rule import Rule, all_rules
 from rospkg_cli.scaffold.template import template_names
 
@@ -36,7 +36,7 @@ def findings(package: Path) -> list[tuple[str, str]]:
 @pytest.mark.parametrize("put", PUT)
 @pytest.mark.parametrize("backdrop", BACKDROP)
 def test_a_clean_package_stays_clean(tmp_path: Path, write, backdrop: str, put: str) -> None:
-    package = write(tmp_path / "my_pkg", {**present(BACKDROPS[backdrop]), **HELD.get(backdrop, {})})
+    package = write(tmp_path / "my_pkg", {**existing_files(BACKDROPS[backdrop]), **HELD.get(backdrop, {})})
     assert findings(package) == []
     for folder in folders_of(package):
         PUT[put](folder)

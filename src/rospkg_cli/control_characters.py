@@ -49,7 +49,7 @@ def is_plain(text: str) -> bool:
     return text.isprintable() and "##" not in text
 
 
-def no_command(text: str) -> str:
+def without_workflow_commands(text: str) -> str:
     """Return lines of which none begins with `::`; for what has been laid out."""
     return re.sub(COMMAND, r"\1\\x3a", text) if "::" in text else text
 

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 
-def here() -> Path:
+def current_folder() -> Path:
     """Return the current folder as the shell shows it, links and all, where $PWD tells it truly."""
     shown = os.environ.get("PWD", "")
     try:
@@ -21,4 +21,4 @@ def absolute(path: Path) -> Path:
     """Return a typed path as an absolute one; with `..` in it, links are resolved as the system does."""
     if ".." in path.parts:
         return path.resolve()
-    return Path(os.path.normpath(here() / path))
+    return Path(os.path.normpath(current_folder() / path))

@@ -10,8 +10,8 @@ from functools import cached_property
 from pathlib import Path
 
 from .fence import Fence
-from .leftovers import is_left_out, is_no_source
-from .tree import Entry, Kind, SkippedError
+from .leftovers import is_build_output, is_never_source
+from .tree import Kind, SkippedError, TreeEntry
 
 MAX_BYTES = 4_000_000
 """Larger files are listed, not read."""
@@ -24,7 +24,7 @@ class DiskTree:
     root: Path
     packages: Sequence[str] = ()
     """Folders of packages below the root, each with a fence of its own: one may be a link to another disk."""
-    _entries: dict[str, Entry] = field(default_factory=dict, init=False, repr=False)
+    _entries: dict[str, TreeEntry] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def _files(self) -> dict[str, Kind]:
@@ -37,12 +37,12 @@ class DiskTree:
     def files(self) -> Mapping[str, Kind]:
         return self._files
 
-    def entry(self, path: str) -> Entry:
+    def entry(self, path: str) -> TreeEntry:
         if path not in self._entries:
             self._entries[path] = self.read(path)
         return self._entries[path]
 
-    def read(self, path: str) -> Entry:
+    def read(self, path: str) -> TreeEntry:
         """Read one file; raises OSError, SkippedError where a link leads too far."""
         if "_files" not in self.__dict__ or self._files.get(path) != "file":
             self.fence.check(path)
@@ -52,7 +52,7 @@ class DiskTree:
         return DiskTree(self.root / folder) if folder else self
 
 
-def read_entry(path: Path) -> Entry:
+def read_entry(path: Path) -> TreeEntry:
     """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes."""
     found = path.stat()
     if not stat.S_ISREG(found.st_mode):
@@ -62,8 +62,8 @@ def read_entry(path: Path) -> Entry:
     if found.st_size > MAX_BYTES:
         size = f"{found.st_size / 1_000_000:.1f} MB"
         limit = f"{MAX_BYTES // 1_000_000} MB"
-        return Entry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than the limit of {limit}")
-    return Entry(kind, path.read_bytes(), mode)
+        return TreeEntry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than the limit of {limit}")
+    return TreeEntry(kind, path.read_bytes(), mode)
 
 
 def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
@@ -76,10 +76,10 @@ def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
         prefix = waiting.pop()
         try:
             with os.scandir(os.path.join(root, prefix)) as found:  # noqa: PTH118
-                entries = [entry for entry in found if not is_no_source(entry.name)]
+                entries = [entry for entry in found if not is_never_source(entry.name)]
         except OSError:
             continue
-        if prefix and is_left_out(prefix, {entry.name for entry in entries}):
+        if prefix and is_build_output(prefix, {entry.name for entry in entries}):
             continue
         if not entries and prefix:
             yield prefix.rstrip("/"), "dir"

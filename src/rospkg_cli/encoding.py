@@ -23,7 +23,7 @@ KNOWN = re.compile(r"utf-?(8|16(-?[bl]e)?)|us-ascii|ascii|iso-?8859-?\d+|latin-?
 
 
 @dataclass(frozen=True)
-class Text:
+class DecodedText:
     """A decoded text whose line ends are `\\n`; where ends are mixed (`newline` is ""), as they stand."""
 
     text: str
@@ -38,7 +38,7 @@ class Text:
         return self.bom + text.encode(self.encoding)
 
 
-def decode(data: bytes) -> Text:
+def decode(data: bytes) -> DecodedText:
     """Decode bytes by their mark, else by what an XML or Python header declares, else as UTF-8.
 
     Raises UnicodeError where that fails.
@@ -50,21 +50,21 @@ def decode(data: bytes) -> Text:
             break
     body = data[len(bom) :]
     if not encoding:
-        encoding = unmarked_utf16(body) or declared(body)
+        encoding = detect_utf16(body) or declared_encoding(body)
     text = body.decode(encoding)
     if "\r" not in text:
-        return Text(text, encoding, bom, "\n")
+        return DecodedText(text, encoding, bom, "\n")
     if text.count("\r") == text.count("\n") == text.count("\r\n"):
-        return Text(text.replace("\r\n", "\n"), encoding, bom, "\r\n")
-    return Text(text, encoding, bom, "")
+        return DecodedText(text.replace("\r\n", "\n"), encoding, bom, "\r\n")
+    return DecodedText(text, encoding, bom, "")
 
 
-def unmarked_utf16(body: bytes) -> str:
+def detect_utf16(body: bytes) -> str:
     """Return the encoding of XML in UTF-16 without a mark: a `<` of two bytes tells it; else ""."""
     return {b"<\0": "utf-16-le", b"\0<": "utf-16-be"}.get(body[:2], "")
 
 
-def declared(body: bytes) -> str:
+def declared_encoding(body: bytes) -> str:
     """Return the encoding that a header names; raises UnicodeError where we don't know it, or where it can't be."""
     found = DECLARED.match(body) or CODING.match(body)
     if found is None:

@@ -31,12 +31,12 @@ class Example:
     targets: tuple[str, ...] = ()
 
     def bad_files(self) -> dict[str, str]:
-        return present(
+        return existing_files(
             {**BACKDROPS[self.on], **{p: None if t is None else MARK.sub("", t) for p, t in self.bad.items()}}
         )
 
     def good_files(self) -> dict[str, str]:
-        return present({**BACKDROPS[self.on], **unmarked(self.bad), **self.good})
+        return existing_files({**BACKDROPS[self.on], **without_marks(self.bad), **self.good})
 
     def marks(self) -> list[tuple[str, Span]]:
         """The spans between « and » of all files, in order, counted without the marks."""
@@ -51,11 +51,11 @@ class Example:
         return sorted(found)
 
 
-def unmarked(files: Files) -> dict[str, str | None]:
+def without_marks(files: Files) -> dict[str, str | None]:
     return {path: None if text is None else MARK.sub("", text) for path, text in files.items()}
 
 
-def present(files: Files) -> dict[str, str]:
+def existing_files(files: Files) -> dict[str, str]:
     return {path: text for path, text in files.items() if text is not None}
 
 

@@ -50,7 +50,7 @@ class PackageFiles:
         found = self.tree.files()
         return folders_of(found).union(path for path, kind in found.items() if kind in EXISTING)
 
-    def holds(self, path: str) -> bool:
+    def has_file(self, path: str) -> bool:
         """Return whether a file stands there, be it in a package below."""
         return path in self._every
 
@@ -76,7 +76,7 @@ class PackageFiles:
         wanted, parts = tuple(names), self.folder.split("/") if self.folder else []
         for depth in range(len(parts) - 1, -1, -1):
             for path in ("/".join([*parts[:depth], name]) for name in wanted):
-                if self.whole is not None and holds(self.whole, path):
+                if self.whole is not None and has_file(self.whole, path):
                     return path
         return None
 
@@ -112,7 +112,7 @@ class PackageFiles:
         return self._sources[path]
 
 
-def holds(tree: Tree, path: str) -> bool:
+def has_file(tree: Tree, path: str) -> bool:
     """Return whether a file is there, without listing the whole tree."""
     try:
         tree.entry(path)
@@ -139,7 +139,7 @@ def unreadable_bytes(path: str, error: UnicodeError) -> str:
 
 
 @dataclass(frozen=True)
-class Parts(Generic[T_co]):
+class ReadModels(Generic[T_co]):
     """What a reader made of a package: the models that could be read, and the files that could not."""
 
     good: tuple[T_co, ...] = ()
@@ -151,16 +151,16 @@ class Parts(Generic[T_co]):
         return self.good[0] if self.good else None
 
 
-class Reading(Protocol):
+class ReaderInput(Protocol):
     """What a reader may ask for: the files, and other models of the same package."""
 
     @property
     def files(self) -> PackageFiles: ...
 
-    def parts(self, kind: type[T]) -> Parts[T]: ...
+    def parts(self, kind: type[T]) -> ReadModels[T]: ...
 
 
-def each(files: PackageFiles, paths: Iterable[str], read: Callable[[Source], T]) -> Iterator[T | Unreadable]:
+def read_each(files: PackageFiles, paths: Iterable[str], read: Callable[[Source], T]) -> Iterator[T | Unreadable]:
     """Read every path on its own, so that one broken file does not hide the others."""
     for path in paths:
         try:

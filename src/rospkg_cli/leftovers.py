@@ -10,10 +10,10 @@ SKIPPED = frozenset(
 )
 """Folders that are never a package's own files."""
 
-MARKED = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
+MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
 """A folder that holds one of them is a virtual environment, or where CMake builds, whatever its name."""
 
-BUILT = {
+BUILD_FOLDERS = {
     "build": re.compile(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
     "install": re.compile(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
     "log": re.compile(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
@@ -23,18 +23,18 @@ BUILT = {
 STRAY = re.compile(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""
 
-NO_SOURCE = re.compile(rf"\._.*|{STRAY.pattern}", re.DOTALL)
+NEVER_SOURCE = re.compile(rf"\._.*|{STRAY.pattern}", re.DOTALL)
 """Resource forks of macOS (`._setup.py` is no Python), and our own temporary files."""
 
 
-def is_no_source(name: str) -> bool:
+def is_never_source(name: str) -> bool:
     """Return whether a file or folder is never a package's own, by its name alone."""
-    return name in SKIPPED or (name[:1] == "." and NO_SOURCE.fullmatch(name) is not None)
+    return name in SKIPPED or (name[:1] == "." and NEVER_SOURCE.fullmatch(name) is not None)
 
 
-def is_left_out(folder: str, names: Set[str]) -> bool:
+def is_build_output(folder: str, names: Set[str]) -> bool:
     """Return whether a folder with these names in it is output of a build, or a virtual environment."""
-    if not MARKED.isdisjoint(names):
+    if not MARKER_FILES.isdisjoint(names):
         return True
-    marks = BUILT.get(folder.rstrip("/").rpartition("/")[2])
+    marks = BUILD_FOLDERS.get(folder.rstrip("/").rpartition("/")[2])
     return marks is not None and any(marks.fullmatch(name) for name in names)

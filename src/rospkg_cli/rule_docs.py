@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import textwrap
 from collections.abc import Iterator
 from difflib import SequenceMatcher
@@ -17,6 +16,9 @@ FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes
 LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
 SHORT, AROUND = 9, 2
 """How many lines are shown whole; how many around what matters in longer files."""
+SUMMARY_WIDTH = 100
+"""Characters: what code scanning pages show of SARIF's shortDescription in one line."""
+
 PROFILES = {
     Profile.DEFAULT: "always",
     Profile.PEDANTIC: "only with --pedantic, or when selected by name",
@@ -31,11 +33,11 @@ def explain(rule: Rule[Any]) -> str:
     lines += [f"Runs: {PROFILES[rule.profile]}", f"Fix: {FIX[rule.fix]}", f"Since: {rule.since}", ""]
     lines += [textwrap.dedent(rule.docs).strip()]
     for number, example in enumerate(rule.examples, 1):
-        lines += ["", f"## Example {number}" if len(rule.examples) > 1 else "## Example", *shown(example)]
+        lines += ["", f"## Example {number}" if len(rule.examples) > 1 else "## Example", *example_files(example)]
     return "\n".join(lines) + "\n"
 
 
-def shown(example: Example) -> Iterator[str]:
+def example_files(example: Example) -> Iterator[str]:
     """Yield the bad files, and what is good instead; of long files only what is around the difference."""
     if example.targets:
         yield f"For {', '.join(example.targets)}:"
@@ -43,16 +45,16 @@ def shown(example: Example) -> Iterator[str]:
         if text is None:
             yield f"`{path}` is not there."
         else:
-            yield from fence(path, underlined(text), "Bad", lines_marked(text))
+            yield from code_block(path, with_carets(text), "Bad", lines_marked(text))
     for path, good in example.good.items():
         bad = MARK.sub("", example.bad.get(path) or "")
         if good is None:
             yield f"Instead, `{path}` is not there."
         elif good != bad:
-            yield from fence(path, good.rstrip("\n").split("\n"), "Good", lines_changed(bad, good))
+            yield from code_block(path, good.rstrip("\n").split("\n"), "Good", lines_changed(bad, good))
 
 
-def fence(path: str, lines: list[str], verdict: str, wanted: set[int]) -> Iterator[str]:
+def code_block(path: str, lines: list[str], verdict: str, wanted: set[int]) -> Iterator[str]:
     """Yield a fenced block of the lines near the wanted ones, or of all where there are few."""
     text = "\n".join(lines if len(lines) <= SHORT or not wanted else excerpt(lines, wanted))
     yield f"{verdict} `{path}`{':' if text else ', empty.'}"
@@ -61,18 +63,18 @@ def fence(path: str, lines: list[str], verdict: str, wanted: set[int]) -> Iterat
 
 
 def excerpt(lines: list[str], wanted: set[int]) -> Iterator[str]:
-    shown = -1
+    example_files = -1
     for number, line in enumerate(lines):
         if any(abs(number - each) <= AROUND for each in wanted):
-            if number > shown + 1:
+            if number > example_files + 1:
                 yield "…"
             yield line
-            shown = number
-    if shown < len(lines) - 1:
+            example_files = number
+    if example_files < len(lines) - 1:
         yield "…"
 
 
-def underlined(text: str) -> list[str]:
+def with_carets(text: str) -> list[str]:
     """Return the lines of a text with each mark drawn as carets below its line."""
     lines = []
     for line in text.rstrip("\n").split("\n"):
@@ -87,7 +89,7 @@ def underlined(text: str) -> list[str]:
 
 def lines_marked(text: str) -> set[int]:
     """Return the numbers (from 0) of the lines that hold carets, as `underlined` counts them."""
-    return {number for number, line in enumerate(underlined(text)) if line.strip() and not line.strip(" ^")}
+    return {number for number, line in enumerate(with_carets(text)) if line.strip() and not line.strip(" ^")}
 
 
 def lines_changed(bad: str, good: str) -> set[int]:
@@ -132,6 +134,5 @@ def rules_json() -> str:
 
 
 def summary(rule: Rule[Any]) -> str:
-    """Return the first sentence of what a rule does."""
-    body = rule.docs.partition("## What it does")[2].partition("##")[0]
-    return re.split(r"(?<=[.:])\s", " ".join(body.split()), maxsplit=1)[0]
+    """Return the first line of what a rule does: one sentence, at most `SUMMARY_WIDTH` characters."""
+    return rule.docs.partition("## What it does")[2].strip().partition("\n")[0]

@@ -8,7 +8,7 @@ LONGEST = 2_000
 """Characters; what was given is quoted whole up to here."""
 
 
-def sentence(text: str) -> str:
+def single_line(text: str) -> str:
     """Return a text with escapes for what is not seen, and without the middle where it is very long."""
     line = visible(text if len(text) <= LONGEST else text[:LONGEST] + text[-LONGEST:])
     if max(len(text), len(line)) <= LONGEST:

@@ -27,7 +27,7 @@ def distance(a: str, b: str, limit: int = 3) -> int:
     return min(row[-1], limit + 1)
 
 
-def near(word: str, names: Iterable[str], limit: int = 2) -> list[str]:
+def near_names(word: str, names: Iterable[str], limit: int = 2) -> list[str]:
     """Return the names within a distance, nearest first; short words allow fewer edits."""
     limit = min(limit, max(1, len(word) // 3))
     found = sorted((distance(word, name, limit), name) for name in set(names) if name != word)
@@ -39,7 +39,7 @@ def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     if len(word) > LONGEST:
         return None
     names = sorted(set(names) - {word})
-    found = near(word, names, limit)
+    found = near_names(word, names, limit)
     if len(found) == 1:
         return found[0]
     if not found:

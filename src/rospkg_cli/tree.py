@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, Protocol
 
-from .encoding import Text, decode
+from .encoding import DecodedText, decode
 
 Kind = Literal["file", "link", "outside", "dir", "linked-dir", "linked-package", "other"]
 """What stands at a path: a regular file; a link to one that may be read; a link to one out of the package and its
@@ -38,7 +38,7 @@ class LeadsOutError(SkippedError):
 
 
 @dataclass(frozen=True)
-class Entry:
+class TreeEntry:
     """One file: its bytes, whether it may be executed, and its text where it has one."""
 
     kind: Kind
@@ -48,7 +48,7 @@ class Entry:
     """Why `data` was not read, as a sentence; "" where it was."""
 
     @cached_property
-    def text(self) -> Text:
+    def text(self) -> DecodedText:
         """The decoded text; raises UnicodeError where the bytes are none, SkippedError where they were not read."""
         if self.skipped:
             raise SkippedError(self.skipped)
@@ -65,7 +65,7 @@ class Tree(Protocol):
     def files(self) -> Mapping[str, Kind]:
         """Return everything below the folder with its kind; folders only where they are empty."""
 
-    def entry(self, path: str) -> Entry:
+    def entry(self, path: str) -> TreeEntry:
         """Return one file; raises FileNotFoundError where there is none, SkippedError where it may not be read."""
 
     def sub(self, folder: str) -> Tree:
@@ -76,16 +76,16 @@ class Tree(Protocol):
 class MemoryTree:
     """A tree of a plain dict; a str is the text of a file."""
 
-    content: dict[str, Entry]
+    content: dict[str, TreeEntry]
 
     @classmethod
-    def of(cls, files: Mapping[str, str | bytes | Entry]) -> MemoryTree:
-        return cls({path: as_entry(value) for path, value in files.items()})
+    def of(cls, files: Mapping[str, str | bytes | TreeEntry]) -> MemoryTree:
+        return cls({path: to_entry(value) for path, value in files.items()})
 
     def files(self) -> Mapping[str, Kind]:
         return {path: entry.kind for path, entry in self.content.items()}
 
-    def entry(self, path: str) -> Entry:
+    def entry(self, path: str) -> TreeEntry:
         found = self.content.get(path)
         if found is None or found.kind not in FILES:
             raise FileNotFoundError(path)
@@ -98,9 +98,9 @@ class MemoryTree:
         return MemoryTree({p[len(prefix) :]: e for p, e in self.content.items() if p.startswith(prefix)})
 
 
-def as_entry(value: str | bytes | Entry) -> Entry:
-    if isinstance(value, Entry):
+def to_entry(value: str | bytes | TreeEntry) -> TreeEntry:
+    if isinstance(value, TreeEntry):
         return value
     if isinstance(value, bytes):
-        return Entry("file", value)
-    return Entry("file", value.encode(), 0o755 if value.startswith("#!") else 0o644)
+        return TreeEntry("file", value)
+    return TreeEntry("file", value.encode(), 0o755 if value.startswith("#!") else 0o644)

@@ -109,9 +109,13 @@ def failed(error: Exception) -> int:
     if "-v" in sys.argv or "--verbose" in sys.argv:
         import traceback
 
-        from ..control_characters import no_command, visible_lines
+        from ..control_characters import visible_lines, without_workflow_commands
 
-        print(no_command(visible_lines("".join(traceback.format_exception(error)))), end="", file=sys.stderr)
+        print(
+            without_workflow_commands(visible_lines("".join(traceback.format_exception(error)))),
+            end="",
+            file=sys.stderr,
+        )
     what = f"{type(error).__name__}: {error}"
     say(f"a fault of ours: {what}; please report it with the output of -v")
     return 3

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 
-from ..control_characters import no_command, visible, visible_lines
+from ..control_characters import visible, visible_lines, without_workflow_commands
 from ..engine.fixing.apply import Changes
 from ..tree import Tree, TreeEntry
 
@@ -35,7 +35,7 @@ def diff(path: str, before: TreeEntry | None, after: TreeEntry | None) -> str:
     if not lines:
         return f"--- {names[0]}\n+++ {names[1]}\n"
     shown = (line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
-    return no_command(visible_lines("".join(shown)))
+    return without_workflow_commands(visible_lines("".join(shown)))
 
 
 def lines_of(text: str) -> list[str]:

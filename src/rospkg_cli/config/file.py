@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..current_folder import absolute, here
-from .schema import FORMS, place, read_section
+from ..current_folder import absolute, current_folder
+from .schema import FORMS, key_position, read_section
 from .schema import ConfigError as ConfigError
 
 if sys.version_info >= (3, 11):
@@ -30,7 +30,7 @@ Ignores = Mapping[str, str]
 
 
 @dataclass(frozen=True)
-class Section:
+class OverrideSection:
     """Ignores and severities for the packages or paths that a pattern fits."""
 
     key: str
@@ -58,8 +58,8 @@ class Config:
     release: bool = False
     fail_on: str = "warning"
     required_version: str = ""
-    per_package: tuple[Section, ...] = ()
-    per_path: tuple[Section, ...] = ()
+    per_package: tuple[OverrideSection, ...] = ()
+    per_path: tuple[OverrideSection, ...] = ()
     new: Mapping[str, Any] = field(default_factory=dict)
     index: Mapping[str, Any] = field(default_factory=dict)
     """Where names are fetched from; in the user's own config alone."""
@@ -67,39 +67,39 @@ class Config:
     @property
     def folder(self) -> Path:
         """The folder that its patterns are relative to."""
-        return self.path.parent if self.path else here()
+        return self.path.parent if self.path else current_folder()
 
 
 def find_config(start: Path) -> Config:
     """Return the config that holds for a path; raises ConfigError with line and column for what is wrong in it."""
     start = absolute(start)
     for folder in (start, *start.parents):
-        for path, table in candidates(folder):
-            return load(path, table)
+        for path, table in config_files(folder):
+            return load_config(path, table)
     return Config()
 
 
-def candidates(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
+def config_files(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
     if (folder / "rospkg.toml").is_file():
         yield folder / "rospkg.toml", ()
     pyproject = folder / "pyproject.toml"
-    if pyproject.is_file() and "[tool.rospkg" in text_of(pyproject):
+    if pyproject.is_file() and "[tool.rospkg" in read_config_text(pyproject):
         yield pyproject, ("tool", "rospkg")
 
 
-def own_config() -> Config:
+def user_config() -> Config:
     """Return the user's own config, for what no repository can say; raises ConfigError."""
-    path = own_path()
-    return load(path, own=True) if path.is_file() else Config()
+    path = user_config_path()
+    return load_config(path, own=True) if path.is_file() else Config()
 
 
-def own_path() -> Path:
+def user_config_path() -> Path:
     return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "rospkg" / "config.toml"
 
 
-def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
+def load_config(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
     """Read a config file; `table` is where in it our keys stand, `own` whether it is the user's own."""
-    text = text_of(path)
+    text = read_config_text(path)
     if len(text) > MAX_TEXT:
         raise ConfigError(f"{path}: a config of more than {MAX_TEXT:,} characters is not read")
     refuse_long_keys(text, path)
@@ -113,10 +113,10 @@ def load(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
         data = data.get(key, {}) if isinstance(data, dict) else data
     values = read_section(data, FORMS, path, text, table)
     if "index" in values and not own:
-        where = place(path, text, table, "index")
+        where = key_position(path, text, table, "index")
         raise ConfigError(f"{where}: `index` belongs in {own_path()}: no repository says where your names come from")
     for key in PER:
-        values[key] = tuple(Section(key, name, **each) for name, each in values.get(key, {}).items())
+        values[key] = tuple(OverrideSection(key, name, **each) for name, each in values.get(key, {}).items())
     return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})
 
 
@@ -129,7 +129,7 @@ def refuse_long_keys(text: str, path: Path) -> None:
                 raise ConfigError(f"{path}:{number}:1: a key of more than {MAX_PARTS} parts is not read")
 
 
-def text_of(path: Path) -> str:
+def read_config_text(path: Path) -> str:
     """Return as much of a file as can be a config, and one character; raises ConfigError."""
     try:
         with path.open(encoding="utf-8", errors="replace") as stream:

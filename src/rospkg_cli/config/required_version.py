@@ -18,7 +18,7 @@ SIGNS: Mapping[str, Callable[[Version, Version], bool]] = {
 ONE = re.compile(r"(==|!=|>=|<=|>|<)?\s*(\d+(?:\.\d+)*)")
 
 
-def fulfils(version: str, wanted: str) -> bool:
+def satisfies(version: str, wanted: str) -> bool:
     """Return whether a version fulfils a requirement such as `>=0.1,<0.3`; raises ValueError for what is none."""
     own = numbers(version)
     for each in wanted.split(","):

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ros.distros import DISTROS
-from ..sentence import sentence
+from ..sentence import single_line
 from ..suggest import did_you_mean
 
 LONGEST_KEY = 1_000
@@ -22,7 +22,7 @@ class ConfigError(Exception):
 
     def __str__(self) -> str:
         """The sentence on one line, whatever of a stranger's file it quotes."""
-        return sentence(super().__str__())
+        return single_line(super().__str__())
 
 
 def strings(value: Any) -> tuple[str, ...]:
@@ -51,7 +51,7 @@ def distros(value: Any) -> tuple[str, ...]:
     return strings(value)
 
 
-def flag(value: Any) -> bool:
+def boolean(value: Any) -> bool:
     if not isinstance(value, bool):
         raise ValueError("wants true or false")
     return value
@@ -85,8 +85,8 @@ FORMS: Mapping[str, Form] = {
     "exclude": strings,
     "build-types": strings,
     "plugins": strings,
-    "pedantic": flag,
-    "release": flag,
+    "pedantic": boolean,
+    "release": boolean,
     "fail-on": level,
     "required-version": text,
     "per-package": {"*": SECTION},
@@ -118,7 +118,7 @@ def read_section(
     return found
 
 
-def place(path: Path, source: str, table: tuple[str, ...], key: str) -> str:
+def key_position(path: Path, source: str, table: tuple[str, ...], key: str) -> str:
     """Return `file:line:column` of a key, as near as it can be found: in its table, else anywhere."""
     if len(key) > LONGEST_KEY:
         return f"{path}:1:1"

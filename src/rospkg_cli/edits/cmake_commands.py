@@ -24,7 +24,7 @@ def add_at_end(file: CMakeFile, lines: str) -> Edit:
 
 def add_before(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     """Put commands before another one, above the comment that belongs to it."""
-    at = beginning(file.source, command)
+    at = start_with_comments(file.source, command)
     return Edit(file.path, Span(at, at), f"{in_case_of(file, lines)}\n")
 
 
@@ -67,27 +67,27 @@ def guard(file: CMakeFile, commands: Sequence[CommandInvocation]) -> dict[int, t
     None of them has one where something else stands in their lines, nor one in a run that only a generator writes.
     """
     wanted = {id(each) for each in commands}
-    if not all(stands_alone(file.source, each) for each in file.top if id(each) in wanted):
+    if not all(has_own_lines(file.source, each) for each in file.top if id(each) in wanted):
         return {}
     found: dict[int, tuple[Edit, ...]] = {}
     for inside, run in groupby(file.body, lambda each: isinstance(each, CommandInvocation) and id(each) in wanted):
         members = [each for each in run if isinstance(each, CommandInvocation)] if inside else []
         if 0 < len(members) <= MAX_RUN:
-            found |= dict.fromkeys(map(id, members), (guarded(file, members[0], members[-1]),))
+            found |= dict.fromkeys(map(id, members), (guard_commands(file, members[0], members[-1]),))
     return found
 
 
-def guarded(file: CMakeFile, first: CommandInvocation, last: CommandInvocation) -> Edit:
+def guard_commands(file: CMakeFile, first: CommandInvocation, last: CommandInvocation) -> Edit:
     """Put the lines from one command to another into `if(BUILD_TESTING)`."""
     start = file.source.line_span(file.source.position(first.span.start)[0]).start
     end = file.source.line_span(file.source.position(last.span.end)[0]).end
     lines = file.source.text[start:end].split("\n")
     inside = "\n".join(f"{file.indent}{line}" if line.strip() else line for line in lines)
-    names = in_case_of(file, "if(BUILD_TESTING)\nendif()").split("\n")
+    names = match_case(file, "if(BUILD_TESTING)\nendif()").split("\n")
     return Edit(file.path, Span(start, end), f"{names[0]}\n{inside}\n{names[1]}")
 
 
-def stands_alone(source: Source, command: CommandInvocation) -> bool:
+def has_own_lines(source: Source, command: CommandInvocation) -> bool:
     """Return whether nothing but a comment stands in the lines of a command."""
     start = source.line_span(source.position(command.span.start)[0]).start
     end = source.line_span(source.position(command.span.end)[0]).end
@@ -95,14 +95,14 @@ def stands_alone(source: Source, command: CommandInvocation) -> bool:
     return not source.text[start : command.span.start].strip() and (not behind or behind.startswith("#"))
 
 
-def in_case_of(file: CMakeFile, lines: str) -> str:
+def match_case(file: CMakeFile, lines: str) -> str:
     """Return commands with their names in the case that the file has."""
     if not file.is_upper:
         return lines
     return re.sub(r"^([ \t]*)([a-z_]\w*)(?=\()", lambda match: match[1] + match[2].upper(), lines, flags=re.MULTILINE)
 
 
-def beginning(source: Source, command: CommandInvocation) -> int:
+def start_with_comments(source: Source, command: CommandInvocation) -> int:
     """Return where a command begins, with the comment lines right above it."""
     at = source.line_span(source.position(command.span.start)[0]).start
     while at:
@@ -113,7 +113,7 @@ def beginning(source: Source, command: CommandInvocation) -> int:
     return at
 
 
-def literal(source: Source, span: Span, text: str) -> Span | None:
+def literal_span(source: Source, span: Span, text: str) -> Span | None:
     """Return the span of a text that stands in an argument as it is, without quotes; None where it is evaluated."""
     written = source.slice(span)
     if written == text:

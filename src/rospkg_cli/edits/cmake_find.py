@@ -10,7 +10,7 @@ from .cmake_commands import add_after, add_before
 from .plain_names import PLAIN
 
 
-def find(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple[Edit, ...]:
+def add_find_package(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple[Edit, ...]:
     """Look for a package before a call that needs it, below the last one that is looked for; nothing where one does."""
     if not PLAIN.fullmatch(name) or any(each.name == name for each in cmake.packages):
         return ()
@@ -24,7 +24,7 @@ def find(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple[Edit, ...]:
     return (add_before(file, before.command, line),)
 
 
-def find_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
+def add_find_package_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
     """Look for a package below the last one that is looked for, for tests or always; nothing where there is none."""
     calls = [each.call for each in cmake.packages if each.call.testing is testing and not each.call.maybe]
     alone = [call for call in calls if not call.inside and is_alone(cmake, call)]

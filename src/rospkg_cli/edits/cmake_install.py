@@ -25,7 +25,9 @@ def install_folder(cmake: CMake, folder: str) -> Edit:
         return edit
     return extend_or_add(
         cmake,
-        lambda rule: rule.kind == "DIRECTORY" and rule.destination == f"share/{cmake.project_name}" and is_bare(rule),
+        lambda rule: (
+            rule.kind == "DIRECTORY" and rule.destination == f"share/{cmake.project_name}" and has_no_filter(rule)
+        ),
         folder,
         block(cmake.root, "DIRECTORY", folder, SHARE),
     )
@@ -49,7 +51,7 @@ def to_share(cmake: CMake, command: CommandInvocation, folder: str) -> Edit | No
 
 
 def install_executable(cmake: CMake, target: Target) -> Edit:
-    name = said(cmake, target)
+    name = target_reference(cmake, target)
     return extend_or_add(
         cmake,
         lambda rule: rule.kind == "TARGETS" and only_executables(cmake, rule),
@@ -59,7 +61,7 @@ def install_executable(cmake: CMake, target: Target) -> Edit:
     )
 
 
-def said(cmake: CMake, target: Target) -> str:
+def target_reference(cmake: CMake, target: Target) -> str:
     """Return what CMakeLists.txt calls a target: as it is written, where that means the same everywhere in it."""
     raw = cmake.source_text(target.word)
     everywhere = target.call.path == cmake.root.path and cmake.root.is_top(target.call.command)
@@ -97,7 +99,7 @@ def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
     places = [f"EXPORT {export}"] if export else []
     places += ["ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin"]
     lines = "".join(f"\n{indent}{place}" for place in places)
-    name = said(cmake, target)
+    name = target_reference(cmake, target)
     return extend_or_add(cmake, fits, name, f"install(TARGETS {name}{lines}\n)", target.call)
 
 
@@ -115,7 +117,7 @@ def extend_or_add(
         command = rule.call.command
         near = rule.call.path in (cmake.root.path, made.path if made else "")
         file = cmake.file(rule.call.path)
-        if near and file.is_top(command) and follows(cmake, command, made) and not rule.call.maybe and fits(rule):
+        if near and file.is_top(command) and runs_after(cmake, command, made) and not rule.call.maybe and fits(rule):
             last = rule.items[-1:]
             written = [argument for argument, words in rule.call.by_argument() if last and words[-1:] == last]
             if written:
@@ -123,7 +125,7 @@ def extend_or_add(
     return add_rule(cmake, lines, made)
 
 
-def follows(cmake: CMake, command: CommandInvocation, made: EvaluatedCommand | None) -> bool:
+def runs_after(cmake: CMake, command: CommandInvocation, made: EvaluatedCommand | None) -> bool:
     """Return whether a command runs after a call."""
     if made is None:
         return True
@@ -134,7 +136,7 @@ def add_rule(cmake: CMake, lines: str, made: EvaluatedCommand | None = None) -> 
     """Put a rule below the last one, else before the tests and ament_package()."""
     root = cmake.root
     last = root.last_install
-    if last is not None and follows(cmake, last, made):
+    if last is not None and runs_after(cmake, last, made):
         return add_after(root, last, f"\n{lines}")
     end = root.end
     return add_at_end(root, lines) if end is None else add_before(root, end, f"{lines}\n")
@@ -145,7 +147,7 @@ def block(file: CMakeFile, kind: str, item: str, destination: str) -> str:
     return f"install({kind} {item}\n{indent}DESTINATION {destination}\n)"
 
 
-def is_bare(rule: InstallRule) -> bool:
+def has_no_filter(rule: InstallRule) -> bool:
     """Return whether a rule for folders copies whole folders, and nothing is said of which files."""
     return not rule.patterns and not rule.permissions and not any(word.text.endswith("/") for word in rule.items)
 

@@ -14,7 +14,7 @@ from ..source import Span
 from .cmake_commands import add_argument
 
 
-def list_interface(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
+def add_interface_file(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
     """Put a file among its like, in order where they are; None where no file of its kind is written out."""
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
@@ -24,15 +24,15 @@ def list_interface(generated: GeneratedInterfaces, interface: InterfaceFile) -> 
         return None
     folder = like[0].target.call.folder
     path = posixpath.relpath(interface.path, folder or ".")
-    return insert(generated.cmake, written, path, sort=bool(of_kind))
+    return insert_word(generated.cmake, written, path, sort=bool(of_kind))
 
 
-def list_need(generated: GeneratedInterfaces, need: UnlistedDependency) -> Edit | None:
+def add_interface_dependency(generated: GeneratedInterfaces, need: UnlistedDependency) -> Edit | None:
     """Put a package among the DEPENDENCIES of a call; None where these are not written out in it."""
     cmake, command = generated.cmake, need.target.call.command
     written = [word for word in need.target.dependencies if is_written(cmake, word)]
     if written:
-        return insert(cmake, written, need.package, sort=True)
+        return insert_word(cmake, written, need.package, sort=True)
     if need.target.dependencies or not command.arguments:
         return None
     file = cmake.file(need.target.call.path)
@@ -49,7 +49,7 @@ def is_written(cmake: CMake, word: Word) -> bool:
     return text.strip('"') == word.text
 
 
-def insert(cmake: CMake, words: Sequence[Word], text: str, *, sort: bool) -> Edit:
+def insert_word(cmake: CMake, words: Sequence[Word], text: str, *, sort: bool) -> Edit:
     """Put a text between words: behind the last that is smaller where they are sorted, else behind all of them."""
     file = cmake.file(words[0].path)
     words = [word for word in words if word.path == file.path]

@@ -8,7 +8,7 @@ from ..source import Span
 from .cmake_commands import remove
 
 
-def link_instead(removed: RemovedCommand, replacement: Replacement) -> tuple[Edit, ...]:
+def use_target_link_libraries(removed: RemovedCommand, replacement: Replacement) -> tuple[Edit, ...]:
     """Return the edits: the name, the packages, and the keyword where the target is linked with keywords."""
     file, command = removed.file, removed.command
     if not any(part.texts for part in replacement.parts):
@@ -20,18 +20,24 @@ def link_instead(removed: RemovedCommand, replacement: Replacement) -> tuple[Edi
     keyword = " PUBLIC" if replacement.signature == "keyword" and not replacement.keyword else ""
     if keyword:
         edits.append(Edit(file.path, Span(first, first), keyword))
-    edits += [edit for part in replacement.parts if (edit := written(removed, part)) is not None]
+    edits += [edit for part in replacement.parts if (edit := link_argument(removed, part)) is not None]
     if replacement.includes:
-        edits.append(Edit(file.path, Span(command.span.end, command.span.end), included(removed, replacement, upper)))
+        edits.append(
+            Edit(
+                file.path,
+                Span(command.span.end, command.span.end),
+                include_directories_command(removed, replacement, upper),
+            )
+        )
     return tuple(edits)
 
 
-def written(removed: RemovedCommand, part: ReplacedArgument) -> Edit | None:
+def link_argument(removed: RemovedCommand, part: ReplacedArgument) -> Edit | None:
     """Return the edit of one argument: its targets, parted as the arguments are; the blanks before it go with it."""
     if part.texts is None:
         return None
     file, span = removed.file, part.argument.span
-    before = leading(removed, span.start)
+    before = blanks_before(removed, span.start)
     if not part.texts:
         return Edit(file.path, Span(span.start - len(before), span.end), "")
     if "\n" in before or len(part.texts) < 3:
@@ -40,7 +46,7 @@ def written(removed: RemovedCommand, part: ReplacedArgument) -> Edit | None:
     return Edit(file.path, Span(span.start - len(before), span.end), lines)
 
 
-def leading(removed: RemovedCommand, at: int) -> str:
+def blanks_before(removed: RemovedCommand, at: int) -> str:
     """Return the blanks before an offset."""
     text = removed.file.source.text
     start = at
@@ -55,7 +61,7 @@ def indent(removed: RemovedCommand) -> str:
     return line[: len(line) - len(line.lstrip())] + "  "
 
 
-def included(removed: RemovedCommand, replacement: Replacement, upper: bool) -> str:
+def include_directories_command(removed: RemovedCommand, replacement: Replacement, upper: bool) -> str:
     """Return a command for the include directories that the targets don't bring."""
     source = removed.file.source
     name = "TARGET_INCLUDE_DIRECTORIES" if upper else "target_include_directories"

@@ -15,16 +15,16 @@ def make_executable(scripts: InstalledScripts, script: BrokenScript) -> tuple[Op
     cmake, copy = scripts.package.cmake, script.copy
     match script.wrong:
         case "files":
-            return as_programs(cmake, scripts, script)
+            return use_programs(cmake, scripts, script)
         case "no shebang":
             return (Edit(copy.source, Span(0, 0), SHEBANG),)
         case "directory":
-            return keeping_permissions(cmake, script)
+            return add_source_permissions(cmake, script)
         case _:
             return (Chmod(copy.source, True),)
 
 
-def as_programs(cmake: CMake, scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
+def use_programs(cmake: CMake, scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
     """Write PROGRAMS where all that the rule installs are scripts."""
     call = script.copy.rule.call
     ours = [copy.source for copy in scripts.copies if copy.rule is script.copy.rule]
@@ -34,7 +34,7 @@ def as_programs(cmake: CMake, scripts: InstalledScripts, script: BrokenScript) -
     return (Edit(call.path, first.span, "PROGRAMS"),) if first.text == "FILES" else ()
 
 
-def keeping_permissions(cmake: CMake, script: BrokenScript) -> tuple[Operation, ...]:
+def add_source_permissions(cmake: CMake, script: BrokenScript) -> tuple[Operation, ...]:
     """Add USE_SOURCE_PERMISSIONS behind the destination."""
     call = script.copy.rule.call
     arguments = call.command.arguments

@@ -85,7 +85,7 @@ def widen_glob(setup: SetupPy, glob: GlobResult, path: str) -> tuple[Edit, ...]:
     return (Edit(setup.path, Span(start, start + len(glob.pattern)), LAUNCH_GLOB),)
 
 
-def drop_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
+def remove_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
     """Take a file out of data_files, with its entry where it is the only one of it."""
     value = setup.value("data_files")
     if file.setup_text.path != setup.path or not isinstance(value, Sequence) or not value.display:

@@ -16,22 +16,22 @@ from .setup_py import add_item, quoted, replace_text
 SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
 
 
-def repair(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
+def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
     """Return the edits that make a malformed entry point what was probably meant; none where that isn't clear."""
     if entry.fault == "joined":
-        return parted(setup, entry)
+        return separate_with_commas(setup, entry)
     if entry.fault == "no-attribute" and "." in entry.module:
         module, _, attribute = entry.module.rpartition(".")
         path = setup.file_of(module)
-        return rewritten(entry, f"{entry.name} = {module}:{attribute}") if path else ()
+        return rewrite_entry_point(entry, f"{entry.name} = {module}:{attribute}") if path else ()
     match = SLASHES.fullmatch(entry.text)
     if match is None:
         return ()
     module = match["module"].strip("/").replace("/", ".")
-    return rewritten(entry, f"{match['name']}{module}:{match['attribute']}") if setup.file_of(module) else ()
+    return rewrite_entry_point(entry, f"{match['name']}{module}:{match['attribute']}") if setup.file_of(module) else ()
 
 
-def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
+def rewrite_entry_point(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
     return (
         replace_text(entry.setup_text, text)
         if not parse_entry_point(entry.group, SetupText("", text, Span(0, 0))).fault
@@ -39,7 +39,7 @@ def rewritten(entry: EntryPoint, text: str) -> tuple[Edit, ...]:
     )
 
 
-def parted(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
+def separate_with_commas(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
     """Put commas between the strings that Python joined, if each of them is an entry point."""
     pieces = strings(setup.source.slice(entry.setup_text.span))
     texts = [setup.source.slice(entry.setup_text.span)[start:end].strip("'\"") for start, end in pieces]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..finding import Edit
 from ..package.manifest import manifest_of
 from ..source import Source
-from .reorder import arrange, canonical_order
+from .reorder import canonical_order, reorder
 
 
 def format_edits(source: Source) -> list[Edit]:
@@ -14,7 +14,7 @@ def format_edits(source: Source) -> list[Edit]:
     Comments and conditions travel with their element. Where text stands between the elements, nothing is moved.
     """
     manifest = manifest_of(source)
-    return arrange(manifest, canonical_order(manifest))
+    return reorder(manifest, canonical_order(manifest))
 
 
 def format_text(text: str, path: str = "package.xml") -> str:

@@ -21,7 +21,7 @@ def escaped(text: str) -> str:
 
 def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit:
     """Put a child element of <package> at its place in the schema's order."""
-    anchor = anchor_for(manifest, tag, name)
+    anchor = previous_child(manifest, tag, name)
     indent = indentation(manifest, anchor)
     if anchor is None:
         return Edit(manifest.path, Span(manifest.root.open.end, manifest.root.open.end), f"\n{indent}{text}")
@@ -43,7 +43,7 @@ def add_export(manifest: Manifest, text: str) -> Edit:
     return Edit(manifest.path, Span(at, at), f"\n{indentation(manifest, export.nodes[0])}{text}")
 
 
-def anchor_for(manifest: Manifest, tag: str, name: str) -> Element | None:
+def previous_child(manifest: Manifest, tag: str, name: str) -> Element | None:
     """Return the child after which a new one belongs; None where it comes first."""
     like = manifest.all(tag)
     smaller = [child for child in like if child.text <= name]

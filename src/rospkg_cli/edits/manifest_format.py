@@ -21,7 +21,7 @@ def to_format_3(manifest: Manifest) -> tuple[Edit, ...]:
     """
     newest = str(max(FORMATS))
     edits = [set_attribute(manifest, manifest.root, "format", newest), *schema_line(manifest, newest)]
-    return (*edits, *(without_run_depend(manifest) if manifest.schema_format == 1 else ()))
+    return (*edits, *(replace_run_depend(manifest) if manifest.schema_format == 1 else ()))
 
 
 def schema_line(manifest: Manifest, format: str) -> tuple[Edit, ...]:
@@ -42,7 +42,7 @@ def add_schema_line(manifest: Manifest, format: int) -> Edit:
     return Edit(manifest.path, Span(end, end), f"\n{model}" if end else f"{model}\n")
 
 
-def without_run_depend(manifest: Manifest) -> tuple[Edit, ...]:
+def replace_run_depend(manifest: Manifest) -> tuple[Edit, ...]:
     """Return the edits that put depend where build_depend stood beside it, else build_export_depend and exec_depend."""
     edits: list[Edit] = []
     builds = {d.key: d for d in manifest.dependencies if d.tag == "build_depend"}

@@ -10,6 +10,6 @@ PLAIN = re.compile(r"[\w.~/](?:[\w.+/:-]*\w)?")
 """Nothing that CMake, XML, YAML, Python or C++ would read as more than a part of a name, a path or a type."""
 
 
-def only_plain(fix: Fix | None, *texts: str) -> Fix | None:
+def only_plain_names(fix: Fix | None, *texts: str) -> Fix | None:
     """Return a fix where all that it writes is plain; None where a text could be read as something else."""
     return fix if all(PLAIN.fullmatch(text) for text in texts) else None

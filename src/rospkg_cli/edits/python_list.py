@@ -27,7 +27,7 @@ def append(source: Source, brackets: Span, items: Sequence[Span], code: str) -> 
         return (Edit(source.path, at, code + source.slice(at)),)
     last = max(inside, key=lambda item: item.end)
     comma = COMMA.match(source.text, last.end)
-    line = f"\n{indent_of(source, last.start)}{code}" if own_line(source, last.start) else f" {code}"
+    line = f"\n{indent_of(source, last.start)}{code}" if begins_line(source, last.start) else f" {code}"
     end = comma.end() if comma else last.end
     rest = LINE_END.match(source.text, end) if line.startswith("\n") else None
     if comma:
@@ -47,7 +47,7 @@ def remove(source: Source, item: Span) -> Edit:
     comma = COMMA.match(text, item.end)
     end = comma.end() if comma else item.end
     rest = LINE_END.match(text, end)
-    if own_line(source, item.start) and rest is not None:
+    if begins_line(source, item.start) and rest is not None:
         start = source.line_span(source.position(item.start)[0]).start
         return Edit(source.path, Span(start, min(rest.end() + 1, len(text))), "")
     if comma:
@@ -58,7 +58,7 @@ def remove(source: Source, item: Span) -> Edit:
     return Edit(source.path, Span(len(before) - 1 if before.endswith(",") else item.start, item.end), "")
 
 
-def own_line(source: Source, at: int) -> bool:
+def begins_line(source: Source, at: int) -> bool:
     """Return whether nothing but blanks stands before an offset in its line."""
     line = source.line_span(source.position(at)[0])
     return not source.text[line.start : at].strip()

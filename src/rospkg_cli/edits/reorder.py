@@ -32,16 +32,16 @@ class Item:
         return self.lead.count("\n") > 1
 
 
-def arrange(manifest: Manifest, key: Callable[[Element], Any]) -> list[Edit]:
+def reorder(manifest: Manifest, key: Callable[[Element], Any]) -> list[Edit]:
     """Return the edits that sort the children by a key, stably; none where they are sorted already.
 
     None either where text or an instruction stands between the children: then nobody knows what it belongs to.
     """
     items = items_of(manifest)
     order = sorted(items, key=lambda item: key(item.element))
-    if all(old is new for old, new in zip(items, order, strict=True)) or any(stray(item.lead) for item in items):
+    if all(old is new for old, new in zip(items, order, strict=True)) or any(has_content(item.lead) for item in items):
         return []
-    leads = spread(items, order)
+    leads = assign_leads(items, order)
     changed = [i for i, item in enumerate(items) if item is not order[i] or item.lead != leads[i]]
     first, last = changed[0], changed[-1]
     span = Span(items[first].span.start - len(items[first].lead), items[last].span.end)
@@ -94,8 +94,8 @@ def items_of(manifest: Manifest) -> list[Item]:
         element = nodes[index]
         assert isinstance(element, Element)
         index += 1
-        span = Span(leading(text, nodes[start:index]), element.span.end)
-        while index < len(nodes) and in_line_behind(text, span.end, nodes[index]):
+        span = Span(lead_start(text, nodes[start:index]), element.span.end)
+        while index < len(nodes) and trailing_comment(text, span.end, nodes[index]):
             span = Span(span.start, nodes[index].span.end)
             index += 1
         items.append(Item(element, span, text[end : span.start]))
@@ -103,11 +103,11 @@ def items_of(manifest: Manifest) -> list[Item]:
     return items
 
 
-def in_line_behind(text: str, end: int, node: Element | XmlComment) -> bool:
+def trailing_comment(text: str, end: int, node: Element | XmlComment) -> bool:
     return isinstance(node, XmlComment) and "\n" not in text[end : node.span.start]
 
 
-def leading(text: str, nodes: Sequence[Element | XmlComment]) -> int:
+def lead_start(text: str, nodes: Sequence[Element | XmlComment]) -> int:
     """Return where an item begins: at the first of the comments that stand right above its element."""
     start = nodes[-1].span.start
     for comment in reversed(nodes[:-1]):
@@ -117,7 +117,7 @@ def leading(text: str, nodes: Sequence[Element | XmlComment]) -> int:
     return start
 
 
-def stray(lead: str) -> bool:
+def has_content(lead: str) -> bool:
     """Return whether something but blanks and comments stands there."""
     while "<!--" in lead:
         before, _, rest = lead.partition("<!--")
@@ -125,7 +125,7 @@ def stray(lead: str) -> bool:
     return bool(lead.strip(" \t\r\n"))
 
 
-def spread(items: Sequence[Item], order: Sequence[Item]) -> list[str]:
+def assign_leads(items: Sequence[Item], order: Sequence[Item]) -> list[str]:
     """Return what stands before each item of the new order: those of the old one, each of them once."""
     leads = {item: item.lead for item in order}
 
@@ -139,7 +139,7 @@ def spread(items: Sequence[Item], order: Sequence[Item]) -> list[str]:
     swap(order[0], at_top)
     before = dict(zip(items[1:], items, strict=False))
     fresh = {b for a, b in pairwise(order) if before.get(b) is not a}
-    tidy(order, fresh, leads, swap)
+    tidy_paragraphs(order, fresh, leads, swap)
     line = next((lead for lead in leads.values() if lead.count("\n") == 1 and not lead.strip()), "\n  ")
     kept = {item for item in order if "\n" in leads[item] or ("\n" not in item.lead and item not in fresh)}
     return [leads[item] if item in kept else line for item in order]
@@ -155,7 +155,9 @@ def paragraphs(items: Sequence[Item]) -> list[list[Item]]:
     return found
 
 
-def tidy(order: Sequence[Item], fresh: set[Item], leads: dict[Item, str], swap: Callable[[Item, Item], None]) -> None:
+def tidy_paragraphs(
+    order: Sequence[Item], fresh: set[Item], leads: dict[Item, str], swap: Callable[[Item, Item], None]
+) -> None:
     """Within what came together (`fresh`): a heading before the first of a tag, blank lines where the tag changes."""
     firsts = {b for a, b in pairwise(order) if a.element.tag != b.element.tag}
     first = order[0]
@@ -164,11 +166,11 @@ def tidy(order: Sequence[Item], fresh: set[Item], leads: dict[Item, str], swap: 
         if item in fresh and first in fresh and leads[item].strip() and not leads[first].strip():
             swap(first, item)
     loose = [item for item in order if item in fresh and item.element.tag in DEPENDENCY_TAGS]
-    inside = [item for item in loose if item not in firsts and opens(leads[item])]
+    inside = [item for item in loose if item not in firsts and opens_paragraph(leads[item])]
     edges = [item for item in loose if item in firsts and leads[item].count("\n") == 1 and not leads[item].strip()]
     for item, edge in zip(inside, edges, strict=False):
         swap(item, edge)
 
 
-def opens(lead: str) -> bool:
+def opens_paragraph(lead: str) -> bool:
     return lead.count("\n") > 1 and not lead.strip()

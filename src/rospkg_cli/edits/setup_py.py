@@ -115,7 +115,7 @@ def add_package(setup: SetupPy, name: str) -> tuple[Edit, ...]:
     return add_item(setup, value, quoted(setup, name)) if isinstance(value, Sequence) else ()
 
 
-def drop_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:
+def remove_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:
     """Take a text out of a list that is written out in setup.py."""
     value = setup.value(argument)
     if said.path != setup.path or not isinstance(value, Sequence) or not value.display:

@@ -20,7 +20,7 @@ TABLE = re.compile(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
 STRING = r"""(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
 
 
-def entry(text: str, keys: Sequence[str]) -> tuple[Span, Span] | None:
+def find_entry(text: str, keys: Sequence[str]) -> tuple[Span, Span] | None:
     """Return the spans of a key whose value is a one-line string, and of what to delete so that it is gone.
 
     `keys` leads to it from the top: ("tool", "rospkg", "ignore", "XML104"). None where it isn't there or its form is
@@ -34,8 +34,8 @@ def entry(text: str, keys: Sequence[str]) -> tuple[Span, Span] | None:
         return None
     wanted = deepcopy(data)
     del value_at(wanted, keys[:-1])[keys[-1]]
-    for key, whole in candidates(text, keys[-1]):
-        if pruned(parsed(text[: whole.start] + text[whole.end :])) == pruned(wanted):
+    for key, whole in candidate_entries(text, keys[-1]):
+        if without_empty_tables(parse_toml(text[: whole.start] + text[whole.end :])) == without_empty_tables(wanted):
             return key, whole
     return None
 
@@ -46,7 +46,7 @@ def value_at(data: Any, keys: Sequence[str]) -> Any:
     return data
 
 
-def candidates(text: str, key: str) -> Iterator[tuple[Span, Span]]:
+def candidate_entries(text: str, key: str) -> Iterator[tuple[Span, Span]]:
     """Yield each `key = "…"`, with the line it stands in alone, or with one of the commas beside it."""
     name = re.escape(key)
     for match in re.finditer(rf"(?:(?<=[\s{{,.])|^)(?:{name}|\"{name}\"|'{name}')[ \t]*=[ \t]*{STRING}", text):
@@ -63,14 +63,14 @@ def candidates(text: str, key: str) -> Iterator[tuple[Span, Span]]:
         yield span, Span(comma.start() if comma else match.start(), match.end())
 
 
-def pruned(data: Any) -> Any:
+def without_empty_tables(data: Any) -> Any:
     """Return the data without empty tables: a dotted key takes its table along."""
     if not isinstance(data, dict):
         return data
-    return {key: value for key, value in ((k, pruned(v)) for k, v in data.items()) if value != {}}
+    return {key: value for key, value in ((k, without_empty_tables(v)) for k, v in data.items()) if value != {}}
 
 
-def parsed(text: str) -> Any:
+def parse_toml(text: str) -> Any:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError:

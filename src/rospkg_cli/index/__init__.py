@@ -1,6 +1,6 @@
 """The index of names: fetched from rosdistro, kept in the user's cache, read by whoever asks what a name stands for."""
 
-from ..sentence import sentence
+from ..sentence import single_line
 
 
 class NamesError(Exception):
@@ -8,4 +8,4 @@ class NamesError(Exception):
 
     def __str__(self) -> str:
         """The sentence on one line, whatever of a stranger's file it quotes."""
-        return sentence(super().__str__())
+        return single_line(super().__str__())

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..files import Reading, each
+from ..files import ReaderInput, read_each
 from ..source import Source, Span
 from .manifest import Manifest
 
@@ -60,10 +60,10 @@ def number_of(version: str) -> Number:
     return tuple(int(part[:MAX_DIGITS]) for part in version.split("."))
 
 
-def read_changelog(reading: Reading) -> Iterator[Changelog]:
+def read_changelog(reading: ReaderInput) -> Iterator[Changelog]:
     """Read the changelog; one that is no text is passed over, as no build reads it."""
     paths = [CHANGELOG] if reading.files.exists(CHANGELOG) else []
-    return (read for read in each(reading.files, paths, changelog_of) if isinstance(read, Changelog))
+    return (read for read in read_each(reading.files, paths, changelog_of) if isinstance(read, Changelog))
 
 
 def changelog_of(source: Source) -> Changelog:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import PurePosixPath
 from typing import get_args
 
-from ..files import Reading
+from ..files import ReaderInput
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, registered_components
 from .dependency_facts import dependencies, group_dependencies, groups
@@ -23,7 +23,7 @@ from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
 
 
-def collect_facts(reading: Reading, targets: Targets, folder: str, fallback: str) -> PackageFacts:
+def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback: str) -> PackageFacts:
     """Return a package's facts; `fallback` is its name where package.xml can't be read."""
     manifest = reading.parts(Manifest).only
     if manifest is None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ..files import Reading
+from ..files import ReaderInput
 from ..languages.rep149_condition import may_hold
 from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
 from ..ros.distros import Targets
@@ -164,7 +164,7 @@ class Manifest:
         return found[-1].text if found else "catkin"
 
 
-def read_manifest(reading: Reading) -> Iterator[Manifest]:
+def read_manifest(reading: ReaderInput) -> Iterator[Manifest]:
     """Read package.xml; raises UnreadableError where it is not well formed, or is about something else."""
     if reading.files.exists("package.xml"):
         yield manifest_of(reading.files.source("package.xml"))

@@ -6,7 +6,7 @@ import traceback
 from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
-from ..files import PackageFiles, Parts
+from ..files import PackageFiles, ReadModels
 from ..source import Span
 from ..unreadable import Unreadable, UnreadableError
 from .readers import READERS
@@ -19,7 +19,7 @@ class Package:
     files: PackageFiles
 
     def __post_init__(self) -> None:
-        self._parts: dict[type, Parts[Any]] = {}
+        self._parts: dict[type, ReadModels[Any]] = {}
         self.crashes: dict[str, str] = {}
         """The traceback of each reader that raised, by the name of its model."""
 
@@ -27,13 +27,13 @@ class Package:
     def folder(self) -> str:
         return self.files.folder
 
-    def parts(self, kind: type[T]) -> Parts[T]:
+    def parts(self, kind: type[T]) -> ReadModels[T]:
         """Return all models of a kind, and the files of that kind that can't be read."""
         if kind not in self._parts:
             self._parts[kind] = self._read(kind)
-        return cast(Parts[T], self._parts[kind])
+        return cast(ReadModels[T], self._parts[kind])
 
-    def _read(self, kind: type[T]) -> Parts[T]:
+    def _read(self, kind: type[T]) -> ReadModels[T]:
         good: list[T] = []
         broken: list[Unreadable] = []
         try:
@@ -46,14 +46,14 @@ class Package:
             broken.append(error.unreadable)
         except Exception:  # a fault of ours in one reader leaves the package's other models as they are
             self.crashes[kind.__name__] = traceback.format_exc()
-            return Parts((), (Unreadable("package.xml", Span(0, 0), f"the reader of {kind.__name__} failed"),))
-        return Parts(tuple(good), tuple(broken))
+            return ReadModels((), (Unreadable("package.xml", Span(0, 0), f"the reader of {kind.__name__} failed"),))
+        return ReadModels(tuple(good), tuple(broken))
 
     def unreadable(self) -> list[Unreadable]:
         """Read everything, and return what can't be read: once a file, the first complaint of each."""
         found: dict[str, Unreadable] = {}
         for kind in READERS:
-            parts: Parts[Any] = self.parts(kind)
+            parts: ReadModels[Any] = self.parts(kind)
             for each in parts.broken if kind.__name__ not in self.crashes else ():
                 found.setdefault(each.path, each)
         return [found[path] for path in sorted(found)]

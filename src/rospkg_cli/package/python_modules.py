@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ..files import PackageFiles, Reading
+from ..files import PackageFiles, ReaderInput
 from ..languages.python.file import PythonFile, parse_python
 from ..unreadable import Unreadable, UnreadableError
 from .install_table import InstallTable
@@ -32,11 +32,11 @@ class Modules:
         return found if isinstance(found, PythonFile) else None
 
 
-def read_modules(reading: Reading) -> Iterator[Modules]:
+def read_modules(reading: ReaderInput) -> Iterator[Modules]:
     yield Modules(reading.files)
 
 
-def read_installed_modules(reading: Reading) -> Iterator[PythonFile | Unreadable]:
+def read_installed_modules(reading: ReaderInput) -> Iterator[PythonFile | Unreadable]:
     """Read every module and script that is installed: one that can't be parsed is a fault that shows at run time."""
     setup, modules = reading.parts(SetupPy).only, reading.parts(Modules).only
     table = reading.parts(InstallTable).only

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import NamedTuple
 
-from ..files import Reading
+from ..files import ReaderInput
 from .cmake.build import is_built_with_cmake
 from .cmake.cmake_install_table import cmake_table
 from .cmake.cmake_project import CMake
@@ -18,7 +18,7 @@ from .setup.python_install_table import python_table
 from .setup.setup_py import SetupPy
 
 
-def read_install_table(reading: Reading) -> Iterator[InstallTable]:
+def read_install_table(reading: ReaderInput) -> Iterator[InstallTable]:
     """Yield the install table; none where nothing that is understood installs the package."""
     manifest, setup = reading.parts(Manifest).only, reading.parts(SetupPy).only
     if manifest is None or not manifest.name:
@@ -40,7 +40,7 @@ class InstalledFacts(NamedTuple):
     unknown: frozenset[UnknownField] = frozenset({"executables", "share_files", "modules"})
 
 
-def installed_facts(reading: Reading, name: str) -> InstalledFacts:
+def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
     table = reading.parts(InstallTable).only
     if table is None:
         return InstalledFacts()
@@ -59,13 +59,13 @@ def installed_facts(reading: Reading, name: str) -> InstalledFacts:
     )
 
 
-def forgotten(reading: Reading) -> frozenset[str]:
+def forgotten(reading: ReaderInput) -> frozenset[str]:
     """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
     found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
     return frozenset(each.target.name for each in found if each.target.is_executable)
 
 
-def has_malformed(reading: Reading) -> bool:
+def has_malformed(reading: ReaderInput) -> bool:
     """Return whether an entry point is written in a way that leaves open what its executable is called."""
     setup = reading.parts(SetupPy).only
     return setup is not None and any(each.script and each.fault for each in setup.entry_points)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from ..files import Reading
+from ..files import ReaderInput
 from ..languages.cmake.file import CMakeFile
 from ..languages.cpp.file import CppFile
 from ..languages.cpp.read import read_cpp_files
@@ -34,7 +34,7 @@ from .setup.setup_py import SetupPy
 from .urdf.reader import read_robot_files
 from .urdf.robot_file import RobotFile
 
-READERS: dict[type, Callable[[Reading], Iterable[Any | Unreadable]]] = {
+READERS: dict[type, Callable[[ReaderInput], Iterable[Any | Unreadable]]] = {
     Manifest: read_manifest,
     Changelog: read_changelog,
     SetupCfg: read_setup_cfg,

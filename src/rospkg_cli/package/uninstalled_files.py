@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ..files import Reading
+from ..files import ReaderInput
 from ..languages.cmake.evaluated_command import EvaluatedCommand
 from ..languages.cmake.values import UNKNOWN
 from ..ros.share_layout import FOLDERS
@@ -17,7 +17,7 @@ RUNS = frozenset({"execute_process", "add_custom_command", "add_custom_target"})
 CODE = (".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".cxx", ".cmake", ".in", ".txt", ".so", ".a")
 
 
-def uninstalled_files(reading: Reading) -> frozenset[str]:
+def uninstalled_files(reading: ReaderInput) -> frozenset[str]:
     """Return the files in the folders for run time that nothing installs."""
     table = reading.parts(InstallTable).only
     if table is None:
@@ -27,7 +27,7 @@ def uninstalled_files(reading: Reading) -> frozenset[str]:
     return frozenset(path for path in found if path not in sources)
 
 
-def made_files(reading: Reading) -> frozenset[str]:
+def made_files(reading: ReaderInput) -> frozenset[str]:
     """Return the names of the files that CMake writes, and of those that it installs and that are not here.
 
     `*` stands for what of a name can't be told, and for all that a folder may hold.

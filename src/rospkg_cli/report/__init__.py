@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
-from ..control_characters import no_command, visible
+from ..control_characters import visible, without_workflow_commands
 from ..engine.run.session import Results
 from ..finding import Finding, Severity
 from .printable import printable
@@ -39,7 +39,7 @@ class Report:
     def path(self, path: str) -> str:
         """Return a finding's path as the user should see it, with `/`."""
         found = Path(os.path.relpath(self.root / path, self.cwd)).as_posix()
-        return found if self.exact else no_command(visible(found))
+        return found if self.exact else without_workflow_commands(visible(found))
 
     def count(self, severity: Severity) -> int:
         return sum(finding.severity is severity for finding in self.results.findings)

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from typing import IO, Any
 
 from .. import __version__
-from ..control_characters import no_command, visible
+from ..control_characters import visible, without_workflow_commands
 from ..package.inspection import Inspection
 from ..package.install_table import PYTHON, InstalledFile, InstallKind
 from .color import paint
@@ -43,7 +43,7 @@ def render_text(inspections: Sequence[Inspection], root: str, stream: IO[str], c
         title = f"{paint(visible(inspection.name), 'bold', color)} ({kind})"
         stream.write("\n" * bool(number))
         for line in (title, *lines(inspection, color)):
-            stream.write(no_command(line.rstrip()) + "\n")
+            stream.write(without_workflow_commands(line.rstrip()) + "\n")
 
 
 def lines(inspection: Inspection, color: bool) -> Iterator[str]:

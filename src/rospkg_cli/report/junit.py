@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import IO
 from xml.sax.saxutils import escape, quoteattr
 
-from ..control_characters import no_command, visible_lines
+from ..control_characters import visible_lines, without_workflow_commands
 from ..finding import Finding, Severity
 from . import Report
 from .dump import is_unicode
@@ -56,7 +56,7 @@ def suite(report: Report, package: str, findings: list[Finding]) -> list[str]:
 
 def text(value: str) -> str:
     """Escape; what XML can't hold is shown."""
-    return escape(no_command(visible_lines(value)), {"\r": "&#13;"})
+    return escape(without_workflow_commands(visible_lines(value)), {"\r": "&#13;"})
 
 
 def attribute(value: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from typing import IO
 
-from ..control_characters import no_command, visible_lines
+from ..control_characters import visible_lines, without_workflow_commands
 from ..finding import Finding, Safety, Severity
 from .color import SEVERITY_COLORS, paint
 
@@ -39,7 +39,7 @@ def wrapped(text: str, width: int) -> list[str]:
     lines = textwrap.wrap(
         text, width, initial_indent="  ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
     )
-    return [no_command(line) for line in lines]
+    return [without_workflow_commands(line) for line in lines]
 
 
 def excerpt(report: Report, finding: Finding) -> list[str]:

@@ -1,6 +1,6 @@
 """Writing packages: from what was asked for to files that are right."""
 
-from ..sentence import sentence
+from ..sentence import single_line
 
 
 class ScaffoldError(Exception):
@@ -8,7 +8,7 @@ class ScaffoldError(Exception):
 
     def __str__(self) -> str:
         """The sentence on one line, whatever it quotes."""
-        return sentence(super().__str__())
+        return single_line(super().__str__())
 
 
 class OwnFaultError(Exception):

@@ -14,7 +14,7 @@ from ...ros.aliases import key_for_pip
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
 from ...ros.names import Known
 from ...ros.read_table import rows
-from ...suggest import near
+from ...suggest import near_names
 
 MAX_DEPTH = 20
 
@@ -73,7 +73,7 @@ class DeclaredDependencies:
         """
         if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
             return True
-        return name in self.keys_of_pip_names or bool(self.unknown_names and near(name, self.unknown_names))
+        return name in self.keys_of_pip_names or bool(self.unknown_names and near_names(name, self.unknown_names))
 
     @cached_property
     def in_unknown_tags(self) -> frozenset[str]:

@@ -10,7 +10,7 @@ from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Targets
 from ...ros.imports import STANDARD
-from ...suggest import near
+from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableName, lacking_distros
 
@@ -130,7 +130,7 @@ class DependencyNames:
 
     def misspelt(self, name: str) -> str | None:
         """Return the only package of all distributions that is one letter away."""
-        found = near(name, self.core_names, 1) if len(name) >= MIN_LETTERS else []
+        found = near_names(name, self.core_names, 1) if len(name) >= MIN_LETTERS else []
         return found[0] if len(found) == 1 else None
 
     @cached_property

@@ -11,7 +11,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.interfaces import FOREIGN_TYPES
-from ...suggest import near, nearest
+from ...suggest import near_names, nearest
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def core_suggestion(package: str, name: str) -> str | None:
         return None
     alike = [each for each in known if each.lower() == name.lower()]
     if not alike and not re.search("[0-9]", name):
-        alike = near(name, known, 1)
+        alike = near_names(name, known, 1)
     if len(alike) == 1:
         return f"{package}/{alike[0]}"
     other = core_package_of(name, package)

@@ -14,7 +14,7 @@ from ...package.package_facts import PackageFacts
 from ...package.params.declared import DeclaredParameter
 from ...package.params.file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
-from ...suggest import near
+from ...suggest import near_names
 
 WILD = ("*", "**")
 MAX_DEPTH = 5
@@ -142,4 +142,4 @@ def last(block: NodeBlock) -> str:
 
 def is_near(key: str, name: str) -> bool:
     short, long = sorted((key, name), key=len)
-    return long in (f"{short}_node", f"{short}node") or bool(near(key, [name], 1))
+    return long in (f"{short}_node", f"{short}node") or bool(near_names(key, [name], 1))

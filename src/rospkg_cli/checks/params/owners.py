@@ -17,7 +17,7 @@ from ...package.params.index import ParameterIndex
 from ...package.params.value import type_of
 from ...package.workspace import Workspace
 from ...source import Span
-from ...suggest import near, nearest
+from ...suggest import near_names, nearest
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -51,7 +51,7 @@ class Group:
                 before, _, last = parameter.name.rpartition(".")
                 prefix = f"{before}." if before else ""
                 free = {name for name in self.last_names if prefix + name not in given and self.fitting(prefix + name)}
-                found = near(last, free)
+                found = near_names(last, free)
                 if len(found) == 1:
                     yield parameter, prefix + found[0]
 

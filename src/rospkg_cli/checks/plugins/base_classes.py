@@ -14,7 +14,7 @@ from ...package.plugins.description import DescriptionExport, PluginClass, Plugi
 from ...package.plugins.loaders import PluginLoader, PluginLoaders
 from ...package.workspace import Workspace
 from ...ros.names import Known
-from ...suggest import near, nearest
+from ...suggest import near_names, nearest
 from .plugin_package import PluginPackage, spaceless
 
 
@@ -116,5 +116,5 @@ def misspelt(base: str, known: set[str]) -> str | None:
     """Return the one class of the same namespace whose name differs by a slip; what is new there is left alone."""
     space, _, name = base.rpartition("::")
     names = [each.rpartition("::")[2] for each in known if each.rpartition("::")[0] == space]
-    found = near(name, names)
+    found = near_names(name, names)
     return f"{space}::{found[0]}" if len(found) == 1 else None

@@ -10,7 +10,7 @@ from functools import cached_property
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import Known
-from ...suggest import near
+from ...suggest import near_names
 from .exported_classes import tail
 
 SEPARATOR = re.compile(r"/|::")
@@ -73,7 +73,7 @@ class PluginReferences:
         """Return the plug-in of a package with the same class, or with nearly that name; None where there are more."""
         alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
         if not alike:
-            nearby = near(tail(name), [tail(each.name) for each in owner.plugins])
+            nearby = near_names(tail(name), [tail(each.name) for each in owner.plugins])
             alike = [each for each in owner.plugins if tail(each.name) in nearby]
         return alike[0] if len(alike) == 1 else None
 

@@ -9,7 +9,7 @@ from pathlib import Path, PurePosixPath
 
 from ...config.file import find_config
 from ...control_characters import visible
-from ...current_folder import absolute, here
+from ...current_folder import absolute, current_folder
 from ...disk import DiskTree
 from ...edits.format_manifest import format_edits
 from ...engine.discovery.locate import locate
@@ -73,4 +73,4 @@ def common_folder(paths: Sequence[Path]) -> Path:
 
 def relative(path: Path) -> str:
     """Return a path as the user would type it from here."""
-    return Path(os.path.relpath(path, here())).as_posix()
+    return Path(os.path.relpath(path, current_folder())).as_posix()

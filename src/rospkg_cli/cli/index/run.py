@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ...config.file import own_config
+from ...config.file import user_config
 from ...control_characters import visible
 from ...index.cache import cache_file, cache_index, cached_index
 from ...index.file_url import index_url
@@ -30,7 +30,7 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
     for name in distros:
         if fault := fault_of_name(name):
             raise UsageError(fault)
-    own = own_config().index
+    own = user_config().index
     place = index_url(source, os.environ, own.get("source", ""))
     path = cache_file(os.environ)
     with progress(not quiet) as say:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import IO
 
 from ...config.file import find_config
-from ...current_folder import here as stands
+from ...current_folder import current_folder as stands
 from ...disk import DiskTree
 from ...engine.discovery.locate import locate
 from ...files import PackageFiles

@@ -1,21 +1,19 @@
-"""`rospkg lint`: locate, run, judge, fix, report."""
+"""`rospkg lint`: find the packages, run the rules, fix, report."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
-from ...config.file import Config, find_config
-from ...current_folder import absolute, here
-from ...engine.baseline import apply_baseline, read_baseline, write_baseline
-from ...engine.config_filter import ConfigFilter
+from ...config.file import find_config
+from ...current_folder import absolute, current_folder
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix import FixResults, fix_all
 from ...engine.fixing.remove_leftovers import remove_leftovers
-from ...engine.fixing.write import write_changes, write_text
+from ...engine.fixing.write import write_changes
 from ...engine.run.session import Results, Session
 from ...fence import Fence
 from ...finding import Safety, Severity
@@ -26,8 +24,10 @@ from ..index.age import warn_of_age
 from ..progress import progress
 from ..streams import say
 from .add_ignores import add_ignores
-from .print_report import print_report
-from .session import LintOptions, make_session, outputs
+from .lint_options import FixOptions, LintOptions
+from .print_report import print_report, report_files
+from .result_filter import save_baseline
+from .session import make_session
 
 
 def lint(options: LintOptions) -> int:
@@ -40,34 +40,32 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
 
     Raises UsageError, ConfigError, LocateError, PluginError, BaselineError and WriteError, each with one sentence.
     """
-    files = outputs(options)
+    shown, fixing, suppression = options.report, options.fixing, options.suppression
+    files = report_files(shown.output)
     paths = options.paths or (Path(),)
     config = find_config(nearest_folder(paths))
     located = locate(paths, options.workspace, config)
-    session = make_session(options, config, located)
-    session.judge = result_filter(options, config, located)
-    outcome = run(options, session, located)
+    with progress(not shown.quiet) as show_progress:
+        session = make_session(options, config, located, show_progress)
+        found = run_session(session, fixing) if located.scope.given else nothing_found(session, options, located)
+    for finding, why in found.refused:
+        say(f"the fix of {finding.code} in {finding.place.path} was reverted: {why}")
+    fixed = 0 if fixing.diff else len(found.applied)
     report = Report(
-        outcome.results,
-        located.root,
-        here(),
-        wants_color(options.color, stream),
-        options.verbose,
-        0 if options.diff else len(outcome.applied),
+        found.results, located.root, current_folder(), wants_color(shown.color, stream), shown.verbose, fixed
     )
-    if options.diff:
-        stream.writelines(unified(session.tree, outcome.changes))
-    elif options.fix:
-        remove_leftovers(located.root / folder for folder in located.scope.given)
-        write_changes(located.root, session.tree, outcome.changes, Fence(located.root, located.scope.folders))
-    checked = bool(located.scope.given)
-    if options.write_baseline and checked:
-        return save_baseline(options.write_baseline, report)
-    if options.add_ignores is not None and checked:
-        return add_ignores(options.add_ignores, session, report)
-    print_report(options, report, files, stream)
-    warn_of_age(session.scope.index, outcome.results.findings)
-    return exit_status(options, config, report, outcome)
+    if fixing.diff:
+        stream.writelines(unified(session.tree, found.changes))
+    elif fixing.fix:
+        write_fixes(session, found, located)
+    if suppression.write_baseline and located.scope.given:
+        return save_baseline(suppression.write_baseline, report)
+    if suppression.add_ignores is not None and located.scope.given:
+        return add_ignores(suppression.add_ignores, session, report)
+    print_report(shown, report, files, sys.stderr if fixing.diff else stream)
+    warn_of_age(session.scope.index, found.results.findings)
+    changed = bool(found.changes) and (fixing.diff or fixing.exit_non_zero_on_fix)
+    return exit_status(found.results, Severity(options.fail_on or config.fail_on), changed)
 
 
 def nearest_folder(paths: Sequence[Path]) -> Path:
@@ -75,50 +73,29 @@ def nearest_folder(paths: Sequence[Path]) -> Path:
     return common if common.is_dir() else common.parent
 
 
-def result_filter(options: LintOptions, config: Config, located: Located) -> Callable[[Session, Results], Results]:
-    """Return what sets findings aside: the config, then the baseline."""
-    judge = ConfigFilter(config, located.root, located.scope.given == frozenset(located.scope.folders))
-    if options.baseline is None:
-        return judge
-    known, shown = read_baseline(options.baseline), relative_to(options.baseline, located.root)
-    return lambda session, results: apply_baseline(judge(session, results), known, shown)
+def run_session(session: Session, options: FixOptions) -> FixResults:
+    """Lint, and fix in memory where that is asked for."""
+    if not (options.fix or options.diff):
+        return FixResults(session.run())
+    return fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
 
 
-def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
-    folder = absolute(baseline).parent
-    return lambda path: Path(os.path.relpath(root / path, folder)).as_posix()
+def nothing_found(session: Session, options: LintOptions, located: Located) -> FixResults:
+    """Return the results where there is no package to lint."""
+    shown = [str(path) for path in options.paths or (Path(),)]
+    return FixResults(Results() if options.allow_empty else session.no_packages(shown, located.hidden))
 
 
-def run(options: LintOptions, session: Session, located: Located) -> FixResults:
-    if not located.scope.given:
-        shown = [str(path) for path in options.paths or (Path(),)]
-        return FixResults(Results() if options.allow_empty else session.nothing(shown, located.hidden))
-    with progress(not options.quiet) as session.phase:
-        if not (options.fix or options.diff):
-            return FixResults(session.run())
-        outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
-    for finding, why in outcome.refused:
-        say(f"the fix of {finding.code} in {finding.place.path} was taken back: {why}")
-    return outcome
+def write_fixes(session: Session, found: FixResults, located: Located) -> None:
+    """Write what was fixed; raises WriteError."""
+    remove_leftovers(located.root / folder for folder in located.scope.given)
+    write_changes(located.root, session.tree, found.changes, Fence(located.root, located.scope.folders))
 
 
-def save_baseline(path: Path, report: Report) -> int:
-    """Write the baseline; return the exit status."""
-    findings = report.results.findings
-    write_text(path, write_baseline(findings, relative_to(path, report.root)))
-    say(f"{len(findings)} findings are in `{path}`; lint with --baseline {path}")
-    return 0
-
-
-def exit_status(options: LintOptions, config: Config, report: Report, outcome: FixResults) -> int:
-    """Return 3 after a fault of ours, 2 where nothing was checked, 1 where findings remain or a fix says so, else 0."""
-    results = report.results
-    codes = {finding.code for finding in results.findings}
+def exit_status(results: Results, fail_on: Severity, changed: bool) -> int:
+    """Return 3 after an internal error, 2 where nothing was checked, 1 for findings or changes that fail, else 0."""
     if results.crashes:
         return 3
-    if "RPK006" in codes:
+    if any(finding.code == "RPK006" for finding in results.findings):
         return 2
-    least = Severity(options.fail_on or config.fail_on).rank
-    failing = any(finding.severity.rank >= least for finding in results.findings)
-    changed = bool(outcome.changes) and (options.diff or options.exit_non_zero_on_fix)
-    return 1 if failing or changed else 0
+    return 1 if changed or any(finding.severity.rank >= fail_on.rank for finding in results.findings) else 0

@@ -6,8 +6,8 @@ import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from ...config.file import find_config, own_config
-from ...control_characters import no_command, visible, visible_lines
+from ...config.file import find_config, user_config
+from ...control_characters import visible, visible_lines, without_workflow_commands
 from ...finding import Finding
 from ...report.color import paint, wants_color
 from ...scaffold import ScaffoldError
@@ -68,7 +68,7 @@ def new(
 
 def defaults(into: Path) -> Mapping[str, str]:
     """Return what the config of the place says under `new`, and the user's own config where that says nothing."""
-    return {**own_config().new, **find_config(into).new}
+    return {**user_config().new, **find_config(into).new}
 
 
 def finding_text(finding: Finding) -> str:
@@ -102,7 +102,7 @@ def command_lines(plan: Plan, into: Path, color: bool) -> Iterable[str]:
 def file_lines(plan: Plan, color: bool) -> Iterable[str]:
     line = "──" if can_encode(sys.stdout, LINES) else "--"
     for file in plan.files:
-        text = no_command(visible_lines(file.entry.text.text))
+        text = without_workflow_commands(visible_lines(file.entry.text.text))
         yield paint(f"\n{line} {plan.answers.name}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)
         if text:
             yield text.removesuffix("\n")

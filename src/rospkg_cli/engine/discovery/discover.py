@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from ...fence import is_within
-from ...leftovers import is_left_out, is_no_source
+from ...leftovers import is_build_output, is_never_source
 from ...tree import Tree
 
 REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
@@ -47,14 +47,14 @@ def crawl(root: Path, found: dict[str, Path], given: bool, marked: bool) -> Iter
         folder = waiting.pop()
         try:
             with os.scandir(folder) as listing:
-                entries = {entry.name: entry for entry in listing if not is_no_source(entry.name)}
+                entries = {entry.name: entry for entry in listing if not is_never_source(entry.name)}
         except OSError:
             continue
         if not (marked or (given and folder == root)) and not entries.keys().isdisjoint(IGNORE_MARKERS):
             continue
         if "package.xml" in entries and is_there(entries["package.xml"]):
             found.setdefault(os.path.realpath(folder), folder)
-        elif folder == root or not is_left_out(folder.name, entries.keys()):
+        elif folder == root or not is_build_output(folder.name, entries.keys()):
             waiting += [Path(each.path) for each in entries.values() if each.is_dir(follow_symlinks=False)]
             yield from sorted(Path(each.path) for each in entries.values() if each.is_symlink() and is_folder(each))
 

@@ -9,7 +9,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from ...config.file import Config
-from ...current_folder import absolute, here
+from ...current_folder import absolute, current_folder
 from ...fence import is_shared
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
@@ -46,7 +46,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
     others = packages_below(around) if around else siblings(kept)
     every = sorted(each_once([*kept, *(p for p in others if not is_excluded(p, exclude))]))
     anchors = [*every, *([around] if around else []), *([config.folder] if config.path else [])]
-    root = Path(os.path.commonpath(anchors)) if every else here()
+    root = Path(os.path.commonpath(anchors)) if every else current_folder()
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
         given=frozenset(relative(p, root) for p in kept),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.cmake.file import ROOT
 from ...ros.distros import Targets
 from ..manifest import Manifest
@@ -11,7 +11,7 @@ BUILDS_WITHOUT = frozenset({"ament_python"})
 """Build types under which nobody reads a CMakeLists.txt."""
 
 
-def is_built_with_cmake(reading: Reading) -> bool:
+def is_built_with_cmake(reading: ReaderInput) -> bool:
     """Return whether the build reads a CMakeLists.txt of the package."""
     if not reading.files.exists(ROOT):
         return False

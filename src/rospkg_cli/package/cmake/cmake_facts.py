@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ...files import Reading
+from ...files import ReaderInput
 from .build import is_built_with_cmake
 from .cmake_project import CMake
 
 
-def registered_components(reading: Reading) -> tuple[frozenset[str], bool]:
+def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     """Return the class names of the components of a package, and whether these are all."""
     if not is_built_with_cmake(reading):
         return frozenset(), True
@@ -19,7 +19,7 @@ def registered_components(reading: Reading) -> tuple[frozenset[str], bool]:
     return known, cmake.complete and all(plugin.known for plugin in plugins)
 
 
-def exported_targets(reading: Reading) -> tuple[str, ...]:
+def exported_targets(reading: ReaderInput) -> tuple[str, ...]:
     """Return the targets that a package exports, as others name them: `pkg::library`."""
     cmake = reading.parts(CMake).only
     if cmake is None:

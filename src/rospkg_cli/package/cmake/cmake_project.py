@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cached_property
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...languages.cmake.commands import COMMANDS, run_unknown_command
 from ...languages.cmake.control_flow import BLOCKS
 from ...languages.cmake.evaluated_command import EvaluatedCommand
@@ -181,14 +181,14 @@ class CMake:
                 yield from ((target, value) for target in texts[: texts.index(start)] if target != "TARGET")
 
 
-def read_cmake_files(reading: Reading) -> Iterator[CMakeFile | Unreadable]:
+def read_cmake_files(reading: ReaderInput) -> Iterator[CMakeFile | Unreadable]:
     """Yield every CMake file that is read, one by one."""
     yield from reading.parts(CMake).broken
     for cmake in reading.parts(CMake).good:
         yield from cmake.files
 
 
-def read_cmake(reading: Reading) -> Iterator[CMake | Unreadable]:
+def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
     """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
     if not is_built_with_cmake(reading):
         return

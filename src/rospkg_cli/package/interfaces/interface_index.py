@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...ros.interfaces import KINDS
 from ..cmake.build import is_built_with_cmake
 from ..cmake.cmake_project import CMake
@@ -13,7 +13,7 @@ from .reader import interface_paths
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
 
 
-def interface_names(reading: Reading) -> tuple[frozenset[str], bool]:
+def interface_names(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
 
     rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own.
@@ -31,7 +31,7 @@ def stem(path: str) -> str:
     return path.rpartition("/")[2].rpartition(".")[0]
 
 
-def all_are_own(reading: Reading) -> bool:
+def all_are_own(reading: ReaderInput) -> bool:
     """Return whether rosidl_generate_interfaces is given files of the package alone, by names that are known."""
     if not is_built_with_cmake(reading):
         return True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...files import PackageFiles, Reading, each
+from ...files import PackageFiles, ReaderInput, read_each
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...source import Source, Span
@@ -15,12 +15,12 @@ from .interface_file import GrammarProblem, InterfaceFile
 from .text import parse_interface
 
 
-def read_interfaces(reading: Reading) -> Iterator[InterfaceFile | Unreadable]:
+def read_interfaces(reading: ReaderInput) -> Iterator[InterfaceFile | Unreadable]:
     """Read the .msg, .srv and .action files of a package that ROS 2 builds."""
     manifest = reading.parts(Manifest).only
     if manifest is None or manifest.build_type(Targets()) == "catkin":
         return
-    yield from each(reading.files, interface_paths(reading.files), lambda source: read(reading.files, source))
+    yield from read_each(reading.files, interface_paths(reading.files), lambda source: read(reading.files, source))
 
 
 def interface_paths(files: PackageFiles) -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.python.file import Import, PythonFile
 from ...languages.syntax_problem import SyntaxProblem
 from ...source import Source, Span
@@ -155,13 +155,13 @@ class LaunchFile:
                 yield node.package.literal, node.executable.literal, node.executable.span
 
 
-def started_nodes(reading: Reading) -> frozenset[tuple[str, str]]:
+def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     """Return package and executable of every node that a package's launch files start under literal names."""
     files = reading.parts(LaunchFile).good
     return frozenset((package, executable) for file in files for package, executable, _ in file.programs())
 
 
-def launch_summaries(reading: Reading) -> tuple[Summary, ...]:
+def launch_summaries(reading: ReaderInput) -> tuple[Summary, ...]:
     """Return what other launch files may know of those of a package."""
     files = [file for file in reading.parts(LaunchFile).good if not file.ros1]
     return tuple(

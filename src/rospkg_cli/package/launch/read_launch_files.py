@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
@@ -20,7 +20,7 @@ NAMED = re.compile(r"(^|[._/-])launch\.(py|xml|ya?ml)$|\.launch$|(^|/)launch(es)
 ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
 
 
-def read_launch_files(reading: Reading) -> Iterator[LaunchFile | Unreadable]:
+def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]:
     """Read every launch file; those of tests are left out where they are broken."""
     modules = reading.parts(Modules).only
     assert modules is not None

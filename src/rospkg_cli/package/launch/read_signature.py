@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...ros.imports import STANDARD
 from ..install_table import InstallTable
 from .file_references import paths_in
@@ -23,7 +23,7 @@ ASKED = re.compile(
 ASKS = re.compile(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
 
 
-def launch_signatures(reading: Reading) -> tuple[LaunchSignature, ...]:
+def launch_signatures(reading: ReaderInput) -> tuple[LaunchSignature, ...]:
     """Return the signature of every launch file of a package."""
     table, places = reading.parts(InstallTable).only, dict[str, set[str]]()
     for row in table.rows if table is not None else ():

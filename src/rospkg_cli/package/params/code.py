@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cpp.read import SUFFIXES
@@ -16,7 +16,7 @@ from .declared import NodeCode
 REGISTERED = re.compile(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")
 
 
-def node_code(reading: Reading) -> tuple[NodeCode, ...]:
+def node_code(reading: ReaderInput) -> tuple[NodeCode, ...]:
     """Return, for what CMake builds, the files that certainly run: those of the executable, or of the component."""
     cmake = reading.parts(CMake).only
     if cmake is None:
@@ -34,7 +34,7 @@ def node_code(reading: Reading) -> tuple[NodeCode, ...]:
     return tuple(found)
 
 
-def registrations(reading: Reading) -> Iterator[tuple[str, str]]:
+def registrations(reading: ReaderInput) -> Iterator[tuple[str, str]]:
     """Yield each file that registers a component, with the class."""
     for path in reading.files.paths:
         if path.endswith(SUFFIXES):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.cpp.file import read_cpp
 from ...languages.cpp.read import SUFFIXES
 from ...source import Source
@@ -22,13 +22,13 @@ DYNAMIC = "dynamic_typing"
 """Where a descriptor allows this, a parameter takes values of any type."""
 
 
-def declared_parameters(reading: Reading) -> tuple[DeclaredParameter, ...]:
+def declared_parameters(reading: ReaderInput) -> tuple[DeclaredParameter, ...]:
     """Return what a package declares, in C++, in Python, and for generate_parameter_library; each once."""
     found = [*in_cpp(reading), *in_python(reading), *defined_parameters(reading)]
     return tuple(dict.fromkeys(found))
 
 
-def in_cpp(reading: Reading) -> Iterator[DeclaredParameter]:
+def in_cpp(reading: ReaderInput) -> Iterator[DeclaredParameter]:
     sources = [source for path in reading.files.paths if path.endswith(SUFFIXES) for source in text_of(reading, path)]
     declaring = [read_cpp(source) for source in sources if DECLARES.search(source.text)]
     asked = {name for file in declaring for name in cpp.asked_variables(file)}
@@ -39,7 +39,7 @@ def in_cpp(reading: Reading) -> Iterator[DeclaredParameter]:
             yield untyped(each) if loose else each
 
 
-def in_python(reading: Reading) -> Iterator[DeclaredParameter]:
+def in_python(reading: ReaderInput) -> Iterator[DeclaredParameter]:
     modules = reading.parts(Modules).only
     for path in reading.files.paths:
         if modules and path.endswith(".py") and role_of(path) == "run":
@@ -49,7 +49,7 @@ def in_python(reading: Reading) -> Iterator[DeclaredParameter]:
                     yield from (map(untyped, found) if DYNAMIC in source.text else found)
 
 
-def given_parameters(reading: Reading) -> tuple[frozenset[str], ...]:
+def given_parameters(reading: ReaderInput) -> tuple[frozenset[str], ...]:
     """Return the names that each block of the package's parameter files gives."""
     blocks = (block for file in reading.parts(ParameterFile).good for block in file.blocks)
     return tuple(frozenset(each.name for each in block.parameters) for block in blocks)
@@ -59,7 +59,7 @@ def untyped(each: DeclaredParameter) -> DeclaredParameter:
     return DeclaredParameter(each.name, each.tail, "", each.required, each.path)
 
 
-def text_of(reading: Reading, path: str) -> Iterator[Source]:
+def text_of(reading: ReaderInput, path: str) -> Iterator[Source]:
     if role_of(path) not in ("test", "aside"):
         try:
             yield reading.files.source(path)

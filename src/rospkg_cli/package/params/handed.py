@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from posixpath import normpath
 
-from ...files import Reading
+from ...files import ReaderInput
 from ..launch.launch_file import LaunchFile
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest
@@ -16,7 +16,7 @@ READ_BY_RCL = frozenset({"node", "lifecycle_node", "node_container"})
 MAX_DEPTH = 5
 
 
-def handed_files(reading: Reading) -> frozenset[str]:
+def handed_files(reading: ReaderInput) -> frozenset[str]:
     """Return the paths of this package's files that are handed over under a name that is known for certain."""
     manifest = reading.parts(Manifest).only
     own = manifest.name if manifest else ""

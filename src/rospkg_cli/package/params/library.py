@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 from ...source import Source, Span
@@ -62,7 +62,7 @@ class ParameterLibrary:
         return self.source.path
 
 
-def read_parameter_libraries(reading: Reading) -> Iterator[ParameterLibrary | Unreadable]:
+def read_parameter_libraries(reading: ReaderInput) -> Iterator[ParameterLibrary | Unreadable]:
     """Read the definitions that CMakeLists.txt or setup.py hands to the generator."""
     for path, custom in dict(library_files(reading)).items():
         if reading.files.exists(path):
@@ -73,7 +73,7 @@ def read_parameter_libraries(reading: Reading) -> Iterator[ParameterLibrary | Un
                 yield error.unreadable
 
 
-def library_files(reading: Reading) -> Iterator[tuple[str, bool]]:
+def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
     """Yield each file of definitions, and whether a header with validators is given beside it."""
     cmake = reading.parts(CMake).only
     for call in cmake.named(*COMMANDS) if cmake else ():
@@ -183,7 +183,7 @@ def shown(value: YamlNode | None) -> str:
     return value.text if isinstance(value, ScalarNode) else "…"
 
 
-def defined_parameters(reading: Reading) -> Iterator[DeclaredParameter]:
+def defined_parameters(reading: ReaderInput) -> Iterator[DeclaredParameter]:
     """Yield what the definitions of a package declare."""
     for library in reading.parts(ParameterLibrary).good:
         for each in library.definitions:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.yaml.nodes import documents
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
@@ -20,7 +20,7 @@ WILD = re.compile(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
 TEMPLATE = re.compile(r"\{\{|\{%|<%")
 
 
-def read_parameter_files(reading: Reading) -> Iterator[ParameterFile | Unreadable]:
+def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unreadable]:
     """Read the YAML files that have a block of ROS parameters, rightly written or nearly so, or that nodes get."""
     handed = handed_files(reading)
     for path in reading.files.paths:
@@ -33,7 +33,7 @@ def read_parameter_files(reading: Reading) -> Iterator[ParameterFile | Unreadabl
                     yield error.unreadable
 
 
-def text_of(reading: Reading, path: str) -> Source | None:
+def text_of(reading: ReaderInput, path: str) -> Source | None:
     """Return a file's text; None where it has none: nothing says then that it holds parameters."""
     try:
         return reading.files.source(path)

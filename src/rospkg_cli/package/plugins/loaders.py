@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile, read_cpp
 from ...languages.cpp.read import SUFFIXES
@@ -35,7 +35,7 @@ class PluginLoaders:
     complete: bool = True
 
 
-def read_plugin_loaders(reading: Reading) -> Iterator[PluginLoaders]:
+def read_plugin_loaders(reading: ReaderInput) -> Iterator[PluginLoaders]:
     """Read those sources that have to do with loaders; the others are not looked into."""
     texts = dict(sources(reading.files))
     declaring = [read_cpp(reading.files.source(path)) for path, text in texts.items() if LOADER + "<" in text]

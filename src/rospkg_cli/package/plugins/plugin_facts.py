@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...files import Reading
+from ...files import ReaderInput
 from ..cmake.cmake_project import CMake
 from ..package_facts import Plugin, PluginUse, UnknownField
 from .description import PluginDescription
@@ -20,7 +20,7 @@ class PluginFacts(NamedTuple):
     unknown: frozenset[UnknownField]
 
 
-def plugin_facts(reading: Reading) -> PluginFacts:
+def plugin_facts(reading: ReaderInput) -> PluginFacts:
     unknown: set[UnknownField] = set()
     loaders = reading.parts(PluginLoaders).only or PluginLoaders()
     unknown |= set() if loaders.complete else {"loaders"}
@@ -45,7 +45,7 @@ def plugins_of(description: PluginDescription) -> list[Plugin]:
     ]
 
 
-def are_complete(reading: Reading) -> bool:
+def are_complete(reading: ReaderInput) -> bool:
     """Return whether every description that CMake exports is known, is there, and can be read."""
     if reading.parts(PluginDescription).broken or reading.parts(CMake).broken:
         return False

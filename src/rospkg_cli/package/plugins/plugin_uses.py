@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
@@ -29,7 +29,7 @@ COMMENT = re.compile(r"<!--[\s\S]*?-->")
 PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
 
 
-def plugin_uses(reading: Reading) -> tuple[PluginUse, ...]:
+def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
     return tuple(use for path in reading.files.paths for use in uses_in(reading.files, path))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.xml.parser import read_xml
 from ...source import Span
@@ -18,7 +18,7 @@ PREFIX = "${prefix}/"
 EXPORT = "pluginlib_export_plugin_description_file"
 
 
-def read_plugin_descriptions(reading: Reading) -> Iterator[PluginDescription | Unreadable]:
+def read_plugin_descriptions(reading: ReaderInput) -> Iterator[PluginDescription | Unreadable]:
     """Yield every description that is there, once, with all places that export it.
 
     A file that nobody exports counts where it looks like one; whether it can be read is nobody's business then.
@@ -46,7 +46,7 @@ def is_like_one(files: PackageFiles, path: str) -> bool:
     return "base_class_type" in text and "<library" in text
 
 
-def by_cmake(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
+def by_cmake(reading: ReaderInput) -> Iterator[tuple[str, DescriptionExport]]:
     for cmake in reading.parts(CMake).good:
         for call in cmake.named(EXPORT):
             if len(call.words) > 1 and call.words[0].known and call.words[1].known:
@@ -57,7 +57,7 @@ def by_cmake(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
                     yield path, exported
 
 
-def by_manifest(reading: Reading) -> Iterator[tuple[str, DescriptionExport]]:
+def by_manifest(reading: ReaderInput) -> Iterator[tuple[str, DescriptionExport]]:
     for manifest in reading.parts(Manifest).good:
         for element in manifest.exports:
             plugin = element.attributes.get("plugin")

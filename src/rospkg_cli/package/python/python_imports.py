@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import PurePosixPath
 
-from ...files import PackageFiles, Reading
+from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import Import, PythonFile, parse_python
 from ...source import Source
 from ...unreadable import UnreadableError
@@ -72,7 +72,7 @@ class OwnModules:
         return top in self.everywhere or top in self._beside.get(str(PurePosixPath(importer).parent), ())
 
 
-def read_package_imports(reading: Reading) -> Iterator[PackageImports]:
+def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
     own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
     modules = reading.parts(Modules).only

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Unknown
@@ -17,7 +17,7 @@ from .setup_cfg import SetupCfg
 from .setup_py import SetupPy
 
 
-def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
+def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
     """Evaluate setup.py where it is what colcon runs; raises UnreadableError where it is no Python."""
     if not reading.files.exists("setup.py") or not runs_setup_py(reading):
         return
@@ -43,14 +43,14 @@ def read_setup_py(reading: Reading) -> Iterator[SetupPy]:
     )
 
 
-def runs_setup_py(reading: Reading) -> bool:
+def runs_setup_py(reading: ReaderInput) -> bool:
     """Return whether the package is built with its setup.py: ament_python, or nothing else is said or there."""
     manifest = reading.parts(Manifest).only
     types = {element.text for element in manifest.exports if element.tag == "build_type"} if manifest else set()
     return "ament_python" in types or (not types and not reading.files.exists("CMakeLists.txt"))
 
 
-def has_project_table(reading: Reading) -> bool:
+def has_project_table(reading: ReaderInput) -> bool:
     """Return whether pyproject.toml gives metadata, or can't be read and may."""
     if not reading.files.exists("pyproject.toml"):
         return False

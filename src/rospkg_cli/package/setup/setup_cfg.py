@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .setup_text import SetupText
@@ -84,7 +84,7 @@ class SetupCfg:
         return tuple(found.options.values()) if found else ()
 
 
-def read_setup_cfg(reading: Reading) -> Iterator[SetupCfg]:
+def read_setup_cfg(reading: ReaderInput) -> Iterator[SetupCfg]:
     """Read setup.cfg; raises UnreadableError where configparser refuses it."""
     if reading.files.exists("setup.cfg"):
         yield parse_setup_cfg(reading.files.source("setup.cfg"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...files import Reading
+from ...files import ReaderInput
 from ...languages.xml.parser import Document, Element, read_xml
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
@@ -18,7 +18,7 @@ WORLDS = (".sdf", ".world")
 DECLARATION = re.compile(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
 
 
-def read_robot_files(reading: Reading) -> Iterator[RobotFile | Unreadable]:
+def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:
     """Read urdf, xacro, sdf and world files; of the latter two only what they refer to."""
     for path in reading.files.paths:
         if not path.endswith(ROBOTS + WORLDS) or role_of(path) in ("test", "aside"):

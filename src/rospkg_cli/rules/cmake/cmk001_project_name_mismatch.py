@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...edits.cmake_commands import literal
+from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
@@ -40,7 +40,7 @@ def project_name_mismatch(package: CMakePackage) -> Iterator[Hit]:
     name, word = package.manifest.name, package.cmake.project
     if not package.is_ament or not name or word is None or not word.known or word.maybe or word.text == name:
         return
-    span = literal(package.cmake.file(word.path).source, word.span, word.text)
+    span = literal_span(package.cmake.file(word.path).source, word.span, word.text)
     valid = NAME.fullmatch(name)
     fix = Fix(f"call the project `{name}`", (Edit(word.path, span, name),)) if span and valid else None
     advice = f"write `project({name})`" if valid else "give both one name"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...edits.cmake_commands import literal
+from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.cmake.cmake_package import CMakeForTargets
@@ -62,7 +62,7 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
         seen.add((call.path, word.span))
         version = (int(match[1]), int(match[2]))
         if version < (3, 10):
-            span = literal(package.cmake.file(word.path).source, word.span, word.text)
+            span = literal_span(package.cmake.file(word.path).source, word.span, word.text)
             fix = Fix(f"ask for CMake {WANTED}", (Edit(word.path, span, WANTED),)) if span else None
             yield Hit(word.path, word.span, message(word.text, version), level(version, checked.targets), fix=fix)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.ament_target_dependencies import AmentTargetDependencies, RemovedCommand, Replacement
-from ...edits.cmake_link import link_instead
+from ...edits.cmake_link import use_target_link_libraries
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...ros.distros import Targets
@@ -92,14 +92,16 @@ def level_for(targets: Targets) -> Severity | None:
 
 def advice(replacement: Replacement | None) -> str:
     if replacement is None:
-        return "link the packages' targets with `target_link_libraries` (which these are can't be told here)"
+        return "link the packages' targets with `target_link_libraries` (which ones is not known here)"
     guessed = ", ".join(f"`{name}`" for name in replacement.guessed)
-    doubt = f" (whether {guessed} exports targets can't be told here)" if guessed else ""
-    return f"link the targets of its packages with `target_link_libraries`{doubt}"
+    unknown = f" (whether {guessed} exports targets is not known here)" if guessed else ""
+    return f"link the targets of its packages with `target_link_libraries`{unknown}"
 
 
 def fix(removed: RemovedCommand, replacement: Replacement | None) -> Fix | None:
     if replacement is None:
         return None
     new = " ".join(text for part in replacement.parts for text in part.texts or ()) or "nothing"
-    return Fix(f"link `{new}` with target_link_libraries", link_instead(removed, replacement), Safety.UNSAFE)
+    return Fix(
+        f"link `{new}` with target_link_libraries", use_target_link_libraries(removed, replacement), Safety.UNSAFE
+    )

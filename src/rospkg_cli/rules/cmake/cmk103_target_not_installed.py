@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from ...checks.cmake.target_references import TargetReferences
 from ...edits.cmake_install import install_executable, install_library
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
 from ...rule import rule
-from ...suggest import near
+from ...suggest import near_names
 
 MAIN = "int main() {return 0;}\n"
 TWO = """\
@@ -85,10 +85,10 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
     for forgotten in UninstalledTargets(package.cmake).all():
         word = forgotten.target.word
-        if near(word.text, misspelt):
+        if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         level = Severity.ERROR if forgotten.stops else None
-        fix = only_plain(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
+        fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
 
 

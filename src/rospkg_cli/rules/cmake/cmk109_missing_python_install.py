@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.uninstalled_python import PythonPackages
 from ...edits.cmake_python import install_python_package
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -63,6 +63,6 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         stops = f"imports `{each.module}`, ends with ModuleNotFoundError"
         message = f"{start} {stops}; call `ament_python_install_package({each.folder})`"
         edits = install_python_package(cmake, each.folder)
-        fix = only_plain(Fix(f"install the Python package {each.folder}", edits), each.folder)
+        fix = only_plain_names(Fix(f"install the Python package {each.folder}", edits), each.folder)
         related = Related(each.path, each.span, "it is imported here")
         yield Hit(place.path, place.command.span, message, related=(related,), fix=fix)

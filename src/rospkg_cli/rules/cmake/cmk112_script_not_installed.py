@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.installed_scripts import InstalledScripts
 from ...edits.cmake_install import install_script
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -43,10 +43,10 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     if not scripts.package.is_ament:
         return
-    for path, beside in scripts.uninstalled():
+    for path, neighbour in scripts.uninstalled():
         message = (
-            f"`{path}` is not installed as `{beside.source}` beside it is: `ros2 run {scripts.package.facts.name} "
+            f"`{path}` is not installed, but `{neighbour.source}` is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"
         )
-        fix = only_plain(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
-        yield Hit(beside.item.path, beside.item.span, message, fix=fix)
+        fix = only_plain_names(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
+        yield Hit(neighbour.item.path, neighbour.item.span, message, fix=fix)

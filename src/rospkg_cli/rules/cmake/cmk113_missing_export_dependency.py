@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.missing_export_dependencies import ExportedDependencies
 from ...edits.cmake_export import export_dependency
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -49,7 +49,7 @@ def cmake(lines: str) -> str:
     "missing-export-dependency",
     over=ExportedDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "it is a plug-in or a component, and no package around builds against it"},
+    levels={Severity.INFO: "it is a plugin or a component, and no package of the workspace builds against it"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": cmake(LINES)},
@@ -81,9 +81,9 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
         lacks = "a target" if each.as_target else "a header"
         message = (
             f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
-            f"not name: who links it stops because {lacks} of `{each.package}` was not found; export it"
+            f"not name: linking it stops because {lacks} of `{each.package}` was not found; export it"
         )
         edit = export_dependency(package.cmake, each.package, first=number == 0)
         fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
         level = Severity.INFO if each.only_loaded else None
-        yield Hit(each.word.path, each.word.span, message, level, fix=only_plain(fix, each.package))
+        yield Hit(each.word.path, each.word.span, message, level, fix=only_plain_names(fix, each.package))

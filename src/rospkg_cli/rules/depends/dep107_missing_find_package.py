@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.missing_find_package import MissingFindPackages
-from ...edits.cmake_find import find_among
+from ...edits.cmake_find import add_find_package_among
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -60,6 +60,6 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
             else "the build stops"
         )
         message = f"CMake never looks for `{each.name}`, but {each.usage}: {ends}; add `{line}`"
-        edits = find_among(cmake, each.name, testing=each.testing)
+        edits = add_find_package_among(cmake, each.name, testing=each.testing)
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)

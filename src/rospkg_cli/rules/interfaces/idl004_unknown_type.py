@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.interfaces.type_resolution import InterfaceInWorkspace
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.interfaces.interface_file import FieldType
@@ -62,7 +62,7 @@ def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
         fix = None
         if better:
             fix = Fix(f"write `{better}`", (Edit(path, kind.base_span, better),), Safety.UNSAFE)
-        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=only_plain(fix, better or ""))
+        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=only_plain_names(fix, better or ""))
 
 
 def absence(scope: InterfaceInWorkspace, kind: FieldType) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
-from ...edits.cmake_interfaces import list_interface
-from ...edits.plain_names import only_plain
+from ...edits.cmake_interfaces import add_interface_file
+from ...edits.plain_names import only_plain_names
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -53,6 +53,8 @@ def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
     """
     for interface in generated.unlisted():
         message = f"`{interface.path}` is not in `rosidl_generate_interfaces`: nothing is generated of it"
-        edit = list_interface(generated, interface)
+        edit = add_interface_file(generated, interface)
         fix = Fix("list it in CMakeLists.txt", (edit,)) if edit else None
-        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=only_plain(fix, interface.path))
+        yield Hit(
+            interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=only_plain_names(fix, interface.path)
+        )

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
-from ...edits.cmake_find import find
-from ...edits.cmake_interfaces import list_need
-from ...edits.plain_names import only_plain
+from ...edits.cmake_find import add_find_package
+from ...edits.cmake_interfaces import add_interface_dependency
+from ...edits.plain_names import only_plain_names
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -56,9 +56,9 @@ def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit
     offered: set[int] = set()
     for need in generated.unlisted_needs():
         start = need.target.call.command.span.start
-        edit = None if start in offered and not need.target.dependencies else list_need(generated, need)
+        edit = None if start in offered and not need.target.dependencies else add_interface_dependency(generated, need)
         offered.add(start)
-        looked_for = find(generated.cmake, need.package, need.target.call)
+        looked_for = add_find_package(generated.cmake, need.package, need.target.call)
         fix = Fix(f"add `{need.package}` to DEPENDENCIES", (edit, *looked_for)) if edit else None
         message = f"`{need.package}` is not among the DEPENDENCIES of `rosidl_generate_interfaces`"
         call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
@@ -70,5 +70,5 @@ def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit
             f"{message}: {harm}",
             level,
             related=(call,),
-            fix=only_plain(fix, need.package),
+            fix=only_plain_names(fix, need.package),
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.reorder import arrange, schema_order
+from ...edits.reorder import reorder, schema_order
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...languages.xml.elements import Element
@@ -46,22 +46,22 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     """
     if manifest.verdict.ordered:
         return
-    edits = tuple(arrange(manifest, schema_order(manifest)))
+    edits = tuple(reorder(manifest, schema_order(manifest)))
     fix = Fix("Put the elements of package.xml in order", edits) if edits else None
     moving = misplaced(manifest.root.children)
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     for element in moving:
         where = neighbour(staying, element)
-        message = f"`<{element.tag}>` must stand {where}; `colcon test` fails on it where ament_xmllint is run"
+        message = f"`<{element.tag}>` must be {where}; `colcon test` fails on it where ament_xmllint is run"
         yield Hit(manifest.path, element.open if element.children else element.span, message, fix=fix)
 
 
 def neighbour(staying: list[Element], element: Element) -> str:
-    """Return where an element belongs, by the one that it should stand behind or before."""
+    """Return where an element belongs, by the one that it should come after or before."""
     place = place_of(element.tag)
     above = [each for each in staying if place_of(each.tag) <= place]
     below = [each for each in staying if place_of(each.tag) > place]
     if above and above[-1].span.start > element.span.start:
-        return f"behind `<{above[-1].tag}>`"
-    return f"before `<{below[0].tag}>`" if below else f"behind `<{above[-1].tag}>`"
+        return f"after `<{above[-1].tag}>`"
+    return f"before `<{below[0].tag}>`" if below else f"after `<{above[-1].tag}>`"

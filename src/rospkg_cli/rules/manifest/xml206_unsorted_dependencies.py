@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from ...edits.reorder import arrange, sorted_in_place
+from ...edits.reorder import reorder, sorted_in_place
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.manifest import Manifest
@@ -38,7 +38,7 @@ def unsorted_dependencies(manifest: Manifest) -> Iterator[Hit]:
         late = next((b for a, b in pairwise(found) if b.text < a.text), None)
         if late is None:
             continue
-        edits = tuple(arrange(manifest, sorted_in_place(manifest, tag)))
-        message = f"`<{tag}>{late.text}</{tag}>` stands behind names that come later in the alphabet; sort them"
+        edits = tuple(reorder(manifest, sorted_in_place(manifest, tag)))
+        message = f"`<{tag}>{late.text}</{tag}>` is not sorted alphabetically; sort the `<{tag}>` lines"
         fix = Fix(f"Sort the `<{tag}>` lines", edits) if edits else None
         yield Hit(manifest.path, manifest.span(late), message, fix=fix)

@@ -9,7 +9,7 @@ from ...edits.manifest_tags import set_text
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
-from ...suggest import near
+from ...suggest import near_names
 
 GOOD = manifest()
 
@@ -48,7 +48,7 @@ def unknown_build_type(package: ManifestAndFiles) -> Iterator[Hit]:
     for element in manifest.build_types(package.targets):
         if element.text in package.known_build_types:
             continue
-        alike = near(element.text, package.known_build_types)
+        alike = near_names(element.text, package.known_build_types)
         meant = alike[0] if alike else ""
         if meant:
             told = f"; did you mean `{meant}`?"

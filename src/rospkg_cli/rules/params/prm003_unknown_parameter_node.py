@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.launched import LaunchedParameters
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -67,4 +67,4 @@ def unknown_parameter_node(launched: LaunchedParameters) -> Iterator[Hit]:
             fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
         where = (Related(given.launch.path, given.node.span, "the node"),)
         what = f"{message}, and it never reads the block"
-        yield Hit(file.path, block.key.span, what, related=where, fix=only_plain(fix, name))
+        yield Hit(file.path, block.key.span, what, related=where, fix=only_plain_names(fix, name))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.owners import PackageParameters
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -79,7 +79,7 @@ def unknown_parameter(scope: PackageParameters) -> Iterator[Hit]:
             if parameter.key.text == parameter.name.rpartition(".")[2]:
                 edit = Edit(group.file.path, parameter.key.span, last)
                 fix = Fix(f"write `{last}`", (edit,), Safety.UNSAFE)
-            yield Hit(group.file.path, parameter.key.span, message, fix=only_plain(fix, last))
+            yield Hit(group.file.path, parameter.key.span, message, fix=only_plain_names(fix, last))
     for read in scope.unknown_reads():
         message = f"nothing declares the parameter `{read.name}`; this file declares `{read.meant}` and never gets it"
         yield Hit(read.path, read.span, message)

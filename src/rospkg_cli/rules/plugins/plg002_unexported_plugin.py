@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.plugins.exported_classes import ExportedClass
 from ...checks.plugins.plugin_package import DescribedPlugin, PluginPackage
 from ...edits.cmake_commands import add_before
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.plugins.description import PluginDescription
@@ -98,8 +98,8 @@ def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
         yield unexported(package, description, exported)
     for exported in package.undescribed():
         message = (
-            f"`{exported.type}` is exported here, and no plug-in description has it: nobody can load it by name; add "
-            f'`<class type="{exported.type}" base_class_type="{exported.base}">` to one, or take the macro out'
+            f"`{exported.type}` is exported here, and no plugin description has it: it can't be loaded by name; add "
+            f'`<class type="{exported.type}" base_class_type="{exported.base}">` to one, or remove the macro'
         )
         yield Hit(exported.path, exported.span, message, Severity.WARNING)
 
@@ -108,16 +108,16 @@ def without_source(package: PluginPackage, entry: DescribedPlugin) -> Hit:
     kind, file, meant = entry.plugin.type, entry.description.file, package.suggestion(entry)
     if meant is None:
         message = (
-            f"no source exports `{entry.type}`: loading the plug-in `{entry.plugin.called}` fails; add "
-            f"`PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})` to its source, or take it out here"
+            f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.called}` fails; add "
+            f"`PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})` to its source, or remove it here"
         )
         return Hit(file, kind.value_span, message)
     safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
     message = (
-        f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same text "
+        f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
         f"on both sides, so loading `{entry.plugin.called}` fails; write `{meant.type}`"
     )
-    fix = only_plain(Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety), meant.type)
+    fix = only_plain_names(Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety), meant.type)
     return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)
 
 
@@ -125,7 +125,7 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
     base = exported.base.lstrip(":").partition("::")[0]
     call = f"pluginlib_export_plugin_description_file({base} {description.file})"
     message = (
-        f"CMakeLists.txt does not export `{description.file}`: nobody finds `{exported.type}` at run time; add "
+        f"CMakeLists.txt does not export `{description.file}`: `{exported.type}` is not found at run time; add "
         f"`{call}` (`{base}`: the package that loads it)"
     )
     where = next(((e.path, e.span) for e in description.exported), (description.file, description.document.root.open))
@@ -134,5 +134,5 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
     if before is not None and before.path == package.cmake.root.path and not before.inside:
         edit = add_before(package.cmake.root, before.command, call)
         fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
-    fix = only_plain(fix, description.file, base)
+    fix = only_plain_names(fix, description.file, base)
     return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.workspace import Workspace
@@ -86,19 +86,19 @@ def at_use(unknown: UnknownPlugin) -> Hit:
     path = unknown.user.at(use.path)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
-        return Hit(path, use.span, f"`{owner.name}` describes no plug-in `{use.name}` (it has {known})")
-    message = f"no plug-in is called `{use.name}`; `{owner.name}` has `{meant.name}`: write that"
+        return Hit(path, use.span, f"`{owner.name}` describes no plugin `{use.name}` (it has {known})")
+    message = f"no plugin is called `{use.name}`; `{owner.name}` has `{meant.name}`: write that"
     related = (Related(owner.at(meant.path), meant.span, "described here"),)
     fix = Fix(f"write `{meant.name}`", (Edit(path, use.span, meant.name),), Safety.UNSAFE)
-    return Hit(path, use.span, message, related=related, fix=only_plain(fix, meant.name))
+    return Hit(path, use.span, message, related=related, fix=only_plain_names(fix, meant.name))
 
 
 def at_description(unknown: UnknownPlugin) -> Hit:
     use, meant = unknown.use, unknown.suggestion
     assert meant is not None
     message = (
-        f"`{unknown.user.name}` asks for the plug-in `{use.name}`, and this one is called `{meant.name}`: "
+        f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{meant.name}`: "
         f"one of them has to be renamed"
     )
-    related = (Related(unknown.user.at(use.path), use.span, "asked for here"),)
+    related = (Related(unknown.user.at(use.path), use.span, "used here"),)
     return Hit(unknown.owner.at(meant.path), meant.span, message, related=related)

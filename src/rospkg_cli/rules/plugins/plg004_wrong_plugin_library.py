@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.plugins.library_paths import PluginLibraries, WrongLibraryPath
 from ...edits.cmake_commands import add_before
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -86,7 +86,7 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     """
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None
-        fix = only_plain(fixed(libraries, wrong), wrong.suggestion)
+        fix = only_plain_names(fixed(libraries, wrong), wrong.suggestion)
         yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
 
 
@@ -94,7 +94,7 @@ def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
     path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.called
     match wrong.fault:
         case "prefixed":
-            return f"`{path}` is found, and pluginlib warns at each start: leave `lib` away, and write `{meant}`"
+            return f"`{path}` is found, and pluginlib warns at each start: remove `lib`, and write `{meant}`"
         case "static":
             return f"`{path}` is a static library, which can't be loaded at run time: make it `SHARED`"
         case "absent":

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.plugins.base_classes import PluginBases, UnmatchedLoader, WrongBaseClass, WrongExport
-from ...edits.cmake_commands import literal
-from ...edits.plain_names import only_plain
+from ...edits.cmake_commands import literal_span
+from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -78,27 +78,27 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
         yield at_export(bases, misplaced)
     for misnamed in bases.misnamed():
         yield at_class(misnamed)
-    for astray in bases.unmatched_loaders():
-        yield at_loader(astray)
+    for unmatched in bases.unmatched_loaders():
+        yield at_loader(unmatched)
 
 
 def at_export(bases: PluginBases, found: WrongExport) -> Hit:
     at, file = found.exported, found.description.file
     if not found.owners:
-        return Hit(at.path, at.base_span, f"`{file}` is exported to `{at.base}`, which is no package that is known")
+        return Hit(at.path, at.base_span, f"`{file}` is exported to `{at.base}`, which is no known package")
     owners = " and ".join(f"`{owner}`" for owner in found.owners)
-    message = f"`{file}` is exported to `{at.base}`, and `{found.base}` is loaded from {owners}: nobody finds it there"
+    message = f"`{file}` is exported to `{at.base}`, and `{found.base}` is loaded from {owners}: it is not found there"
     if len(found.owners) > 1:
         return Hit(at.path, at.base_span, message)
     fix = written(bases, found)
-    return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain(fix, found.owners[0]))
+    return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain_names(fix, found.owners[0]))
 
 
 def written(bases: PluginBases, found: WrongExport) -> Fix | None:
-    """Return the fix that writes another package, where this one stands there as it is."""
+    """Return the fix that writes another package, where this one is written literally."""
     assert bases.package is not None
     source: Source = bases.package.cmake.file(found.exported.path).source
-    span = literal(source, found.exported.base_span, found.exported.base)
+    span = literal_span(source, found.exported.base_span, found.exported.base)
     edit = None if span is None else Edit(source.path, span, found.owners[0])
     return Fix(f"export it to `{found.owners[0]}`", (edit,), Safety.UNSAFE) if edit else None
 
@@ -106,16 +106,16 @@ def written(bases: PluginBases, found: WrongExport) -> Fix | None:
 def at_class(found: WrongBaseClass) -> Hit:
     base, file = found.plugin.base, found.description.file
     message = (
-        f"nobody loads plug-ins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.suggestion}`"
+        f"nothing loads plugins of `{base.value}`: `{found.plugin.called}` is never found; write `{found.suggestion}`"
     )
     fix = Fix(f"write `{found.suggestion}`", (Edit(file, base.value_span, found.suggestion),))
-    return Hit(file, base.value_span, message, fix=only_plain(fix, found.suggestion))
+    return Hit(file, base.value_span, message, fix=only_plain_names(fix, found.suggestion))
 
 
 def at_loader(found: UnmatchedLoader) -> Hit:
     package, base = found.loader.names
     argument = found.loader.package
-    message = f"`{package}` is no package that is known, so the loader of `{base}` throws when it is made"
+    message = f"`{package}` is no known package, so the loader of `{base}` throws when it is created"
     if found.suggestion is None:
         return Hit(found.loader.path, argument.inner, message)
     fix = Fix(
@@ -124,6 +124,6 @@ def at_loader(found: UnmatchedLoader) -> Hit:
     return Hit(
         found.loader.path,
         argument.inner,
-        f"{message}; plug-ins of it are exported to `{found.suggestion}`",
-        fix=only_plain(fix, found.suggestion),
+        f"{message}; plugins of it are exported to `{found.suggestion}`",
+        fix=only_plain_names(fix, found.suggestion),
     )

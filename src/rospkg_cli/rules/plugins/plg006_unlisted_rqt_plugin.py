@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.plugins.rqt import RqtPlugins
 from ...edits.manifest import add_export
-from ...edits.plain_names import only_plain
+from ...edits.plain_names import only_plain_names
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...package.manifest import Manifest
@@ -69,7 +69,7 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
 
 def listing(plugins: RqtPlugins, description: PluginDescription, line: str) -> Fix | None:
     fix = Fix(f"list `{description.file}` in package.xml", (add_export(plugins.manifest, line),))
-    return only_plain(fix, description.file)
+    return only_plain_names(fix, description.file)
 
 
 def export_of(description: PluginDescription, tag: str = "rqt_gui") -> str:

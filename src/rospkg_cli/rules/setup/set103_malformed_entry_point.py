@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.python_package import PythonPackage
-from ...edits.entry_points import repair
+from ...edits.entry_points import repair_entry_point
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.setup.entry_points import EntryPoint
@@ -64,7 +64,7 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
     for entry in package.setup.entry_points:
         if entry.fault:
             message = f"`{entry.text}` {WHY[entry.fault]}; write `name = module:function`{consequence(entry)}"
-            edits = repair(package.setup, entry)
+            edits = repair_entry_point(package.setup, entry)
             fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
             yield Hit(entry.path, entry.setup_text.span if entry.fault == "joined" else entry.span, message, fix=fix)
 

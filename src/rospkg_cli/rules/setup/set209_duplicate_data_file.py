@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.share_files import ShareFiles
-from ...edits.data_files import drop_source
+from ...edits.data_files import remove_source
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -34,12 +34,12 @@ def duplicate_data_file(shared: ShareFiles) -> Iterator[Hit]:
     setup = shared.package.setup
     for file, first in shared.doubles:
         if file.destination == first.destination:
-            message = f"`{file.setup_text.text}` is installed twice as `{file.destination}`; take one out"
-            edits = drop_source(setup, file)
+            message = f"`{file.setup_text.text}` is installed twice as `{file.destination}`; remove one"
+            edits = remove_source(setup, file)
         else:
             message = (
                 f"`{file.setup_text.text}` is installed as `{file.destination}` and as `{first.destination}`: colcon "
-                f"keeps the last place alone and warns that the other is missing; install it once"
+                f"keeps only the last place and warns that the other is missing; install it once"
             )
             edits = ()
         fix = Fix(f"install {file.setup_text.text} once", edits) if edits else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup_py import drop_item
+from ...edits.setup_py import remove_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.setup.setup_py import SetupPy
@@ -46,7 +46,7 @@ def license_classifier(setup: SetupPy) -> Iterator[Hit]:
     """
     for said in setup.texts("classifiers"):
         if said.text.startswith("License ::"):
-            edits = drop_item(setup, "classifiers", said)
+            edits = remove_item(setup, "classifiers", said)
             fix = Fix("take the license classifier out", edits) if edits else None
             message = (
                 f"`{said.text}`: setuptools from 77 on warns about license classifiers; `license=` says it already"

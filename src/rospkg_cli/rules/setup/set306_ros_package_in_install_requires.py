@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.install_requires import InstallRequires
-from ...edits.setup_py import drop_item
+from ...edits.setup_py import remove_item
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -36,7 +36,7 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
     Only the entry is removed; whether package.xml declares the package is another question.
     """
     for said, name in requirements.ros_requirements:
-        edits = drop_item(requirements.package.setup, "install_requires", said)
+        edits = remove_item(requirements.package.setup, "install_requires", said)
         fix = Fix(f"take `{name}` out of install_requires", edits, Safety.UNSAFE) if edits else None
         message = (
             f"`{name}` is no Python distribution: on Humble the executables stop with DistributionNotFound; remove it "
