@@ -114,7 +114,9 @@ def load_config(path: Path, table: tuple[str, ...] = (), own: bool = False) -> C
     values = read_section(data, FORMS, path, text, table)
     if "index" in values and not own:
         where = key_position(path, text, table, "index")
-        raise ConfigError(f"{where}: `index` belongs in {own_path()}: no repository says where your names come from")
+        raise ConfigError(
+            f"{where}: `index` belongs in {user_config_path()}: no repository says where your names come from"
+        )
     for key in PER:
         values[key] = tuple(OverrideSection(key, name, **each) for name, each in values.get(key, {}).items())
     return Config(path, table, **{key.replace("-", "_"): value for key, value in values.items()})

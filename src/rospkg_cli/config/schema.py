@@ -102,19 +102,19 @@ def read_section(
     """Return the values of a table, checked; raises ConfigError."""
     found: dict[str, Any] = {}
     if not isinstance(data, dict):
-        raise ConfigError(f"{place(path, source, table[:-1], table[-1])}: `{table[-1]}` wants a table")
+        raise ConfigError(f"{key_position(path, source, table[:-1], table[-1])}: `{table[-1]}` wants a table")
     for key, value in data.items():
         form = forms.get("*", forms.get(key))
         if form is None:
             message = f"there is no key `{key}`{did_you_mean(key, forms)}; there are {', '.join(sorted(forms))}"
-            raise ConfigError(f"{place(path, source, table, key)}: {message}")
+            raise ConfigError(f"{key_position(path, source, table, key)}: {message}")
         if isinstance(form, Mapping):
             found[key] = read_section(value, form, path, source, (*table, key))
             continue
         try:
             found[key] = form(value)
         except ValueError as error:
-            raise ConfigError(f"{place(path, source, table, key)}: `{key}` {error}") from None
+            raise ConfigError(f"{key_position(path, source, table, key)}: `{key}` {error}") from None
     return found
 
 

@@ -19,13 +19,13 @@ def add_at_end(file: CMakeFile, lines: str) -> Edit:
     """Put commands at the end of a file, a blank line before them."""
     text = file.source.text
     end = len(text.rstrip())
-    return Edit(file.path, Span(end, len(text)), f"\n\n{in_case_of(file, lines)}\n" if end else f"{lines}\n")
+    return Edit(file.path, Span(end, len(text)), f"\n\n{match_case(file, lines)}\n" if end else f"{lines}\n")
 
 
 def add_before(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     """Put commands before another one, above the comment that belongs to it."""
     at = start_with_comments(file.source, command)
-    return Edit(file.path, Span(at, at), f"{in_case_of(file, lines)}\n")
+    return Edit(file.path, Span(at, at), f"{match_case(file, lines)}\n")
 
 
 def add_after(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
@@ -34,7 +34,7 @@ def add_after(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     line = source.line_span(source.position(command.span.end)[0])
     behind = source.text[command.span.end : line.end]
     at = line.end if not behind.strip() or behind.lstrip().startswith("#") else command.span.end
-    return Edit(file.path, Span(at, at), f"\n{in_case_of(file, lines)}")
+    return Edit(file.path, Span(at, at), f"\n{match_case(file, lines)}")
 
 
 def remove(file: CMakeFile, command: CommandInvocation) -> Edit:

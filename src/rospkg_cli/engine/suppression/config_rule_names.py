@@ -23,7 +23,7 @@ def rule_name_events(
     `text` is what the config file holds now; names that a fix took out of it are not spoken of.
     """
     for keys in rule_name_keys(config):
-        found = toml.entry(text, (*config.table, *keys))
+        found = toml.find_entry(text, (*config.table, *keys))
         span = found[0] if found else first_occurrence(text, keys[-1])
         if span is None:
             continue

@@ -59,7 +59,7 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if not call.words or NAME.fullmatch(call.texts[0]):
         return
     path = interpreter.path(call.texts[0])
-    if path is not None and interpreter.files.holds(path):
+    if path is not None and interpreter.files.has_file(path):
         interpreter.file(path)
     else:
         interpreter.reads_unknown_files = True
@@ -68,7 +68,7 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Run a folder's CMakeLists.txt in a scope of its own."""
     folder = interpreter.path(call.texts[0]) if call.texts else None
-    if folder is None or not interpreter.files.holds(posixpath.join(folder, ROOT)):
+    if folder is None or not interpreter.files.has_file(posixpath.join(folder, ROOT)):
         interpreter.reads_unknown_files = True
         return
     outer = interpreter.scope

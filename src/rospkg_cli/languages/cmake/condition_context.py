@@ -67,7 +67,7 @@ class InterpreterContext:
         if path is None or text.startswith((BINARY, PREFIX)):
             return None
         files = self.interpreter.files
-        return not path or (files.is_there(path) and not (folder and files.holds(path)))
+        return not path or (files.is_there(path) and not (folder and files.has_file(path)))
 
     def defined(self, name: str) -> Truth:
         if name.startswith(("ENV{", "CACHE{")):

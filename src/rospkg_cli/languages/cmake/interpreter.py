@@ -56,7 +56,7 @@ class Interpreter(InterpreterState):
     def load(self, path: str) -> CMakeFile | None:
         if path in self.read:
             return self.read[path]
-        if not self.files.holds(path) or any(each.path == path for each in self.broken):
+        if not self.files.has_file(path) or any(each.path == path for each in self.broken):
             return None
         try:
             self.read[path] = read_file(self.files, path)
