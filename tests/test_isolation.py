@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 
+from rospkg_cli.cli.inspect import run as inspecting
 from rospkg_cli.cli.inspect.run import inspect
-from rospkg_cli.cli.inspect.run import run as inspecting
 from rospkg_cli.disk import MAX_BYTES, DiskTree
 from rospkg_cli.engine.fixing.fix import fix_all
-from rospkg_cli.engine.run import worker as shard
+from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.process_pool import ProcessPool
 from rospkg_cli.engine.run.run_rules import MAX_HITS
@@ -59,9 +59,9 @@ def test_a_reader_that_fails(clean, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_facts_that_can_t_be_gathered(clean, monkeypatch: pytest.MonkeyPatch) -> None:
-    real = shard.gather
+    real = worker.collect_facts
     monkeypatch.setattr(
-        shard, "gather", lambda p, t, folder, name: 1 / 0 if folder == "bad" else real(p, t, folder, name)
+        worker, "collect_facts", lambda p, t, folder, name: 1 / 0 if folder == "bad" else real(p, t, folder, name)
     )
     assert told(session(clean).run()) == [("RPK005", "bad", "reader of PackageFacts failed on `bad`")]
 
@@ -69,7 +69,7 @@ def test_facts_that_can_t_be_gathered(clean, monkeypatch: pytest.MonkeyPatch) ->
 def put_rules(monkeypatch: pytest.MonkeyPatch, **checks) -> None:
     real = rule_by_code
     monkeypatch.setattr(
-        shard, "rule_by_code", lambda code: replace(real(code), check=checks[code]) if code in checks else real(code)
+        worker, "rule_by_code", lambda code: replace(real(code), check=checks[code]) if code in checks else real(code)
     )
 
 
@@ -81,7 +81,7 @@ def test_rules_that_fail_at_one_place_are_told_once(clean, monkeypatch: pytest.M
 
     real = rule_by_code
     ours = {code: replace(real(code), over=Manifest, check=check) for code in ("XML104", "SET101")}
-    monkeypatch.setattr(shard, "rule_by_code", lambda code: ours.get(code) or real(code))
+    monkeypatch.setattr(worker, "rule_by_code", lambda code: ours.get(code) or real(code))
     assert told(session(clean).run()) == [("RPK005", "bad", "rule SET101, XML104 failed on `bad`")]
 
 
@@ -118,16 +118,16 @@ def test_an_inspection_that_fails(tmp_path: Path, write, clean, monkeypatch, cap
     assert "`bad` can't be inspected" in err
 
 
-@pytest.mark.parametrize("step", ["gather", "check"])
+@pytest.mark.parametrize("step", ["collect_facts", "run_rules"])
 def test_a_process_that_dies(clean, monkeypatch: pytest.MonkeyPatch, step: str) -> None:
-    real = getattr(shard.Shard, step)
+    real = getattr(worker.Worker, step)
 
     def killed(self, *given):
         if self.folders == ("bad",):
             os.kill(os.getpid(), signal.SIGKILL)
         return real(self, *given)
 
-    monkeypatch.setattr(shard.Shard, step, killed)
+    monkeypatch.setattr(worker.Worker, step, killed)
     results = session(clean, make_pool=partial(ProcessPool, jobs=2)).run()
     assert told(results) == [("RPK005", "bad", "check of the whole package failed on `bad`")]
 

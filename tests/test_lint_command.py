@@ -48,7 +48,7 @@ def test_a_warning_is_1_unless_only_errors_count(package: Path) -> None:
         (["--target", "jazy"], "did you mean `jazzy`?"),
         (["--format", "jsn"], "did you mean `json`?"),
         (["--output", "json"], "FORMAT:FILE"),
-        (["--jobs", "0"], "from 1 on"),
+        (["--jobs", "0"], "(1 or more)"),
         (["--workspace", "nowhere"], "not a folder"),
         (["--fail-on", "errors"], "did you mean `error`?"),
         (["--frmat"], "No such option"),
@@ -72,13 +72,13 @@ def test_nothing_checked_is_2_with_a_finding(tmp_path: Path) -> None:
 def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
     code = (
         "import sys, dataclasses, types; from rospkg_cli.__main__ import main\n"
-        "from rospkg_cli.engine.run import stamp\n"
-        "real = stamp.rule_by_code\n"
+        "from rospkg_cli.engine.run import finding_builder, worker\n"
+        "real = finding_builder.rule_by_code\n"
         "def broken(slice): raise RuntimeError('no'); yield\n"
         "def patched(code):\n"
         "    return dataclasses.replace(real(code), check=broken) if code == 'RPK001' else real(code)\n"
-        "from rospkg_cli.engine.run import shard; shard.rule_by_code = patched\n"
-        "from rospkg_cli.engine.run.rule_inputs import InputBuilder; InputBuilder.of = lambda self, kind, of=InputBuilder.of: "
+        "worker.rule_by_code = patched\n"
+        "from rospkg_cli.engine.run.rule_inputs import InputBuilder as B; B.of = lambda self, kind, of=B.of: "
         "[types.SimpleNamespace(skipped=False)] if kind.__name__ == 'Unreadable' else of(self, kind)\n"
         "sys.argv = ['rospkg', 'lint', '--format', 'json', *sys.argv[1:]]; sys.exit(main())"
     )

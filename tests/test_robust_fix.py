@@ -14,7 +14,7 @@ import pytest
 from test_lint_command import rospkg
 
 from rospkg_cli.engine.fixing.fix import fix_all
-from rospkg_cli.engine.run import worker as shard
+from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
@@ -99,7 +99,7 @@ def test_a_fix_that_would_break_a_file_is_taken_back_and_said(clean, monkeypatch
 
     real = rule_by_code
     monkeypatch.setattr(
-        shard, "rule_by_code", lambda code: replace(real(code), check=bad) if code == "XML104" else real(code)
+        worker, "rule_by_code", lambda code: replace(real(code), check=bad) if code == "XML104" else real(code)
     )
     comment = clean["package.xml"].replace("  <export>", NEEDLESS)
     tree = MemoryTree.of({**clean, "package.xml": comment})
@@ -152,7 +152,7 @@ def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clea
 
     real = rule_by_code
     monkeypatch.setattr(
-        shard, "rule_by_code", lambda code: replace(real(code), check=grows) if code == "XML104" else real(code)
+        worker, "rule_by_code", lambda code: replace(real(code), check=grows) if code == "XML104" else real(code)
     )
     tree = MemoryTree.of({**clean, "package.xml": clean["package.xml"].replace("  <export>", NEEDLESS)})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))

@@ -16,8 +16,8 @@ from typing import Any
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.format.run import format_manifests
 from rospkg_cli.cli.inspect.run import inspect
+from rospkg_cli.cli.lint.lint_options import FixOptions, LintOptions, ReportOptions, RuleOptions
 from rospkg_cli.cli.lint.run import lint
-from rospkg_cli.cli.lint.session import LintOptions
 from rospkg_cli.config.schema import ConfigError
 from rospkg_cli.engine.baseline import BaselineError
 from rospkg_cli.engine.discovery.locate import LocateError
@@ -167,7 +167,7 @@ class Attempt:
     def repair(self) -> None:
         """Repair a copy, and again: the second time nothing may change."""
         folder, package, before = self.write("fix")
-        options = lint_options(package, fix=True, unsafe_fixes=self.case.unsafe)
+        options = lint_options(package, FixOptions(fix=True, unsafe_fixes=self.case.unsafe))
         self.changing("fix", folder, before, lambda: lint(options))
 
     def arrange(self) -> None:
@@ -187,7 +187,12 @@ class Attempt:
             self.blame(f"{name} again", f"changes something: {path!a}")
 
 
-def lint_options(package: Path, **more: Any) -> LintOptions:
+def lint_options(package: Path, fixing: FixOptions | None = None, **report: Any) -> LintOptions:
     """Return the options of a run of all rules, in this process."""
-    common: dict[str, Any] = {"pedantic": True, "release": True, "jobs": "1", "verbose": True, "color": "never"}
-    return LintOptions(paths=(package,), **{**common, **more})
+    return LintOptions(
+        paths=(package,),
+        jobs="1",
+        rules=RuleOptions(pedantic=True, release=True),
+        fixing=fixing or FixOptions(),
+        report=ReportOptions(**{"verbose": True, "color": "never", **report}),
+    )

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .cli.lint.lint_options import LintOptions, ReportOptions
 from .cli.lint.run import lint_to
-from .cli.lint.session import LintOptions
 from .engine.discovery.discover import packages_in, repositories_in
 from .engine.run.session import Results, Scope, Session
 from .engine.selection import EVERYTHING
@@ -31,7 +31,7 @@ def lint_files(
     chosen = EVERYTHING.codes() if codes is None else frozenset(codes)
     scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
     session = Session(tree, scope, chosen, Targets(targets))
-    return session.run() if folders else session.nothing(["."])
+    return session.run() if folders else session.no_packages(["."])
 
 
 def test_package(request: pytest.FixtureRequest) -> None:
@@ -43,5 +43,5 @@ def test_package(request: pytest.FixtureRequest) -> None:
 def lint_package(inside: Path) -> str:
     """Return what `rospkg lint` says of the package around a path; "" where it would leave with 0."""
     stream = io.StringIO()
-    status = lint_to(LintOptions(paths=(inside,), format="text", color="never"), stream)
+    status = lint_to(LintOptions(paths=(inside,), report=ReportOptions(color="never")), stream)
     return stream.getvalue() if status else ""

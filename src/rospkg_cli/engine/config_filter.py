@@ -1,4 +1,4 @@
-"""What the user's config makes of findings: ignored with a reason, milder, stronger, or off."""
+"""Apply the user's config to findings: those that it ignores are set aside, severities are changed."""
 
 from __future__ import annotations
 
@@ -18,26 +18,29 @@ from .suppression.config_rule_names import Keys, rule_name_events
 
 @dataclass(frozen=True)
 class ConfigFilter:
+    """Applies the ignores and the severities of a config to the results of a run."""
+
     config: Config
     root: Path
-    """Of the run; the paths of findings are relative to it."""
+    """The root of the run: paths of findings are relative to it."""
     whole: bool = True
-    """Whether the run looks at every package, so that an ignore that nothing needs is needless."""
+    """Whether the run looks at every package, so that an ignore without a finding is reported as unused."""
     used: set[Keys] = field(default_factory=set)
     """The ignores that set something aside, as the keys that lead to them."""
 
     def __call__(self, session: Session, results: Results) -> Results:
-        """Return the results with the config's ignores and severities applied, and what is wrong with these."""
-        judged = [self.judge(finding) for finding in results.findings]
-        kept = [f for f in judged if f.suppressed is None]
-        extra = session.report(None, list(self.happenings(session)))
+        """Return the results with the config's ignores and severities applied, and findings on the config itself."""
+        filtered = [self.apply(finding) for finding in results.findings]
+        kept = [f for f in filtered if f.suppressed is None]
+        extra = session.report(None, list(self.config_events(session)))
         return replace(
             results,
             findings=tuple(sorted((*kept, *extra), key=lambda f: f.sort_key) if extra else kept),
-            suppressed=(*results.suppressed, *(f for f in judged if f.suppressed is not None)),
+            suppressed=(*results.suppressed, *(f for f in filtered if f.suppressed is not None)),
         )
 
-    def judge(self, finding: Finding) -> Finding:
+    def apply(self, finding: Finding) -> Finding:
+        """Return the finding with its severity by the config, suppressed where the config ignores it."""
         sections = list(self.sections(finding))
         tables: list[tuple[Keys, Ignores]] = [(("ignore",), self.config.ignore)]
         tables += [((s.key, s.pattern, "ignore"), s.ignore) for s in sections]
@@ -52,8 +55,8 @@ class ConfigFilter:
             return replace(finding, suppressed="severity is off in the config", external=True)
         return replace(finding, severity=Severity(level)) if level else finding
 
-    def happenings(self, session: Session) -> Iterator[UnknownRuleName | UnusedSuppression]:
-        """Yield what is wrong with the rule names of the config; needless ignores only after a whole run."""
+    def config_events(self, session: Session) -> Iterator[UnknownRuleName | UnusedSuppression]:
+        """Yield the unknown rule names in the config and, after a run over all packages, its unused ignores."""
         path = self.config.path
         if path is not None and path.is_relative_to(self.root):
             below = path.relative_to(self.root).as_posix()

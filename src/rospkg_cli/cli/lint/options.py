@@ -78,8 +78,8 @@ def lint(
     """Check packages; --fix repairs."""
     typed: dict[str, Any] = dict(locals())
     from ...report import FORMATS
+    from .lint_options import LintOptions
     from .run import lint as run_lint
-    from .session import LintOptions
 
     one_of("--format", format, FORMATS)
     one_of("--color", color, ("auto", "always", "never"))
@@ -87,5 +87,6 @@ def lint(
         one_of("--fail-on", fail_on, ("error", "warning", "info"))
     if workspace is not None and not workspace.is_dir():
         raise UsageError(f"--workspace: `{workspace}` is not a folder")
-    names = {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target")}
-    return run_lint(LintOptions(**{**typed, **names, "paths": tuple(paths or ()), "output": tuple(output or ())}))
+    typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target")}
+    typed |= {name: tuple(typed[name] or ()) for name in ("paths", "output")}
+    return run_lint(LintOptions.of(typed))

@@ -1,4 +1,4 @@
-"""A hit becomes a finding: code, level, root-relative paths, lines and columns, while the text is at hand."""
+"""Build a finding from a rule's hit: code, severity, paths from the root of the run, lines and columns."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any
 
 from ...files import PackageFiles
 from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation
+from ...package.workspace import Workspace
 from ...rule import Rule
 from ...source import Source, Span
 from ...unreadable import UnreadableError
@@ -16,7 +17,7 @@ from ...unreadable import UnreadableError
 
 @dataclass
 class FindingBuilder:
-    """Stamps the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""
+    """For the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""
 
     files: PackageFiles
     whole: PackageFiles
@@ -46,7 +47,11 @@ class FindingBuilder:
         start = min(span.start, len(source.text))
         return Location(self.resolve(path), Span(start, end), *source.position(start), *source.position(end))
 
-    def stamp(self, rule: Rule[Any], hit: Hit) -> Finding:
+    def package_of(self, path: str) -> str:
+        """Return the name of the package that a hit's path belongs to."""
+        return self.package
+
+    def build(self, rule: Rule[Any], hit: Hit) -> Finding:
         place, source = self.place(hit.path, hit.span), self.source(hit.path)
         return Finding(
             code=rule.code,
@@ -54,7 +59,7 @@ class FindingBuilder:
             severity=hit.level or rule.severity,
             message=hit.message,
             place=place,
-            package=self.package,
+            package=self.package_of(hit.path),
             excerpt=source.slice(source.line_span(place.line)),
             related=tuple((self.place(each.path, each.span), each.message) for each in hit.related),
             fix=self.fix(hit.fix),
@@ -66,11 +71,22 @@ class FindingBuilder:
     def fix(self, fix: Fix | None) -> Fix | None:
         if fix is None:
             return None
-        return replace(fix, operations=tuple(self.rooted(each) for each in fix.operations))
+        return replace(fix, operations=tuple(self.relative_to_root(each) for each in fix.operations))
 
-    def rooted(self, operation: Operation) -> Operation:
+    def relative_to_root(self, operation: Operation) -> Operation:
         moved = replace(operation, path=self.resolve(operation.path))
         return replace(moved, to=self.resolve(moved.to)) if isinstance(moved, Move) else moved
+
+
+@dataclass
+class RootFindingBuilder(FindingBuilder):
+    """For hits whose paths are relative to the root of the run: each belongs to the package that its path is in."""
+
+    workspace: Workspace
+
+    def package_of(self, path: str) -> str:
+        """Return the name of the package whose folder holds a path."""
+        return self.workspace.around(path.lstrip("/"))
 
 
 @cache

@@ -27,7 +27,7 @@ _worker: Worker | None = None
 
 
 class ProcessPool(Pool):
-    """One process a shard, so that the models a process has read are there when it checks."""
+    """A process for each part of the packages, which keeps what it has read until it runs the rules."""
 
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings, jobs: int) -> None:
         self.name = scope.name

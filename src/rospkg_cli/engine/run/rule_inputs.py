@@ -1,4 +1,4 @@
-"""Build the slices that rules ask for by type: one file's model, or a frozen dataclass of slices."""
+"""Build the inputs that rules ask for by type: the model of one file, or a frozen dataclass of inputs."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from ...ros.distros import Targets
 from ...unreadable import Unreadable
 
 InputPart = tuple[type, bool, bool]
-"""The type of a part; whether it may be absent; whether all of them are wanted as a tuple."""
+"""The type of a part; whether it may be absent; whether it is a tuple of all of them."""
 
 
 class InputBuilder:
-    """All slices of one package, each kind built once."""
+    """Builds the inputs of one package, those of each type once."""
 
     def __init__(self, package: Package, workspace: Workspace, targets: Targets, settings: RuleSettings) -> None:
         self.package = package
@@ -38,7 +38,7 @@ class InputBuilder:
         self.built: dict[type, list[Any]] = {Unreadable: []}
 
     def of(self, kind: type) -> list[Any]:
-        """Return the slices of a kind; none where a part of it is absent or broken."""
+        """Return the inputs of a type; none where a part of it is absent or broken."""
         if kind in self.provided:
             return [self.provided[kind]]
         if kind is Unreadable:
@@ -65,7 +65,7 @@ class InputBuilder:
 
 @cache
 def input_parts(kind: type) -> tuple[InputPart, ...]:
-    """Return the parts of a joined slice, as its annotations name them; raises TypeError for what is none."""
+    """Return the parts of a joined input, as its annotations name them; raises TypeError for any other type."""
     if not dataclasses.is_dataclass(kind):
         raise TypeError(f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models")
     hints = typing.get_type_hints(kind)

@@ -1,9 +1,9 @@
-"""Phase three: run rules over the slices of one package, and stamp what they say."""
+"""Run rules over the inputs of one package, and build a finding from each hit."""
 
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -11,30 +11,31 @@ from ...finding import Finding, Hit
 from ...package.run_events import RuleCrash
 from ...rule import Rule
 from .finding_builder import FindingBuilder
-from .rule_inputs import InputBuilder
+
+InputsOf = Callable[[type], list[Any]]
+"""Returns the inputs of a type, as `InputBuilder.of` does."""
 
 MAX_HITS = 2_000
-"""Nobody reads more findings of one rule in one package; what comes after them is said in one."""
+"""Findings of one rule in one package; one more says that there are others."""
 
 
-def run_rule(rule: Rule[Any], slices: Iterable[Any], package: str) -> Iterator[Hit]:
-    """Yield the hits of a rule, the last of very many with the word that more were cut off; raises what it raises."""
-    hits = (hit for each in slices for hit in rule.check(each))
+def run_rule(rule: Rule[Any], inputs: Iterable[Any], package: str) -> Iterator[Hit]:
+    """Yield the hits of a rule, at most MAX_HITS and one that says that others are not shown; raises what it raises."""
+    hits = (hit for each in inputs for hit in rule.check(each))
     for count, hit in enumerate(hits, 1):
         if count > MAX_HITS:
-            more = f"more than {MAX_HITS:,} findings of {rule.code} in `{package}`: from here on they are not shown"
+            where = f"`{package}`" if package else "the workspace"
+            more = f"more than {MAX_HITS:,} findings of {rule.code} in {where}: from here on they are not shown"
             yield replace(hit, message=more, related=(), fix=None)
             return
         yield hit
 
 
-def run_rules(
-    slices: InputBuilder, rules: Iterable[Rule[Any]], stamper: FindingBuilder
-) -> Iterator[Finding | RuleCrash]:
+def run_rules(inputs: InputsOf, rules: Iterable[Rule[Any]], builder: FindingBuilder) -> Iterator[Finding | RuleCrash]:
     """Run the rules over one package; a rule that raises is reported and the others go on."""
     for rule in rules:
         try:
-            for hit in run_rule(rule, slices.of(rule.over), stamper.package):
-                yield stamper.stamp(rule, hit)
-        except Exception:  # a fault of ours must not hide what other rules found
-            yield RuleCrash(rule.code, stamper.package, stamper.crash_path, traceback.format_exc())
+            for hit in run_rule(rule, inputs(rule.over), builder.package):
+                yield builder.build(rule, hit)
+        except Exception:  # a bug of one rule must not hide what other rules found
+            yield RuleCrash(rule.code, builder.package, builder.crash_path, traceback.format_exc())

@@ -27,7 +27,7 @@ NO_SETTINGS = RuleSettings()
 
 @dataclass(frozen=True)
 class PackageResults:
-    """What came out of one package."""
+    """What the rules found in one package."""
 
     folder: str
     findings: tuple[Finding, ...] = ()
@@ -53,7 +53,7 @@ class Worker:
         return [self.facts(folder, package) for folder, package in self.packages.items()]
 
     def facts(self, folder: str, package: Package) -> PackageFacts:
-        """Return a package's facts; of one that we fail on, nothing but its folder is known to the others."""
+        """Return a package's facts; of one that raises an exception, only the folder is known to the others."""
         try:
             return collect_facts(package, self.targets, folder, self.name)
         except Exception:
@@ -61,7 +61,7 @@ class Worker:
             return unknown_facts(folder, self.name)
 
     def run_rules(self, workspace: Workspace, codes: Iterable[str]) -> list[PackageResults]:
-        """Run the rules (without those over the whole workspace) over the given packages of this shard."""
+        """Run the rules (without those over the whole workspace) over the given packages of this worker."""
         rules = [r for r in map(rule_by_code, codes) if r.over not in RUN_EVENTS | {Workspace}]
         whole = PackageFiles(self.tree)
         found = []
@@ -69,9 +69,9 @@ class Worker:
             if folder not in workspace.given:
                 continue
             package = self.packages[folder]
-            stamper = FindingBuilder(package.files, whole, workspace.at(folder).name)
-            results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings), rules, stamper))
-            results += reader_crashes(package, stamper.package, stamper.crash_path)
+            builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
+            results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings).of, rules, builder))
+            results += reader_crashes(package, builder.package, builder.crash_path)
             found.append(
                 PackageResults(
                     folder,

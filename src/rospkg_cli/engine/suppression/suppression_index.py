@@ -37,9 +37,9 @@ class SuppressionIndex:
 
     def apply(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the findings, those that are silenced with the reason."""
-        return [self.judge(finding) for finding in findings]
+        return [self.suppressed(finding) for finding in findings]
 
-    def judge(self, finding: Finding) -> Finding:
+    def suppressed(self, finding: Finding) -> Finding:
         places = ((finding.place.path, 0), (finding.place.path, finding.place.line))
         found = [found for place in places if (found := self.codes_at(place).get(finding.code)) is not None]
         if not found:
@@ -67,21 +67,21 @@ class SuppressionIndex:
             if not codes_named(name)
         ]
         different = dict.fromkeys(name for _, _, name in found)
-        meant = {name: nearest(name, names) for name in islice(different, MAX_GUESSES)}
-        return [UnknownRuleName(path, span, name, meant.get(name)) for path, span, name in found]
+        suggestions = {name: nearest(name, names) for name in islice(different, MAX_GUESSES)}
+        return [UnknownRuleName(path, span, name, suggestions.get(name)) for path, span, name in found]
 
     def unused(self) -> list[UnusedSuppression]:
         """Return the codes in comments that silenced nothing although all of their rules ran."""
         found = []
         for index, comment in enumerate(self.comments):
-            idle = [at for at, name in enumerate(comment.codes) if self.is_idle(index, at, name)]
-            everything = len(idle) == len(comment.codes)
-            for at in idle:
+            unused = [at for at, name in enumerate(comment.codes) if self.is_unused(index, at, name)]
+            everything = len(unused) == len(comment.codes)
+            for at in unused:
                 delete = comment.line_span if everything else code_removal(comment, at)
                 found.append(UnusedSuppression(comment.path, comment.code_spans[at], comment.codes[at], delete))
         return found
 
-    def is_idle(self, index: int, at: int, name: str) -> bool:
+    def is_unused(self, index: int, at: int, name: str) -> bool:
         codes = codes_named(name)
         return (index, at) not in self.used and bool(codes) and codes <= self.ran
 
