@@ -1,4 +1,4 @@
-"""Which file was meant where a path leads to none."""
+"""The file with the closest name, for a path where there is none."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..suggest import nearest
 
 
 def closest_path(path: str, known: Collection[str]) -> str | None:
-    """Return the one path that is near: a near name in the same folder, or the same name elsewhere."""
+    """Return the only similar path: a similar name in the same folder, or the same name in another one."""
     folder, name = posixpath.split(path)
     beside = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
     if near := nearest(name, beside):

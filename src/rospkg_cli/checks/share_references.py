@@ -1,4 +1,4 @@
-"""Whether code speaks of a folder of a package's own share directory, as far as its words show."""
+"""Whether code refers to a folder of a package's own share directory, by a search in its text."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ SHARE = re.compile(
     r"(?:get_package_share_(?:directory|path)|FindPackageShare)\s*\(\s*(?:package\s*=\s*)?(?:[\"']([\w-]+)[\"'])?"
     r"|\$\(find-pkg-share\s+([\w-]+)"
 )
-"""Where a share directory is asked for: of a package that is named, or of one that a variable holds."""
+"""A lookup of a share directory: of a literal package name, or of one in a variable."""
 
 ASSIGNED = re.compile(r"[ \t]*(\w+)\s*(?::[^=\n]*)?=[^=]")
 REACH = 200
-"""How many characters a path takes from its share directory to its folder."""
+"""The most characters between a share directory and a folder that is joined to it."""
 
 
 def references_folder(text: str, package: str, folder: str) -> bool:
-    """Return whether a text joins a folder to the share directory of a package, or of one that can't be told."""
+    """Return whether a text joins a folder to the share directory of a package, or of an unknown one."""
     spoken = [match.start() for match in re.finditer(rf"""["'/]{re.escape(folder)}["'/]""", text)]
     if not spoken:
         return False
@@ -30,7 +30,7 @@ def references_folder(text: str, package: str, folder: str) -> bool:
 
 
 def share_directories(text: str) -> Iterator[tuple[int, str]]:
-    """Yield where a share directory is meant, with its package's name; "" where a variable holds that."""
+    """Yield the offsets of references to share directories, with the package's name; "" where it is in a variable."""
     held: dict[str, str] = {}
     for match in SHARE.finditer(text):
         name = match[1] or match[2] or ""

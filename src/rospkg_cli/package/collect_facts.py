@@ -1,4 +1,4 @@
-"""Phase one: what other packages may know of this one."""
+"""Phase one: collect the facts of a package for the checks of other packages."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
-from .params.code import node_code
-from .params.gathered import declared_parameters, given_parameters
+from .params.node_sources import node_code
+from .params.collect_declared import declared_parameters, given_parameters
 from .plugins.plugin_facts import plugin_facts
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files

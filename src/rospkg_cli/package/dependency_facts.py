@@ -1,4 +1,4 @@
-"""What a manifest says of other packages, as PackageFacts tells it."""
+"""The dependencies and groups of a manifest, as fields of PackageFacts."""
 
 from __future__ import annotations
 

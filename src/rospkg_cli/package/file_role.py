@@ -1,4 +1,4 @@
-"""What a file of a package is there for, by where it stands: folders decide, a name like `test_utils` does not."""
+"""The role of a file of a package, by its path: folders decide, a name like `test_utils` does not."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 
 
 def role_of(path: str) -> Role:
-    """Return the role of a file that is, for all that its path tells, part of the package."""
+    """Return the role of a file by its path."""
     where = PurePosixPath(path)
     folders = set(where.parts[:-1])
     if folders & TESTS or where.name == "conftest.py":

@@ -1,4 +1,4 @@
-"""What `rospkg inspect` tells of a package: the install table, the interfaces, and what can't be told."""
+"""What `rospkg inspect` reports of a package: the install table, the interfaces, and what is unknown."""
 
 from __future__ import annotations
 

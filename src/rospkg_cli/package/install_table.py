@@ -1,4 +1,4 @@
-"""The install table: what stands where below the prefix after the build, and where that was said."""
+"""The install table: each file below the install prefix after the build, and the position that installs it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ InstallKind = Literal["executable", "share", "module", "library", "header", "oth
 
 @dataclass(frozen=True, slots=True)
 class InstalledFile:
-    """One file that will be there."""
+    """One installed file."""
 
     what: InstallKind
     destination: str
@@ -25,17 +25,17 @@ class InstalledFile:
     entry: str = ""
     """`module:attribute` of an executable that calls a function."""
     path: str = ""
-    """The file that says so."""
+    """The file that installs it; `span` is the position in it."""
     span: Span = NOWHERE
     maybe: bool = False
-    """It is there only under a condition that can't be evaluated."""
+    """It is installed only under a condition that can't be evaluated."""
     testing: bool = False
-    """It is there only where tests are built, as colcon does unless it is told otherwise."""
+    """It is installed only where tests are built, as colcon does by default."""
 
 
 @dataclass(frozen=True, slots=True)
 class UnknownPart:
-    """A part of the table that can't be told."""
+    """A part of the table that is unknown."""
 
     what: InstallKind
     why: str

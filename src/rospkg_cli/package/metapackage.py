@@ -1,4 +1,4 @@
-"""Metapackages: packages that have nothing of their own and only name others."""
+"""Metapackages: packages that have nothing of their own and only depend on others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""PackageFacts: all that one package may know of another. Small, frozen, and it pickles."""
+"""PackageFacts: all that the checks of one package may use of another. Small, frozen, and it pickles."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Literal
 from ..source import Span
 from .launch.configuration_events import Summary
 from .launch.launch_signature import LaunchSignature
-from .params.declared import DeclaredParameter, NodeCode
+from .params.declared_parameter import DeclaredParameter, NodeCode
 
 UnknownField = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
@@ -74,22 +74,22 @@ class PackageFacts:
     is_metapackage: bool = False
     """Whether it has nothing of its own and only names others."""
     executables: frozenset[str] = frozenset()
-    """What stands in lib/<name> after the build."""
+    """The files of lib/<name> after the build."""
     misplaced_executables: frozenset[str] = frozenset()
-    """Executables that are installed where `ros2 run` does not look, such as bin/."""
+    """Executables that are installed where `ros2 run` does not find them, such as bin/."""
     started_nodes: frozenset[tuple[str, str]] = frozenset()
     """What its launch files start under literal names: package and executable."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     share_files: frozenset[str] = frozenset()
-    """What stands in share/<name> after the build, relative to it."""
+    """The files of share/<name> after the build, relative to it."""
     uninstalled: frozenset[str] = frozenset()
     """The files that it has in its folders for run time, and that nothing installs."""
     written_files: frozenset[str] = frozenset()
-    """The names of the files that its build writes, or installs though they are not here; `*` is what can't be told."""
+    """The names of the files that its build writes, or installs from elsewhere; `*` is unknown."""
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
-    """The targets that its CMake exports, with their namespace; as far as these can be told."""
+    """The targets that its CMake exports, with their namespace, as far as they are known."""
     modules: frozenset[str] = frozenset()
     """Dotted names of the Python modules that are installed."""
     headers: frozenset[str] = frozenset()

@@ -18,7 +18,7 @@ class Modules:
     parsed: dict[str, PythonFile | Unreadable] = field(default_factory=dict)
 
     def read(self, path: str) -> PythonFile | Unreadable:
-        """Return a file's syntax, or what keeps us from it."""
+        """Return a parsed file, or why it can't be parsed."""
         if path not in self.parsed:
             try:
                 self.parsed[path] = parse_python(self.files.source(path))

@@ -1,4 +1,4 @@
-"""Make the install table of a package, whatever builds it, and the facts that other packages get of it."""
+"""Make the install table of a package, for any build type, and its facts for other packages."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def read_install_table(reading: ReaderInput) -> Iterator[InstallTable]:
 
 
 class InstalledFacts(NamedTuple):
-    """What PackageFacts says of a table."""
+    """The fields of PackageFacts that come from the install table."""
 
     executables: frozenset[str] = frozenset()
     misplaced_executables: frozenset[str] = frozenset()
@@ -60,7 +60,7 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
 
 
 def forgotten(reading: ReaderInput) -> frozenset[str]:
-    """Return the executables that CMake builds and does not install, of which a rule speaks where they are built."""
+    """Return the executables that CMake builds and does not install; CMK103 reports them at their target."""
     found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
     return frozenset(each.target.name for each in found if each.target.is_executable)
 

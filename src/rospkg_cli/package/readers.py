@@ -1,4 +1,4 @@
-"""Which function reads which model: the one table that the engine and joined slices go by."""
+"""The reader of each model: the one table that the engine and joined rule inputs use."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from .interfaces.reader import read_interfaces
 from .launch.launch_file import LaunchFile
 from .launch.read_launch_files import read_launch_files
 from .manifest import Manifest, read_manifest
-from .params.file import ParameterFile
-from .params.library import ParameterLibrary, read_parameter_libraries
-from .params.reader import read_parameter_files
+from .params.parameter_file import ParameterFile
+from .params.parameter_library import ParameterLibrary, read_parameter_libraries
+from .params.read_parameter_files import read_parameter_files
 from .plugins.description import PluginDescription
 from .plugins.loaders import PluginLoaders, read_plugin_loaders
 from .plugins.read_descriptions import read_plugin_descriptions

@@ -1,4 +1,4 @@
-"""What a user's config tells the rules; everything else in it is the engine's."""
+"""The settings in a user's config that rules use; all others are used by the engine."""
 
 from __future__ import annotations
 
@@ -8,6 +8,6 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class RuleSettings:
     build_types: frozenset[str] = frozenset()
-    """Build types that are known here beside those of `ros.manifest`."""
+    """Build types that are accepted in addition to those of `ros.manifest`."""
     plugins: tuple[str, ...] = ()
     """Installed packages of rules, which every process of a run must load."""

@@ -1,4 +1,4 @@
-"""What a run itself can report: the slices of the RPK rules."""
+"""What a run itself can report: the inputs of the RPK rules."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..source import Span
 
 @dataclass(frozen=True, slots=True)
 class UnusedSuppression:
-    """An ignore, or one code of an ignore comment, that silenced nothing."""
+    """An ignore, or one code of an ignore comment, that matched no finding."""
 
     path: str
     span: Span
@@ -50,4 +50,4 @@ class NoPackagesFound:
 
 
 RUN_EVENTS: frozenset[type] = frozenset({UnusedSuppression, UnknownRuleName, RuleCrash, NoPackagesFound})
-"""Slices that the run makes of itself, after the packages have been checked."""
+"""Rule inputs that the run makes, after the packages have been checked."""

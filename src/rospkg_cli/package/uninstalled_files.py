@@ -1,4 +1,4 @@
-"""What the install table of a package does not tell: files that stay behind, and files that the build writes."""
+"""Files for run time that are not installed, and files that the build writes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def uninstalled_files(reading: ReaderInput) -> frozenset[str]:
 def made_files(reading: ReaderInput) -> frozenset[str]:
     """Return the names of the files that CMake writes, and of those that it installs and that are not here.
 
-    `*` stands for what of a name can't be told, and for all that a folder may hold.
+    `*` stands for the unknown parts of a name, and for any file of a folder.
     """
     cmake = reading.parts(CMake).only
     if cmake is None:

@@ -1,4 +1,4 @@
-"""Everything that is known about the packages around the one that is checked."""
+"""Everything that is known about the packages of the run, for the one that is checked."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
 from .launch.workspace_launch_files import LaunchFiles
 from .package_facts import PackageFacts, Plugin
-from .params.index import ParameterIndex
+from .params.parameter_index import ParameterIndex
 
 
 @dataclass(frozen=True)
@@ -19,17 +19,17 @@ class Workspace:
     packages: tuple[PackageFacts, ...] = ()
     """Of all packages found, sorted by folder."""
     given: frozenset[str] = frozenset()
-    """The folders of those that the user asked about."""
+    """The folders of the packages that the user selected."""
     complete: bool = True
-    """False where a `.repos` file, say, lists more that belongs here: then an unknown name can't be told."""
+    """False where, for example, a `.repos` file lists packages that are not here: then no name is certainly unknown."""
     prefix_names: frozenset[str] = frozenset()
     """Names found in AMENT_PREFIX_PATH and /opt/ros: they may silence a finding, never cause one."""
 
     repositories: tuple[frozenset[str], ...] = ()
-    """The folders of the packages that each repository holds, as far as repositories can be told."""
+    """The folders of the packages of each repository, as far as repositories are known."""
 
     index: Names = BUILT_IN
-    """The names of the world outside."""
+    """The names of rosdistro and rosdep."""
 
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
@@ -61,7 +61,7 @@ class Workspace:
         return self._by_folder[folder]
 
     def around(self, path: str) -> str:
-        """Return the name of the innermost package that a path of the run lies in; "" for none."""
+        """Return the name of the innermost package that contains a path of the run; "" for none."""
         while path:
             path = path.rpartition("/")[0]
             if path in self._by_folder:
@@ -81,7 +81,7 @@ class Workspace:
         return name in self._by_name or name in self.prefix_names
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
-        """Return whether a name can be had on a distribution; None where nobody can tell."""
+        """Return whether a name can be resolved on a distribution; None where that is unknown."""
         found = self.is_available(name) or self.index.resolves(name, distro)
         return found if found or self.complete else None
 
@@ -123,13 +123,13 @@ class Workspace:
         return found
 
     def with_header(self, header: str) -> frozenset[str]:
-        """Return the packages around that have the folder of a header."""
+        """Return the packages of the workspace that have the folder of a header."""
         return frozenset(self._by_headers.get(header.rpartition("/")[0], ()))
 
     def providers_of(self, module: str) -> tuple[str, ...]:
-        """Return what serves an import: a package around, a ROS package, a rosdep key; nothing where nobody can tell.
+        """Return what provides an import: a package of the workspace, a ROS package, a rosdep key; empty where unknown.
 
-        Any of the names will do, and the first is the one to recommend.
+        Each of the names is sufficient, and the first is the one to recommend.
         """
         top = module.partition(".")[0]
         around = [self._by_module[top]] if top in self._by_module else []

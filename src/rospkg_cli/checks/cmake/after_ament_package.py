@@ -1,4 +1,4 @@
-"""What comes after `ament_package`, which should come last."""
+"""Commands after `ament_package`, which should be the last."""
 
 from __future__ import annotations
 

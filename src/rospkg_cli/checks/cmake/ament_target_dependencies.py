@@ -1,4 +1,4 @@
-"""Calls of ament_target_dependencies, and what stands for them in `target_link_libraries`."""
+"""Calls of ament_target_dependencies, and their replacement with `target_link_libraries`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LINK_PLAINLY = ("ament_add_gtest", "ament_add_gmock", "ament_add_gtest_executabl
                 "ament_add_google_benchmark", "ament_auto_add_gtest", "ament_auto_add_library",
                 "ament_auto_add_executable", "ament_add_ros_isolated_gtest",
                 "ament_add_ros_isolated_gmock")  # fmt: skip
-"""Commands that link their target without a keyword: CMake then refuses one for the rest."""
+"""Commands that link their target without a keyword: CMake then refuses keywords in other calls."""
 
 LIBRARIES = re.compile(r"\$\{\w+_(LIBRARIES|LIBS|TARGETS)\}")
 
@@ -57,7 +57,7 @@ class Replacement:
     """The keyword that the command has; "" where it has none."""
     includes: tuple[str, ...]
     guessed: tuple[str, ...]
-    """Packages of which nobody knows whether they export targets."""
+    """Packages of which it is unknown whether they export targets."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class AmentTargetDependencies:
         return Replacement(tuple(parts), signatures.pop(), keyword, tuple(dict.fromkeys(includes)), tuple(guessed))
 
     def arguments(self, removed: RemovedCommand) -> list[tuple[CommandArgument, tuple[str, ...]]] | None:
-        """Return the arguments behind the target with the names they stand for; None where that can't be told."""
+        """Return the arguments after the target, each with the names it expands to; None where that is unknown."""
         seen = [list(call.by_argument())[1:] for call in removed.calls]
         first = [(argument, tuple(word.text for word in words)) for argument, words in seen[0]]
         for each in seen:

@@ -1,4 +1,4 @@
-"""Components: what CMake registers, against what the sources register."""
+"""Components: what CMake registers against what the sources register."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ class ComponentRegistration:
 
     @property
     def macros(self) -> bool:
-        """Whether a macro of the package's own registers classes: then nobody knows which."""
+        """Whether a macro of the package's own registers classes: then it is unknown which."""
         bodies = [define.body for file in self.sources for define in file.defines]
         hidden = any(MACRO in body or "CLASS_LOADER_REGISTER" in body for body in bodies)
         return hidden or any(True for file in self.sources for _ in file.calls_to("CLASS_LOADER_REGISTER_CLASS"))
 
     @property
     def generated(self) -> bool:
-        """Whether a target's sources can't all be seen."""
+        """Whether some sources of a target are generated or unknown."""
         targets = {component.target.text for component in self.package.cmake.components}
         words = [w for name in targets if (t := self.package.cmake.target(name)) for w in t.sources]
         return any(not word.known or word.text.startswith(BINARY) for word in words)
@@ -63,7 +63,7 @@ class ComponentRegistration:
                 yield component
 
     def without_target(self) -> Iterator[Component]:
-        """Yield the components of a target that nothing makes."""
+        """Yield the components of a target that does not exist."""
         references = TargetReferences(self.package.cmake)
         cmake = self.package.cmake
         if not cmake.complete or cmake.reads_unknown_files:

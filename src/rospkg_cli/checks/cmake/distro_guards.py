@@ -1,4 +1,4 @@
-"""Commands that run only where the distribution, or a command of it, is the right one."""
+"""Commands inside an `if` that depends on the distribution, or on a command that only some have."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ...languages.cmake.command_blocks import Block
 from ...languages.cmake.syntax import CommandInvocation
 
 ASKS = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
-"""What a condition says that asks for it."""
+"""What a condition contains that tests for it."""
 
 
 def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = False) -> Iterator[CommandInvocation]:

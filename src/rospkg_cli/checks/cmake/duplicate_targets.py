@@ -1,4 +1,4 @@
-"""Targets that can't both be made, because they have one name."""
+"""Targets that can't both be added, because they have the same name."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class DuplicateTarget:
 
 
 def duplicate_targets(cmake: CMake) -> Iterator[DuplicateTarget]:
-    """Yield each target that is made again, at the second place."""
+    """Yield each target that is added twice, at the second position."""
     made: dict[str, tuple[Word, str]] = {}
     for target in cmake.targets:
         if not is_sure(target):

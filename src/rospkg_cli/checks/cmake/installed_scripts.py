@@ -1,4 +1,4 @@
-"""Scripts in lib/<package>: can they be executed, and are there others beside them that nobody installs?"""
+"""Scripts in lib/<package>: whether they are executable, and scripts of the same folders that no rule installs."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ class InstalledScripts:
             return True
 
     def uninstalled(self) -> Iterator[tuple[str, Copy]]:
-        """Yield the scripts beside installed ones that no rule installs, each with one that is."""
+        """Yield the scripts that no rule installs, each with an installed script of its folder."""
         cmake = self.package.cmake
         if any(rule.kind == "CODE" or rule.destination is None for rule in cmake.installs if rule.kind != "TARGETS"):
             return

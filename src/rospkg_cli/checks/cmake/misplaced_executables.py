@@ -1,4 +1,4 @@
-"""Executables and scripts that are installed where `ros2 run` and launch files don't look."""
+"""Executables and scripts that are installed where `ros2 run` and launch files don't find them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class MisplacedExecutable:
     started: bool
     """Whether a launch file or the README starts it."""
     ros: bool
-    """Whether it is a node, as far as that shows."""
+    """Whether it is a node, as far as that is known."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class MisplacedExecutables:
     package: CMakePackage
 
     def all(self) -> Iterator[MisplacedExecutable]:
-        """Yield each executable that is meant for `ros2 run` and does not stand in lib/<package>."""
+        """Yield each executable for `ros2 run` that is not installed in lib/<package>."""
         found = list(self.anywhere())
         right = {row.destination for row in self.table.rows()} if found else set()
         for each in found:
@@ -52,7 +52,7 @@ class MisplacedExecutables:
         return CMakeTableBuilder(self.package.cmake, self.package.facts.name)
 
     def anywhere(self) -> Iterator[MisplacedExecutable]:
-        """Yield each executable that a rule installs into another place, whatever other rules do with it."""
+        """Yield each executable that a rule installs into another folder, whatever other rules do with it."""
         cmake, artifacts = self.package.cmake, self.table.artifacts
         for rule in cmake.installs:
             if rule.call.maybe:

@@ -1,4 +1,4 @@
-"""What users of a package's libraries need to find, against what ament_export_dependencies makes them find."""
+"""Packages that users of a package's libraries need, and that ament_export_dependencies lacks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BY_MACRO = {
     ),
     "rosidl_generate_interfaces": frozenset({"rosidl_default_runtime"}),
 }
-"""What commands export on their own."""
+"""What macros export themselves."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class MissingExportDependency:
     as_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     only_loaded: bool
-    """Whether it is a plug-in or a component, and no package around builds against this one."""
+    """Whether it is a plug-in or a component, and no package of the workspace builds against this one."""
 
 
 @dataclass(frozen=True)
@@ -64,12 +64,12 @@ class ExportedDependencies:
 
     @cached_property
     def is_built_against(self) -> bool:
-        """Whether a package around builds against this one: plug-ins and components are only loaded."""
+        """Whether a package of the workspace builds against this one: plug-ins and components are only loaded."""
         name = self.headers.package.facts.name
         return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
 
     def package_of(self, link: Link) -> str:
-        """Return the package that a word of a link stands for: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""
+        """Return the package that an argument of a link refers to: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""
         if link.package:
             return link.word.text
         if "::" in link.word.text and link.word.known:
@@ -102,7 +102,7 @@ class ExportedDependencies:
 
     @cached_property
     def exported(self) -> frozenset[str]:
-        """The names that are exported; a hole among them where one can't be evaluated."""
+        """The names that are exported; UNKNOWN among them where one can't be evaluated."""
         cmake = self.headers.package.cmake
         names = {UNKNOWN if UNKNOWN in text else text for call in self.calls for text in call.texts}
         for each in cmake.interface_targets:
@@ -113,7 +113,7 @@ class ExportedDependencies:
 
     @cached_property
     def there(self) -> frozenset[str]:
-        """What is exported, and what comes with it."""
+        """What is exported, directly or through another package."""
         found: set[str] = set()
         waiting = list(self.exported)
         while waiting:

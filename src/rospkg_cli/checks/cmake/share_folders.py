@@ -1,4 +1,4 @@
-"""What a package puts into its share directory, against the folders that it has for run time."""
+"""What a package installs in its share directory, against its folders for run time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class RuntimeFolders:
     table: InstallTable
 
     def uninstalled(self) -> Iterator[str]:
-        """Yield the folders for run time of which nothing is installed; none where something can't be told."""
+        """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
         cmake = self.package.cmake
         if not self.table.knows("share") or not cmake.complete or not cmake.ends_a_package or cmake.reads_unknown_files:
             return
@@ -35,7 +35,7 @@ class RuntimeFolders:
                 yield folder
 
     def useful(self, folder: str) -> tuple[str, ...]:
-        """Return the files of a folder that are meant for run time, but for those that the build takes."""
+        """Return the files of a folder that are used at run time, without those that the build uses."""
         paths = self.package.cmake.package.below(folder)
         meant = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
         return tuple(path for path in meant if path not in self.built_from and "/test/" not in path)
@@ -50,13 +50,13 @@ class RuntimeFolders:
         return any(row.source.startswith(f"{folder}/") for row in self.table.rows)
 
     def is_named(self, folder: str) -> bool:
-        """Return whether another command speaks of the folder: then it is there for something else."""
+        """Return whether another command names the folder: then it serves another purpose."""
         calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
         return any(path == folder or path.startswith(f"{folder}/") for call in calls for path in paths_of(call))
 
     @property
     def place(self) -> EvaluatedCommand | None:
-        """The call that should have named the folder: the last rule for share/, else ament_package()."""
+        """The call to which the folder should be added: the last rule for share/, else ament_package()."""
         cmake = self.package.cmake
         share = f"share/{cmake.project_name}"
         rules = [r for r in cmake.installs if r.kind == "DIRECTORY" and (r.destination or "").startswith(share)]
@@ -64,7 +64,7 @@ class RuntimeFolders:
         return rules[-1].call if rules else ends[-1] if ends else None
 
     def refers_to(self, folder: str) -> bool:
-        """Return whether a launch file or the README speaks of a folder of the share directory."""
+        """Return whether a launch file or the README refers to a folder of the share directory."""
         name = self.package.facts.name
         started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
         return any(
@@ -89,7 +89,7 @@ class RuntimeFolders:
 
 
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:
-    """Yield the paths that a call's arguments may be, whatever they stand for."""
+    """Yield the paths that a call's arguments may be, whatever their keywords."""
     for text in call.texts:
         if (path := path_in_package(text, call.folder)) and ("/" in path or "." in path or path in FOLDERS):
             yield path

@@ -1,4 +1,4 @@
-"""Which target each source file of a package is compiled into."""
+"""The targets that each source file of a package is compiled into."""
 
 from __future__ import annotations
 

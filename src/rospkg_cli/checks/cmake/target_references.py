@@ -1,4 +1,4 @@
-"""Names of targets and exports that commands use, and which of them nothing makes."""
+"""Names of targets and exports that commands refer to, and which of them do not exist."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TargetReferences:
     cmake: CMake
 
     def broken(self) -> Iterator[TargetReference]:
-        """Yield what is named and never made, each place once; nothing where a name can't be evaluated."""
+        """Yield what is referenced and never added, each position once; nothing where a name can't be evaluated."""
         if not self.cmake.complete or self.cmake.reads_unknown_files:
             return
         seen: set[tuple[str, int, str]] = set()
@@ -46,7 +46,7 @@ class TargetReferences:
                 yield reference
 
     def run_together(self, names: Collection[str]) -> Iterator[tuple[TargetReference, str, str]]:
-        """Yield words that are none of some packages' names, but two of them without a blank."""
+        """Yield arguments that are two of some packages' names without a blank between them."""
         for call in self.cmake.named("ament_export_dependencies", "ament_target_dependencies"):
             for word in call.words[call.name != "ament_export_dependencies" :]:
                 text = word.text
@@ -87,13 +87,13 @@ class TargetReferences:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """All names that may be targets; a hole among them where a target's name is unknown."""
+        """All names that may be targets; UNKNOWN among them where a target's name is unknown."""
         made = (UNKNOWN if UNKNOWN in target.name else target.name for target in self.cmake.targets)
         foreign = (UNKNOWN if UNKNOWN in text else text for call in self.foreign for text in call.texts)
         return frozenset([*made, *foreign])
 
     @cached_property
     def foreign(self) -> list[EvaluatedCommand]:
-        """The calls of commands that we don't know: each may make a target of any of its arguments."""
+        """The calls of unknown commands: each may add a target named by any of its arguments."""
         known = {*COMMANDS, *MAKERS, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]

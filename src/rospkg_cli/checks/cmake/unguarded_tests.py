@@ -1,4 +1,4 @@
-"""What belongs to tests alone, and whether it stands inside `if(BUILD_TESTING)`."""
+"""Commands for tests alone that are not inside `if(BUILD_TESTING)`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class UnguardedTest:
 
 
 def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:
-    """Yield what looks for test packages or makes tests, though nobody asked for tests."""
+    """Yield what finds test packages or adds tests outside of `if(BUILD_TESTING)`."""
     cmake, manifest = package.cmake, package.manifest
     if cmake.only_tests:
         return

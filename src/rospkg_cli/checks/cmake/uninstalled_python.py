@@ -1,4 +1,4 @@
-"""Python packages beside CMake: does a script or a launch file import one that nothing installs?"""
+"""Python packages of a CMake package that a script or a launch file imports and that nothing installs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...source import Span
 
 @dataclass(frozen=True)
 class UninstalledPythonPackage:
-    """A Python package that is imported, and where."""
+    """A Python package that is imported and not installed, and where it is imported."""
 
     folder: str
     path: str
@@ -37,7 +37,7 @@ class PythonPackages:
 
     @cached_property
     def installed(self) -> frozenset[str]:
-        """The first names of the modules that Python finds."""
+        """The top-level names of the installed modules."""
         return frozenset(path.partition("/")[0].removesuffix(".py") for path, _ in self.table.below(PYTHON))
 
     def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
@@ -58,7 +58,7 @@ class PythonPackages:
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module)
 
     def is_own(self, what: Import) -> bool:
-        """Return whether an import means a module that lies in the package, and none that rosidl generates."""
+        """Return whether an import refers to a module of the package, and not to one that rosidl generates."""
         files, path = self.package.cmake.package, what.module.replace(".", "/")
         if path == self.package.facts.name and not self.package.cmake.interface_targets:
             return True

@@ -1,4 +1,4 @@
-"""The files of a package beside its facts."""
+"""The files of a package together with its facts."""
 
 from __future__ import annotations
 

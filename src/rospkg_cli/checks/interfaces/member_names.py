@@ -17,7 +17,7 @@ def is_valid(member: Member) -> bool:
 
 
 def repeated(section: MessageSection) -> Iterator[tuple[Member, Member]]:
-    """Yield each field and each constant whose name stands before in the same section, with the first of that name."""
+    """Yield each field and constant whose name is used before in the same section, with the first of that name."""
     seen: dict[tuple[bool, str], Member] = {}
     for member in section.members:
         key = member.constant, member.name
@@ -28,7 +28,7 @@ def repeated(section: MessageSection) -> Iterator[tuple[Member, Member]]:
 
 
 def suggestion(member: Member) -> str | None:
-    """Return the name that was meant, if one that rosidl takes comes of it."""
+    """Return the name in the case that rosidl accepts; None where there is none."""
     words = re.sub(r"[-_]+", "_", HUMP.sub("_", member.name)).strip("_")
     name = words.upper() if member.constant else words.lower()
     return name if (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(name) else None

@@ -1,4 +1,4 @@
-"""An interface file among the packages whose types it may name."""
+"""Rule input: an interface file with the packages whose types it may use."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ class InterfaceInWorkspace:
         return kind.package in ("", self.package.name)
 
     def messages(self, kind: FieldType) -> Set[str] | None:
-        """Return the messages of the package of a type; None where they can't be told."""
+        """Return the messages of the package of a type; None where they are unknown."""
         facts = self.package if self.is_own(kind) else self.workspace.named(kind.package)
         if facts is None or not facts.knows("interfaces"):
             return None
         return {name.removeprefix("msg/") for name in facts.interfaces if name.startswith("msg/")}
 
     def bare_headers(self) -> Iterator[FieldType]:
-        """Yield the types `Header` that mean, as ROS 1 did, that of std_msgs."""
+        """Yield the types `Header` that refer, as in ROS 1, to std_msgs."""
         for kind in self.interface.types:
             known = self.messages(kind)
             if kind.base == "Header" and not kind.package and known is not None and "Header" not in known:
                 yield kind
 
     def unknown_types(self) -> Iterator[FieldType]:
-        """Yield the types that their package lacks; of a core package that is not at hand, only plain slips."""
+        """Yield the types that their package lacks; of a core package that is absent, only clear misspellings."""
         bare = set(self.bare_headers())
         for kind in self.interface.types:
             known = self.messages(kind)
@@ -50,7 +50,7 @@ class InterfaceInWorkspace:
                 yield kind
 
     def suggestion(self, kind: FieldType) -> str | None:
-        """Return the type that was meant where exactly one is near."""
+        """Return the similar type where there is exactly one."""
         known = self.messages(kind)
         if known is None:
             return core_suggestion(kind.package, kind.base)
@@ -75,7 +75,7 @@ def core_package_of(name: str, besides: str = "") -> str | None:
 
 
 def core_suggestion(package: str, name: str) -> str | None:
-    """Return `package/Name` where a core package lacks a message, and it is plain what was meant; else None."""
+    """Return `package/Name` where a core package lacks a message and only one is similar; else None."""
     known = CORE_MESSAGES.get(package, frozenset())
     if not known or name in known:
         return None

@@ -1,4 +1,4 @@
-"""A manifest together with what else of its package its rules look at."""
+"""Inputs of manifest rules: a manifest together with other parts of its package."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class ManifestAndInstalls:
     targets: Targets
 
     def is_installed(self, path: str) -> bool | None:
-        """Return whether a file stands in share/<name>, at this path, after the build; None where it can't be told."""
+        """Return whether a file is installed in share/<name> at this path; None where that is unknown."""
         if self.table is None or not self.table.knows("share"):
             return None
         return any(path == below for below, _ in self.table.below(f"share/{self.manifest.name}"))
@@ -75,7 +75,7 @@ class ManifestAndCMake:
 
     @cached_property
     def found(self) -> frozenset[str]:
-        """The names that `find_package` asks for, wherever it stands."""
+        """The names that `find_package` is called with, in any file."""
         return frozenset(each.name for each in self.cmake.packages) if self.cmake else frozenset()
 
     @property
@@ -85,7 +85,7 @@ class ManifestAndCMake:
 
     @property
     def installs_python(self) -> bool:
-        """Return whether CMake has to do with Python packages, so that a setup.py beside it is no oversight."""
+        """Whether CMake builds or installs Python packages, so that a setup.py next to CMakeLists.txt is intended."""
         words = ("ament_cmake_python", "catkin", "Python3", "PythonInterp", "pybind11", "pybind11_vendor")
         called = self.cmake is not None and self.cmake.named("ament_python_install_package")
         return bool(called) or not self.found.isdisjoint(words)
@@ -98,7 +98,7 @@ class ManifestAndCMake:
 
     @property
     def likely_build_type(self) -> str:
-        """The build type that its files speak of; "" where they speak of none, or of two."""
+        """The build type that its files indicate; "" where they indicate none, or two."""
         if not self.files.exists("CMakeLists.txt"):
             return "ament_python" if self.files.exists("setup.py") else ""
         if self.ends_a_package or any(name.startswith("ament_cmake") for name in self.found):
@@ -107,5 +107,5 @@ class ManifestAndCMake:
 
     @property
     def uses_wrappers(self) -> bool:
-        """Return whether a package is asked for that may bring ament_package under another name."""
+        """Whether a package is found that may provide ament_package under another name."""
         return any(name.endswith("_cmake") for name in self.found)

@@ -1,4 +1,4 @@
-"""Base classes of plug-ins: to which package a description is exported, and under which name it is loaded.
+"""Base classes of plug-ins: the package that a description is exported to, and the name that is loaded.
 
 pluginlib compares texts: the package of the ament index entry with the first argument of the ClassLoader, and
 `base_class_type` with its second.
@@ -20,19 +20,19 @@ from .plugin_package import PluginPackage, spaceless
 
 @dataclass(frozen=True)
 class WrongExport:
-    """A description that is exported to a package for which nobody loads it."""
+    """A description that is exported to a package for which no ClassLoader looks."""
 
     description: PluginDescription
     exported: DescriptionExport
     base: str
-    """The class that is loaded elsewhere; "" where only the package is unknown."""
+    """The base class that is loaded for another package; "" where only the package is unknown."""
     owners: tuple[str, ...]
     """The packages that it is loaded from."""
 
 
 @dataclass(frozen=True)
 class WrongBaseClass:
-    """A class whose base class nobody loads under that name."""
+    """A class whose base class no ClassLoader loads under that name."""
 
     description: PluginDescription
     plugin: PluginClass
@@ -41,7 +41,7 @@ class WrongBaseClass:
 
 @dataclass(frozen=True)
 class UnmatchedLoader:
-    """A loader that looks for plug-ins of a package that isn't there."""
+    """A ClassLoader that looks for plug-ins of a package that does not exist."""
 
     loader: PluginLoader
     suggestion: str | None
@@ -55,7 +55,7 @@ class PluginBases:
     workspace: Workspace
 
     def described(self) -> Iterator[tuple[PluginDescription, tuple[PluginClass, ...]]]:
-        """Yield what CMake exports, with its classes that a source makes."""
+        """Yield the descriptions that CMake exports, with the classes that a source exports."""
         if self.package is None:
             return
         unmade = {entry.plugin.element.span for entry in self.package.without_source()}
@@ -85,7 +85,7 @@ class PluginBases:
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
 
     def misnamed(self) -> Iterator[WrongBaseClass]:
-        """Yield classes whose base is not known where it is exported, and almost that of another that is."""
+        """Yield the classes whose base class is not loaded, but a similar one is."""
         for description, classes in self.described():
             known = {base for package in description.bases for base in self.workspace.bases_loaded_from(package)}
             for plugin in classes:
@@ -95,7 +95,7 @@ class PluginBases:
                         yield WrongBaseClass(description, plugin, meant)
 
     def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
-        """Return the base that the macro has, where that is one that is loaded."""
+        """Return the base class in the export macro, where that one is loaded."""
         exported = self.package.exported if self.package is not None else ()
         bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
         return bases.pop() if len(bases) == 1 and bases <= known else None
@@ -113,7 +113,7 @@ class PluginBases:
 
 
 def misspelt(base: str, known: set[str]) -> str | None:
-    """Return the one class of the same namespace whose name differs by a slip; what is new there is left alone."""
+    """Return the only class of the same namespace with a similar name; None where there is none, or several."""
     space, _, name = base.rpartition("::")
     names = [each.rpartition("::")[2] for each in known if each.rpartition("::")[0] == space]
     found = near_names(name, names)

@@ -1,4 +1,4 @@
-"""The library of a plug-in description: what is wrong with the path that it gives."""
+"""The library path of a plug-in description, and what is wrong with it."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class PluginLibraries:
         return self.package.cmake
 
     def wrong(self) -> Iterator[WrongLibraryPath]:
-        """Yield each library once; those of classes that no source exports are another fault."""
+        """Yield each wrong library once, without those of classes that no source exports."""
         unmade = {entry.plugin.element.span for entry in self.package.without_source()}
         seen = set()
         for entry in self.package.entries:

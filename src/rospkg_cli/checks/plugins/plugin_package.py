@@ -1,4 +1,4 @@
-"""The plug-ins of one package, seen from both sides: what its descriptions say, and what its sources export."""
+"""The plug-ins of one package: what its descriptions list, and what its sources export."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class PluginPackage:
         return self.cmake.complete and len(self.sources) == paths
 
     def without_source(self) -> Iterator[DescribedPlugin]:
-        """Yield the entries whose class is exported by no source, as far as that can be told."""
+        """Yield the described plug-ins whose class no source exports, as far as that is known."""
         if self.is_readable:
             for entry in self.entries:
                 exported = spaceless(entry.type) in self._types
@@ -159,7 +159,7 @@ class PluginPackage:
                     yield description, each
 
     def libraries_of(self, exported: ExportedClass) -> list[str]:
-        """Return the libraries that the source of an exported class goes into, whatever the build is told."""
+        """Return the libraries that the source of an exported class is compiled into, under any build option."""
         names = sorted(self.compiled.targets_of(exported.path))
         targets = [self.cmake.target(name) for name in names]
         return [

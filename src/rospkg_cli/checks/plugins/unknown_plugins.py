@@ -1,4 +1,4 @@
-"""Names of plug-ins that nobody describes."""
+"""References to plug-ins that no plug-in description has."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .exported_classes import tail
 
 SEPARATOR = re.compile(r"/|::")
 BUILT_IN = frozenset({"rviz_common"})
-"""They have plug-ins that no description tells."""
+"""Packages with plug-ins that are registered without a description."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class UnknownPlugin:
     user: PackageFacts
     use: PluginUse
     owner: PackageFacts
-    """The package that describes the one that is meant, or that should."""
+    """The package that describes the suggested plug-in, or should describe this one."""
     suggestion: Plugin | None
 
 
@@ -60,7 +60,7 @@ class PluginReferences:
                 yield UnknownPlugin(user, use, *alike[0])
 
     def is_nowhere(self, package: str) -> bool:
-        """Return whether there is no such package, as far as anybody knows."""
+        """Return whether there certainly is no such package."""
         known = self.workspace.is_available(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
         return self.workspace.complete and not known
 

@@ -1,4 +1,4 @@
-"""Joined slice: whether what ament_python needs is there at all."""
+"""Rule input: whether what ament_python needs is there at all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Joined slice: destinations of data_files where nobody looks."""
+"""Rule input: destinations of data_files where no tool looks for files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class DataDestinations:
 
     @cached_property
     def misplaced(self) -> tuple[tuple[DataEntry, str, str], ...]:
-        """Entries whose destination nobody looks into: the entry, the right destination, and what is wrong."""
+        """Entries with a wrong destination: the entry, the right destination, and the reason."""
         found = []
         for entry in self.shared.package.setup.data_entries:
             if entry.destination is None or not entry.files:

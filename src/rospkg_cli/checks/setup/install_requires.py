@@ -1,4 +1,4 @@
-"""Joined slice: what install_requires names, against the packages around."""
+"""Rule input: what install_requires names, against the packages around."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Joined slice: what setup.py and package.xml both say."""
+"""Rule input: what setup.py and package.xml both say."""
 
 from __future__ import annotations
 

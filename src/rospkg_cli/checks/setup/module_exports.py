@@ -1,4 +1,4 @@
-"""Whether a module has a name: by its own text, and by what it takes over from other modules of the package."""
+"""Whether a module has a name: by its own text, and by star imports of other modules of the package."""
 
 from __future__ import annotations
 

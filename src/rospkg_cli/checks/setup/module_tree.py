@@ -1,4 +1,4 @@
-"""Joined slice: the folders of Python modules of a package, against what is installed of them."""
+"""Rule input: the folders of Python modules of a package, against what is installed of them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ModuleTree:
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:
-        """Folders of modules without an `__init__.py`: find_packages() passes them over.
+        """Folders of modules without an `__init__.py`: find_packages() skips them.
 
         Where `packages` is a list, those that are listed, and those below them that are not.
         """
@@ -67,7 +67,7 @@ class ModuleTree:
 
     @cached_property
     def imported(self) -> frozenset[tuple[str, str]]:
-        """Every dotted name that the modules or entry points name, and the file that does."""
+        """Every dotted name that modules or entry points refer to, with the file that does."""
         found = {(entry.module, entry.path) for entry in self.setup.entry_points}
         for path in self.package.on_disk.values():
             file = self.package.modules.at(path)
@@ -78,7 +78,7 @@ class ModuleTree:
 
     @cached_property
     def unlisted(self) -> tuple[str, ...]:
-        """The Python packages below listed ones that `packages` leaves out; those of entry points are told apart."""
+        """The Python packages below listed ones that `packages` leaves out, without those of entry points."""
         listed = {said.text for said in self.setup.packages}
         started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
         found: dict[str, None] = {}

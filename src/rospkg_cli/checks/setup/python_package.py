@@ -1,4 +1,4 @@
-"""Joined slices over setup.py: what rules ask of it together with its package."""
+"""Rule input: setup.py together with its package."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class PythonPackage:
         return frozenset(own | {module.partition(".")[0] for module in self.on_disk} | {self.name})
 
     def is_missing(self, module: str) -> bool:
-        """Return whether a module that is meant to be the package's own is nowhere."""
+        """Return whether a module of the package's own namespace does not exist."""
         setup = self.setup
         if (
             module.rpartition(".")[2] in setup.generated
@@ -71,7 +71,7 @@ class PythonPackage:
         return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
 
     def may_be_generated(self, module: str) -> bool:
-        """Return whether something else may provide a module: a compiled one, a template, what a link leads to."""
+        """Return whether something else may provide a module: an extension, a template, the target of a link."""
         package, _, name = module.rpartition(".")
         folder = self.setup.folder_of(package) if package else self.setup.package_dir.get("", "")
         if self.setup.kind(posixpath.normpath(folder or ".").removeprefix(".")) == "unknown":
@@ -82,9 +82,9 @@ class PythonPackage:
         )
 
     def misplaced(self, module: str) -> str | None:
-        """Return the own module that a foreign name must mean: the same but for the name of the package.
+        """Return the package's own module that a foreign name must refer to: the same except for the package's name.
 
-        A name that package.xml depends on is meant as it stands.
+        A name that package.xml depends on is taken as it is.
         """
         root, _, rest = module.partition(".")
         if root in STANDARD or self.manifest.depends_on(root):
@@ -93,7 +93,7 @@ class PythonPackage:
         return tails.get(module) or (tails.get(rest) if rest else None)
 
     def suggestion(self, module: str) -> str | None:
-        """Return the module that was probably meant."""
+        """Return the most similar module of the package."""
         if (found := self.misplaced(module)) is not None:
             return found
         last = module.rpartition(".")[2]
@@ -106,7 +106,7 @@ class PythonPackage:
         return path is None or offers(self.modules, self.setup, path, name.partition(".")[0])
 
     def is_node(self, module: str) -> bool:
-        """Return whether a module talks to ROS by itself: it imports rclpy."""
+        """Return whether a module runs a node itself: it imports rclpy."""
         path = self.setup.file_of(module)
         file = self.modules.at(path) if path else None
         return file is not None and any(
@@ -132,7 +132,7 @@ class PythonPackage:
 
     @cached_property
     def unregistered_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
-        """Nodes with a `main` and no entry point, the only ones in their folder.
+        """Nodes with a `main` and no entry point: the only module without one in their folder.
 
         Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
         """

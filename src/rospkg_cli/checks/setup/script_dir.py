@@ -1,4 +1,4 @@
-"""Joined slice: where the executables of a package go."""
+"""Rule input: where the executables of a package go."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ class ScriptDir:
 
     @cached_property
     def wrong(self) -> tuple[tuple[str, str, SetupText | None], ...]:
-        """The options that put nodes where nobody looks: section, key, and the value, None where it is missing.
+        """The options that install nodes outside of lib/<package>: section, key, value; None where it is missing.
 
-        A value that is no folder below lib/ was meant so; so was one for the name that setup.py gives the package.
+        A value that is no folder below lib/ is taken to be intended; so is the package name of setup.py.
         """
         found: list[tuple[str, str, SetupText | None]] = []
         own = {self.package.name, said.text if (said := self.package.setup.setup_text("name")) else ""}

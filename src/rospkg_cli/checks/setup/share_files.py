@@ -1,4 +1,4 @@
-"""Joined slice: what a package puts into its share directory, against what it has and what refers to it."""
+"""Rule input: what a package installs in its share directory, against its files and the references to them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from .python_package import PythonPackage
 
 @dataclass(frozen=True)
 class UninstalledNeighbour:
-    """A file that lies beside installed ones and is not installed."""
+    """A file or folder that is not installed, though files next to it are."""
 
     path: str
     entry: DataEntry
-    """The entry that installs its neighbours."""
+    """The entry that installs the files next to it."""
     glob: GlobResult
-    """The glob that finds them."""
+    """The glob that matches the installed files."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class ShareFiles:
 
     @property
     def names(self) -> frozenset[str]:
-        """The name in package.xml, and the one in setup.py: whether those agree is another question."""
+        """The name in package.xml, and the one in setup.py, which may differ."""
         said = self.package.setup.setup_text("name")
         return frozenset({self.package.name, *([said.text] if said else [])})
 
@@ -72,14 +72,14 @@ class ShareFiles:
         return any(f"{source}/".startswith(f"{folder}/") for source in self.covered)
 
     def useful(self, folder: str) -> tuple[str, ...]:
-        """Return the files of a folder that are meant for run time, at any depth."""
+        """Return the files of a folder that are used at run time, at any depth."""
         pattern = FOLDERS.get(folder.rpartition("/")[2], re.compile(r"[^.].*"))
         found = [path for path in self.package.files.below(folder) if pattern.fullmatch(path.rpartition("/")[2])]
         return tuple(path for path in found if not path.endswith("/__init__.py") and "/test/" not in path)
 
     @cached_property
     def empty_globs(self) -> tuple[GlobResult, ...]:
-        """Globs that match nothing, where nothing else installs what their folder holds."""
+        """Globs that match nothing, where nothing else installs files of their folder."""
         found = []
         for glob in self.package.setup.globs:
             folder = folder_of(glob.pattern)
@@ -89,13 +89,13 @@ class ShareFiles:
         return tuple(dict.fromkeys(found))
 
     def suggestion(self, folder: str) -> str | None:
-        """Return the folder whose name is near that of one that is not there."""
+        """Return the existing folder with the most similar name; None where the folder exists."""
         folders = self.package.files.folders
         return None if not folder or folder in folders else nearest(folder, folders)
 
     @cached_property
     def uninstalled_runtime_folders(self) -> tuple[str, ...]:
-        """Folders for run time of which nothing is installed and no glob speaks."""
+        """Folders for run time of which nothing is installed and that no glob names."""
         globbed = {folder_of(glob.pattern).partition("/")[0] for glob in self.package.setup.globs}
         globbed |= {self.suggestion(folder) or folder for folder in globbed}
         modules = {said.text.partition(".")[0] for said in self.package.setup.packages}
@@ -107,7 +107,7 @@ class ShareFiles:
 
     @cached_property
     def doubles(self) -> tuple[tuple[DataFile, DataFile], ...]:
-        """Files that are named again: the second and the first. Globs that overlap do no harm."""
+        """Files that are listed twice: the second and the first. Globs that overlap are harmless."""
         found: list[tuple[DataFile, DataFile]] = []
         seen: dict[str, DataFile] = {}
         globs = {glob.span for glob in self.package.setup.globs}
@@ -121,7 +121,7 @@ class ShareFiles:
         return tuple(found)
 
     def refers_to(self, folder: str) -> bool:
-        """Return whether a launch file, a module or the README speaks of a folder of the share directory."""
+        """Return whether a launch file, a module or the README refers to a folder of the share directory."""
         name = self.package.name
         started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
         return any(
@@ -145,7 +145,7 @@ class ShareFiles:
 
     @cached_property
     def uninstalled_neighbours(self) -> tuple[UninstalledNeighbour, ...]:
-        """Files for run time that lie beside or below files that a glob installs, and that no glob matches."""
+        """Files for run time in or below the folder of a glob that the glob does not match."""
         found: dict[str, UninstalledNeighbour] = {}
         for entry in self.package.setup.data_entries:
             places = {file.setup_text.span for file in entry.files}
@@ -158,7 +158,7 @@ class ShareFiles:
         return tuple(found.values())
 
     def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
-        """Yield folders of which nothing is installed, where each of at least two beside them has a glob."""
+        """Yield folders of which nothing is installed, where at least two folders next to them have a glob each."""
         entries = self.package.setup.data_entries
         globbed = {folder_of(e.glob.pattern): (e, e.glob) for e in entries if e.glob is not None and e.glob.matches}
         for above in {folder.rpartition("/")[0] for folder in globbed} & set(FOLDERS):

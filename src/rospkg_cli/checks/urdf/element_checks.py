@@ -1,4 +1,4 @@
-"""What urdfdom wants inside a link and a joint: elements, attributes, numbers. (urdf_parser/src/link.cpp, joint.cpp)"""
+"""Elements, attributes and numbers that urdfdom requires in links and joints. (urdf_parser/src/link.cpp, joint.cpp)"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A robot description among the files that it names: those of its package, and what other packages install."""
+"""Rule input: a robot description with the files that it refers to, in its package and in other packages."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ State = Literal["absent", "not installed"]
 
 @dataclass(frozen=True, slots=True)
 class MissingResource:
-    """A file that is named and won't be there."""
+    """A file that is referenced and does not exist at run time."""
 
     span: Span
     package: str
@@ -30,7 +30,7 @@ class MissingResource:
     include: bool
     suggestion: str | None = None
     other_spans: tuple[Span, ...] = ()
-    """Other places that name it."""
+    """Other places that refer to it."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class RobotInWorkspace:
     workspace: Workspace
 
     def missing(self) -> Iterator[MissingResource]:
-        """Yield each file that is named and is not there, once, as far as that can be told."""
+        """Yield each file that is referenced and does not exist, once, as far as that is known."""
         found: dict[tuple[str, str], list[MissingResource]] = {}
         for each in self.every_missing():
             found.setdefault((each.package, each.path), []).append(each)

@@ -1,4 +1,4 @@
-"""Packages of a workspace that wait for each other: the cycles of the graph that colcon orders.
+"""Dependency cycles: packages of a workspace that need each other for the order of colcon.
 
 colcon-core orders packages by all their dependencies but doc_depend, test_depend included, and by those that these need
 to run (colcon_core.topological_order, colcon_ros.package_identification.ros); REP-149 adds the members of groups. A
@@ -28,7 +28,7 @@ class DependencyStep:
 
 
 def dependency_cycles(workspace: Workspace) -> Iterator[tuple[DependencyStep, ...]]:
-    """Yield one cycle for each knot of packages that takes part in any: the shortest through its first given one."""
+    """Yield one cycle for each strongly connected component: the shortest through its first selected package."""
     edges = needed(workspace)
     for knot in strongly_connected(edges):
         given = sorted(name for name in knot if named(workspace, name).folder in workspace.given)
@@ -47,7 +47,7 @@ def named(workspace: Workspace, name: str) -> PackageFacts:
 
 
 def needed(workspace: Workspace) -> Edges:
-    """Return which package of the workspace certainly waits for which."""
+    """Return which package of the workspace certainly needs which."""
     members: dict[str, list[str]] = {}
     for facts in workspace.packages:
         for group in facts.groups:

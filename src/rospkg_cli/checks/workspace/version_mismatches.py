@@ -1,4 +1,4 @@
-"""Which version the packages of a repository agree on, and who does not."""
+"""The version that most packages of a repository have, and the packages with another one."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from .install_rules import PACKAGE_KEYWORDS, below_prefix
 def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[InstalledFile | UnknownPart]:
     """Yield the executables of one call: the `console_scripts`, and what `[options]` lists under `scripts`.
 
-    The setup.cfg is that of SETUP_CFG, or the one beside the call's CMakeLists.txt; without SCRIPTS_DESTINATION
+    The setup.cfg is that of SETUP_CFG, or the one next to the call's CMakeLists.txt; without SCRIPTS_DESTINATION
     there are none.
     """
     _, values, _ = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
@@ -30,7 +30,7 @@ def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[Inst
         path = path_in_package(given.text if given else "setup.cfg", call.folder)
         folder = below_prefix(place.text)
         if path is None or folder is None or (given and not files.exists(path)):
-            yield unknown(place if folder is None else given or place, "which scripts setup.cfg makes can't be told")
+            yield unknown(place if folder is None else given or place, "the scripts of setup.cfg can't be determined")
         elif files.exists(path):
             try:
                 for script in scripts_of(path, folder, files):

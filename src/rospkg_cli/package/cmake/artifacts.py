@@ -1,4 +1,4 @@
-"""What the file of a target is called on Linux, and which folder `install(TARGETS …)` puts it into."""
+"""The file name of a target on Linux, and the folder that `install(TARGETS …)` installs it to."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .cmake_project import CMake
 from .install_rules import InstallRule
 
 PYTHON_MODULES = frozenset({"pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library"})
-"""Commands whose libraries Python imports: their names have no `lib`, and an end that hangs on the Python."""
+"""Commands whose libraries Python imports: no `lib` prefix, and a suffix that depends on the Python version."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Artifacts:
         return "bin" if target.is_executable else "lib"
 
     def file_name(self, target: Target) -> str:
-        """Return the name of a target's file; a library of no said kind is taken for a shared one.
+        """Return the name of a target's file; a library of no given kind is taken for a shared one.
 
         It is one where BUILD_SHARED_LIBS is on, which ament_cmake_ros sees to, and with it rosidl.
         """

@@ -8,7 +8,7 @@ from ...ros.distros import Targets
 from ..manifest import Manifest
 
 BUILDS_WITHOUT = frozenset({"ament_python"})
-"""Build types under which nobody reads a CMakeLists.txt."""
+"""Build types under which no tool reads a CMakeLists.txt."""
 
 
 def is_built_with_cmake(reading: ReaderInput) -> bool:

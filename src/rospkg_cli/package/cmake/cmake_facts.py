@@ -1,4 +1,4 @@
-"""What other packages may know of the components that CMake registers, and of the targets that it exports."""
+"""The components that CMake registers and the targets that it exports, for PackageFacts."""
 
 from __future__ import annotations
 

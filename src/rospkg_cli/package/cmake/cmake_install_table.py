@@ -20,7 +20,7 @@ from .macro_installs import PACKAGE, installed_by_macros
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
 FETCHES = "fetchcontent_makeavailable"
-"""It builds another project along: its programs may stand anywhere, its files go to a share folder of its own."""
+"""It builds another project too: its programs may be installed anywhere, its files in a share folder of its own."""
 
 
 def cmake_table(cmake: CMake, name: str) -> InstallTable:
@@ -50,7 +50,7 @@ class CMakeTableBuilder:
         yield from (each for each in self.python_scripts() if isinstance(each, InstalledFile))
 
     def row(self, destination: str, source: str, word: Word, *calls: EvaluatedCommand) -> InstalledFile:
-        """Return a row that a word says in some calls, all of which must be run."""
+        """Return the row of an argument; `calls` must all be run for it to be installed."""
         maybe, testing = word.maybe or any(call.maybe for call in calls), any(call.testing for call in calls)
         return InstalledFile(self.what(destination), destination, source, "", word.path, word.span, maybe, testing)
 
@@ -97,7 +97,7 @@ class CMakeTableBuilder:
         for call in self.cmake.named("ament_python_install_package"):
             yield from python_scripts(call, self.cmake.package)
 
-    # ---- what can't be told
+    # ---- what is unknown
 
     def unknown(self) -> Iterator[UnknownPart]:
         if not self.cmake.complete:

@@ -1,4 +1,4 @@
-"""A package that ament_cmake builds: its manifest, its CMake, and what it is called."""
+"""A package that ament_cmake builds: its manifest, its CMake, and its facts."""
 
 from __future__ import annotations
 

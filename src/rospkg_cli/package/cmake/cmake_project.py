@@ -1,4 +1,4 @@
-"""CMakeLists.txt and the files it reads, evaluated: what rules and PackageFacts go by."""
+"""CMakeLists.txt and the files it includes, evaluated: the input of rules and PackageFacts."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ class CMake:
     unreachable: tuple[EvaluatedCommand, ...] = ()
     """Commands in branches that are never taken and loops over nothing."""
     stopped: str = ""
-    """Why the run was cut short: then nothing may be concluded from what is absent."""
+    """Why the evaluation stopped early: then nothing may be concluded from what is missing."""
     reads_unknown_files: bool = False
-    """Whether it reads files that we can't see: they may make any target."""
+    """Whether it includes files that can't be read: they may add any target."""
 
     @property
     def complete(self) -> bool:
@@ -56,7 +56,7 @@ class CMake:
         return {file.path: file for file in self.files}
 
     def place(self, command: CommandInvocation) -> int:
-        """Return which of the calls is the last one of a command, -1 where it is never run."""
+        """Return the index of the last call of a command, -1 where it is never run."""
         return self._places.get(id(command), -1)
 
     @cached_property
@@ -71,11 +71,11 @@ class CMake:
         return frozenset(command.arguments[0].text.lower() for command in defined)
 
     def source_text(self, word: Word) -> str:
-        """Return what stands in the file where a word was written: `${LIBRARY}`, `"a b"`."""
+        """Return the source text of a word: `${LIBRARY}`, `"a b"`."""
         return self.file(word.path).source.slice(word.span)
 
     def quoted(self, word: Word) -> str:
-        """Return a word for a message, with what stands in the file where that is something else."""
+        """Return a word for a message, with its source text where that differs."""
         raw = self.source_text(word).strip('"')
         return f"`{word.text}`" if raw == word.text or not raw else f"`{word.text}` (`{raw}`)"
 
@@ -93,7 +93,7 @@ class CMake:
         return [call for call in self.calls if call.name in names]
 
     def mentions_file(self, path: str) -> bool:
-        """Return whether a command names a file, with its suffixes or without, or a test of launch may do so."""
+        """Return whether a command names a file, with or without its suffixes, or a launch test may do so."""
         name = path.rpartition("/")[2]
         wanted = (name, name.partition(".")[0], name.rpartition(".")[0])
         for call in self.calls:
@@ -158,17 +158,17 @@ class CMake:
 
     @cached_property
     def packages(self) -> tuple[FoundPackage, ...]:
-        """What is looked for with find_package."""
+        """The calls of find_package."""
         return tuple(found_packages(self.calls))
 
     @cached_property
     def output_names(self) -> dict[str, str]:
-        """Targets whose file is called otherwise than they are."""
+        """Targets whose file has another name: target to name."""
         return dict(self.properties("OUTPUT_NAME"))
 
     @cached_property
     def export_names(self) -> dict[str, str]:
-        """Targets that other packages call otherwise."""
+        """Targets that are exported under another name: target to name."""
         return dict(self.properties("EXPORT_NAME"))
 
     def properties(self, name: str) -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Components (rclcpp_components) and generated interfaces, as CMake is told of them."""
+"""Components (rclcpp_components) and generated interfaces, as CMake commands declare them."""
 
 from __future__ import annotations
 

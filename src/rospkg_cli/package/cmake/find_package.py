@@ -1,4 +1,4 @@
-"""Which packages CMake looks for, and which it passes on to those who use this one."""
+"""Calls of find_package."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class FoundPackage:
 
 
 def found_packages(calls: Iterable[EvaluatedCommand]) -> Iterator[FoundPackage]:
-    """Yield what `find_package` is asked for, in whatever loop."""
+    """Yield the calls of find_package, those in loops once for each run."""
     for call in calls:
         if call.name in ("find_package", "gz_find_package", "ign_find_package") and call.words:
             texts, components, listing = set(call.texts[1:]), [], False

@@ -1,4 +1,4 @@
-"""What `install` and the commands of ament put where, as it is written: one rule for each."""
+"""Install rules: what `install` and the commands of ament install where, one rule for each."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ class InstallRule:
     kind: Kind
     items: tuple[Word, ...]
     destination: str | None
-    """Relative to the prefix, absolute where it is said so; None where it is unknown."""
+    """Relative to the prefix, absolute where it is written so; None where it is unknown."""
     call: EvaluatedCommand
     destination_word: Word | None = None
     destinations: Mapping[str, str | None] | None = None
-    """Of targets: for each kind of artifact its own."""
+    """Of targets: the destination of each kind of artifact."""
     rename: Word | None = None
     patterns: tuple[Pattern, ...] = ()
     matching: bool = False

@@ -1,4 +1,4 @@
-"""Headers that a package offers: whether they are installed, and whose headers they include."""
+"""Headers that a package exports: whether they are installed, and the packages whose headers they include."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ class PublicHeaders:
 
     @cached_property
     def exports(self) -> tuple[EvaluatedCommand, ...]:
-        """The calls that offer headers to others; the targets of a plug-in are exported and not meant for that."""
+        """The calls that export headers to other packages; the targets of a plug-in are exported for other reasons."""
         cmake = self.package.cmake
         names = INCLUDES if cmake.named(PLUGINS) else (*INCLUDES, *TARGETS)
         return tuple(call for call in cmake.named(*names) if not call.testing and not call.maybe and not call.folder)
 
     @cached_property
     def offered(self) -> tuple[str, ...]:
-        """The headers in include/, as they lie in the package."""
+        """The headers in include/, relative to the package."""
         return tuple(path for path in self.package.cmake.package.below("include") if path.endswith(HEADERS))
 
     @property

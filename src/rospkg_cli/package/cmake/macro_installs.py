@@ -1,4 +1,4 @@
-"""What macros of ament, rosidl and others install of themselves, beside what `install` is told."""
+"""What macros of ament, rosidl and others install, in addition to the calls of `install`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .cmake_project import CMake
 from .install_rules import below_prefix
 
 MacroInstall = tuple[str, str, Word, EvaluatedCommand]
-"""Destination, the file that it is a copy of ("" for none), the word that says so, and the call that it stands in."""
+"""Destination, the file that it is a copy of ("" for none), the argument that says so, and its call."""
 
 PACKAGE = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 

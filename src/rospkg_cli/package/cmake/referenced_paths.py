@@ -1,4 +1,4 @@
-"""The files and folders that commands name: sources of targets, and what is installed."""
+"""Files and folders that CMake commands refer to: sources of targets, and what is installed."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ WRITES_FILES = frozenset({"WRITE", "APPEND", "GENERATE", "COPY", "DOWNLOAD", "TO
 
 @dataclass(frozen=True)
 class ReferencedPath:
-    """A path of the package that a command needs to be there."""
+    """A path of the package that a command needs to exist."""
 
     path: str
     word: Word
@@ -42,7 +42,7 @@ class ReferencedPaths:
     cmake: CMake
 
     def missing(self) -> Iterator[ReferencedPath]:
-        """Yield what is named and not there, each word once."""
+        """Yield what is referenced and does not exist, each argument once."""
         seen: set[tuple[str, int, str]] = set()
         for named in self.all():
             key = (named.word.path, named.word.span.start, named.path)

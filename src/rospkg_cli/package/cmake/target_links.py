@@ -1,4 +1,4 @@
-"""What targets are linked with, and which of them others need where they run."""
+"""Link dependencies of targets, and which targets are needed at run time."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Link:
     scope: str
     """`PUBLIC`, `PRIVATE`, `INTERFACE`; "" for the form without keywords, which is public too."""
     package: bool
-    """Whether the word is a package's name (ament_target_dependencies)."""
+    """Whether the argument is a package's name (ament_target_dependencies)."""
     call: EvaluatedCommand
 
     @property
@@ -55,7 +55,7 @@ class Links:
         return self._by_target.get(target, ())
 
     def with_word(self, text: str) -> Sequence[Link]:
-        """Return the links to what a word stands for."""
+        """Return the links to a library by its name."""
         return self._by_word.get(text, ())
 
     @cached_property
@@ -74,7 +74,7 @@ class Links:
 
     @cached_property
     def installed(self) -> frozenset[str]:
-        """The targets that some rule installs, by name."""
+        """The names of the targets that are installed."""
         named = {word.text for rule in self.cmake.installs if rule.kind == "TARGETS" for word in rule.items}
         if self.cmake.named("ament_auto_package", "autoware_ament_auto_package"):
             automatic = ("ament_auto_add_library", "ament_auto_add_executable")
@@ -91,5 +91,5 @@ class Links:
         return any(each.name == "ament_cmake_ros" for each in self.cmake.packages)
 
     def own(self, name: str) -> Target | None:
-        """Return the target of the package that a word of target_link_libraries stands for."""
+        """Return the target of the package that an argument of target_link_libraries refers to."""
         return self.cmake.target(name.rpartition("::")[2] if "::" in name else name)

@@ -1,4 +1,4 @@
-"""Targets that are built and that no rule installs, though something needs them."""
+"""Targets that are built and needed at run time, but not installed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_
 ASIDE = frozenset({"test", "tests", "benchmark", "benchmarks", "example", "examples", "third_party", "thirdparty"})
 SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "rosidl_target_interfaces",
            "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
-"""Commands that name a target without using what is built of it."""
+"""Commands that name a target without using its file."""
 
 MAX_PARTS = 5
 """Behind the first `:` of `$<TARGET_FILE:ns::talker>` there are three, parted by `:`."""
@@ -28,7 +28,7 @@ MAX_PARTS = 5
 class UninstalledTarget:
     target: Target
     needed_by: str
-    """What needs it, as a message says it; "" for an executable, which is there to be run."""
+    """What needs it, as in a message; "" for an executable."""
     stops: bool = False
     """Whether CMake itself stops."""
 

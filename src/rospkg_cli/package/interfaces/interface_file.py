@@ -1,4 +1,4 @@
-"""A .msg, .srv or .action file as rules see it: what it declares, and what rosidl would refuse, each at its place."""
+"""A .msg, .srv or .action file as rules see it: what it declares, and what rosidl refuses, with positions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class FieldType:
     """The type of a field or a constant."""
 
     text: str
-    """As it stands, with bounds and brackets."""
+    """As it is written, with bounds and brackets."""
     span: Span
     base: str
     """Without package, bounds and brackets: `int32`, `Point`."""

@@ -1,4 +1,4 @@
-"""What other packages may know of a package's interfaces: their names, and whether these are all."""
+"""The names of a package's interfaces for PackageFacts, and whether these are all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which files of a package are interfaces, and what other packages may know of them."""
+"""Find and read the interface files of a package."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from .type_parser import TypeProblemError, parse_type
 from .value import QUOTES, string_value, value_fault
 
 NAME = re.compile(r"[A-Za-z0-9_-]+")
-"""What may pass for a name; whether rosidl takes it is another question."""
+"""What looks like a name; rosidl may still refuse it."""
 
 
 @dataclass(frozen=True, slots=True)

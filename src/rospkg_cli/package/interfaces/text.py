@@ -18,7 +18,7 @@ NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A line that separates sections, or is meant to."""
+    """A line that separates sections, or is intended to."""
 
     index: int
     span: Span

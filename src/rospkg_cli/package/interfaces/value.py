@@ -1,4 +1,4 @@
-"""Default values and constants, judged as rosidl_adapter judges them: with Python's `int` and `float`."""
+"""Check default values and constants as rosidl_adapter does: with Python's `int` and `float`."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def value_fault(kind: FieldType, value: str) -> str | None:
 
 
 def primitive_fault(kind: FieldType, value: str) -> str | None:
-    """Judge the value of one element."""
+    """Check the value of one element."""
     name = kind.base
     if name == "bool":
         fits = value.lower() in ("true", "false", "1", "0")

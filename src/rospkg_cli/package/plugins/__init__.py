@@ -1,1 +1,1 @@
-"""Plugins: what descriptions say of them, and who loads them."""
+"""Plug-ins: their descriptions, their loaders, and references to them."""

@@ -1,4 +1,4 @@
-"""Plug-in descriptions: XML files that tell pluginlib which class stands in which library.
+"""Plug-in descriptions: XML files that list for pluginlib which class is in which library.
 
 pluginlib (class_loader_imp.hpp) reads `<library path>` elements, alone or below `<class_libraries>`, and their
 `<class type base_class_type name>`; where there is no name, the type is the name. It finds the files by the resource

@@ -1,4 +1,4 @@
-"""Who loads plug-ins: pluginlib::ClassLoader with the package and the base class that it is given as literals."""
+"""Loaders of plug-ins: pluginlib::ClassLoader with a literal package and base class."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ class PluginLoader:
 
 @dataclass(frozen=True)
 class PluginLoaders:
-    """The loaders of what a package runs; `complete` says whether all of them are given literals."""
+    """The loaders of a package; `complete` says whether the arguments of all of them are literals."""
 
     loaders: tuple[PluginLoader, ...] = ()
     complete: bool = True
 
 
 def read_plugin_loaders(reading: ReaderInput) -> Iterator[PluginLoaders]:
-    """Read those sources that have to do with loaders; the others are not looked into."""
+    """Read the sources that use loaders; the others are not parsed."""
     texts = dict(sources(reading.files))
     declaring = [read_cpp(reading.files.source(path)) for path, text in texts.items() if LOADER + "<" in text]
     members = {call.variable for file in declaring for call in file.calls_to(LOADER) if call.arguments is None}

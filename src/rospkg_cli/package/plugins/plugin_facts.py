@@ -1,4 +1,4 @@
-"""What other packages may know of a package's plug-ins."""
+"""The plug-ins of a package for PackageFacts."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Where a package names plug-ins: parameters, rviz's layouts, robots. Their names are found by what stands before them.
+"""Where a package refers to plug-ins: parameter files, RViz configs, robots. Names are found by the key before them.
 
 Only whole, literal names of the forms `package/Class` and `namespace::Class` count; what a template or a launch file
-puts together is not looked at.
+computes is not considered.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ YAML = re.compile(
     re.MULTILINE,
 )
 RVIZ = re.compile(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
-"""The names of rviz's displays and tools may have blanks."""
+"""The names of RViz displays and tools may have blanks."""
 XML = re.compile(
     rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</"""
 )

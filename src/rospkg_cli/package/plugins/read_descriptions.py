@@ -21,7 +21,7 @@ EXPORT = "pluginlib_export_plugin_description_file"
 def read_plugin_descriptions(reading: ReaderInput) -> Iterator[PluginDescription | Unreadable]:
     """Yield every description that is there, once, with all places that export it.
 
-    A file that nobody exports counts where it looks like one; whether it can be read is nobody's business then.
+    A file that is not exported counts where it looks like one; it is skipped where it can't be read.
     """
     found: dict[str, list[DescriptionExport]] = {}
     for path, exported in (*by_cmake(reading), *by_manifest(reading)):

@@ -1,1 +1,1 @@
-"""The Python sources of a package: what each imports, and for what it is run."""
+"""The Python sources of a package: their imports and roles."""

@@ -1,4 +1,4 @@
-"""Which Python files of a package end up where something runs them."""
+"""Which Python files of a package are installed or run as tests."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PYTHON_PACKAGE = re.compile(r"\bament_python_install_package\s*\(", re.IGNORECAS
 
 
 class InstalledPython:
-    """What the install table says; where it can't tell, what the files themselves suggest."""
+    """The Python files that the install table has; where it is unknown, those that the files suggest."""
 
     def __init__(self, files: PackageFiles, table: InstallTable | None) -> None:
         self.files = files

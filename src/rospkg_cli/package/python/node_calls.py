@@ -1,4 +1,4 @@
-"""Nodes of a launch that Python code describes outside of launch files: `Node(package='…', executable='…')`."""
+"""Launch actions for nodes in Python code outside of launch files: `Node(package='…', executable='…')`."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from .installed_python import InstalledPython
 from .node_calls import DescribedNode, described_nodes
 
 NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
-"""Folders without `__init__.py` that nobody imports, though Python would let them."""
+"""Folders without `__init__.py` that are not imported, though Python would import them."""
 
 VARIABLE = re.compile(r"@(\w+)@")
 
@@ -50,7 +50,7 @@ class OwnModules:
 
     @cached_property
     def everywhere(self) -> frozenset[str]:
-        """Packages at any depth (a `src/` or a vendored copy may hold them), and modules beside setup.py."""
+        """Packages at any depth (a `src/` or a vendored copy may hold them), and modules in the folder of setup.py."""
         paths = [PurePosixPath(path) for path in self.files.paths if path.endswith(".py")]
         packages = {path.parent.name for path in paths if path.name == "__init__.py"}
         top = {path.parts[0] for path in paths if len(path.parts) > 1} - NO_PACKAGES

@@ -25,7 +25,7 @@ class Verdict:
     ordered: bool = True
     """Whether the children stand in the schema's order, whatever else is wrong."""
     violations: tuple[Violation, ...] = ()
-    """Everything that sorting the children does not mend, in document order."""
+    """The violations that sorting the children does not fix, in document order."""
 
 
 VALID = Verdict(True)

@@ -1,4 +1,4 @@
-"""Why a schema refuses a package.xml: every violation, found by asking xmlschema until it is silent."""
+"""Why a schema refuses a package.xml: every violation, found by asking xmlschema until it reports nothing."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ STAND_INS = {
 """What is put into the copy where a required tag is missing, or has a value of the wrong shape."""
 
 INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
-"""Attributes of this namespace may stand anywhere."""
+"""Attributes of this namespace are allowed everywhere."""
 
 BLANKS = " \t\r\n"
 """White space of XML; `str.strip` also takes others away, as the wide blank of Japanese keyboards."""
 
 MAX_ROUNDS = 20
-"""Each round takes every offender out, so that two or three are enough; more would be a fault of ours."""
+"""Each round takes every offender out, so that two or three are enough; more would be a bug of rospkg."""
 
 
 def explain(document: Document, format: int) -> tuple[Violation, ...]:
@@ -72,7 +72,7 @@ class Explanation:
                 yield from self.of(error, child)
 
     def required(self) -> Iterator[Violation]:
-        """Say which tags are missing or repeated, and mend the copy so that xmlschema sees what else is wrong."""
+        """Yield missing and repeated tags, and correct the copy so that xmlschema reports the rest."""
         for tag in ONCE:
             for again in self.root.findall(tag)[1:]:
                 yield Violation(ViolationKind.REPEATED, self.mine[again], tag)
@@ -84,14 +84,14 @@ class Explanation:
         self.root[:] = sorted(self.root, key=lambda child: place_of(child.tag))
 
     def containers(self) -> Iterator[Violation]:
-        """Find text where only elements may stand; xmlschema overlooks it beside a wildcard."""
+        """Find text where only elements are allowed; xmlschema overlooks it next to a wildcard."""
         for element in (self.root, *self.root):
             xsd = self.package if element is self.root else self.types.get(element.tag)
             if xsd is not None and not xsd.type.has_mixed_content() and not xsd.type.has_simple_content():
                 yield from self.text(element)
 
     def of(self, error: Any, child: ElementTree.Element | None) -> Iterator[Violation]:
-        """Say what one error of xmlschema means, and take the offender out."""
+        """Translate one error of xmlschema, and remove the offender."""
         element = error.elem
         if isinstance(error, xmlschema.XMLSchemaChildrenValidationError):
             # A tag that is known stands in order here: its error is a consequence of one that is not known.

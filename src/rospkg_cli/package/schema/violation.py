@@ -1,4 +1,4 @@
-"""What a schema can forbid in a package.xml."""
+"""Violations of the schema of package.xml."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ...languages.xml.elements import Element
 
 
 class ViolationKind(Enum):
-    """What a schema can forbid."""
+    """What a schema can forbid, with the words for it."""
 
     CHILD = "an element that may not stand here"
     MISSING = "a required element is not there"

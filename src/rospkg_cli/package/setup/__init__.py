@@ -1,1 +1,1 @@
-"""setup.py and setup.cfg: what setuptools is told, and what colcon installs for it."""
+"""setup.py and setup.cfg: the arguments of setuptools, and what colcon installs for them."""

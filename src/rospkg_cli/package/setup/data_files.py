@@ -1,4 +1,4 @@
-"""data_files: which file goes where below the prefix.
+"""data_files: which file is installed where below the prefix.
 
 distutils copies each source into its destination under its own name; colcon wants a list of tuples of a relative
 destination and a list of relative sources, and knows a source once: where it is named twice, the last one counts.
@@ -25,7 +25,7 @@ class DataFile:
 
     setup_text: SetupText
     place: Span
-    """Where it stands in its list."""
+    """Its position in the list of sources."""
     source: str | None
     """Relative to the package; None where it leads out of it."""
     destination: str
@@ -43,9 +43,9 @@ class DataEntry:
     path: str
     span: Span
     place: Span
-    """Where it stands in the list."""
+    """Its position in the list."""
     destination: SetupText | None
-    """None where it can't be told, or where the entry is a bare file name."""
+    """None where it is unknown, or where the entry is a bare file name."""
     sources: Sequence | None
     files: tuple[DataFile, ...] = ()
     unknown: tuple[Unknown, ...] = ()
@@ -55,12 +55,12 @@ class DataEntry:
 
     @property
     def folder(self) -> str:
-        """The destination, as clean as a path can be."""
+        """The destination as a normalized path."""
         return posixpath.normpath(self.destination.text) if self.destination and self.destination.text else ""
 
 
 def from_value(path: str, value: Value, folder: SandboxFilesystem, cwd: str = ROOT) -> Iterator[DataEntry | Unknown]:
-    """Yield the entries that setup(data_files=…) is given, and what of them can't be told."""
+    """Yield the entries in setup(data_files=…), and the parts of them that are unknown."""
     if isinstance(value, Constant) and not value.value:
         return
     if not isinstance(value, Sequence):

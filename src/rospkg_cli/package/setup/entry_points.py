@@ -1,4 +1,4 @@
-"""Entry points: `name = module:attribute`, taken apart with the place of every part.
+"""Entry points: `name = module:attribute`, parsed with the position of every part.
 
 The grammar is that of importlib.metadata (`module` and `attribute` are dotted names, extras in brackets); setuptools
 refuses what does not fit it from 60 on, and writes it into the metadata as it is before.
@@ -33,7 +33,7 @@ class EntryPoint:
     group: str
     setup_text: SetupText
     name: str
-    """"" where the text can't be taken apart."""
+    """"" where the text can't be parsed."""
     module: str = ""
     attribute: str = ""
     name_span: Span = NOWHERE
@@ -43,7 +43,7 @@ class EntryPoint:
     within: Sequence | None = None
     """The list of setup.py that it is an item of."""
     place: Span = NOWHERE
-    """Where it stands in that list."""
+    """Its position in that list."""
 
     @property
     def path(self) -> str:
@@ -66,7 +66,7 @@ class EntryPoint:
 def parse_entry_point(
     group: str, said: SetupText, within: Sequence | None = None, place: Span | None = None
 ) -> EntryPoint:
-    """Take one entry point apart; what does not fit the grammar gets a `fault`."""
+    """Parse one entry point; what does not fit the grammar gets a `fault`."""
     said = said.stripped()
     place = place or said.span
     match = WHOLE.fullmatch(said.text)
@@ -104,7 +104,7 @@ def fault_of(text: str) -> EntryPointFault:
 
 
 def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
-    """Yield the entry points that setup(entry_points=…) is given, and what of them can't be told."""
+    """Yield the entry points in setup(entry_points=…), and the parts of them that are unknown."""
     if isinstance(value, Text):
         yield from from_ini(SetupText.of(path, value))
         return

@@ -1,4 +1,4 @@
-"""Which calls of a setup.py may write files that it then installs."""
+"""Calls in setup.py that may write files which it then installs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""find_packages and its kin, and where the modules of a package lie on disk.
+"""find_packages and similar functions of setuptools, and the folders of Python packages.
 
 From setuptools' discovery.py (59.6 to 79): a package is a folder with an `__init__.py` whose name has no dot; folders
 below one that is none are not looked into; what is excluded is still looked into unless `name` and `name.*` are.
@@ -22,7 +22,7 @@ ALWAYS_EXCLUDED = ("ez_setup", "*__pycache__")
 
 @dataclass(frozen=True, slots=True)
 class PackageSearch:
-    """One find_packages(): what was asked, and what was found."""
+    """One call of find_packages(): its arguments and its result."""
 
     path: str
     """setup.py or setup.cfg."""

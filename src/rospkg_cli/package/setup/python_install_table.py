@@ -39,13 +39,13 @@ def python_table(setup: SetupPy, name: str) -> InstallTable:
     ]
     folder = script_folder(setup)
     if folder is None:
-        unknown.append(UnknownPart("executable", "where setup.cfg puts scripts can't be told", "setup.cfg", NOWHERE))
+        unknown.append(UnknownPart("executable", "the scripts' folder in setup.cfg is unknown", "setup.cfg", NOWHERE))
     if setup.makes_files:
         writes = "setup.py calls what may write files"
         unknown += [UnknownPart(what, writes, setup.path, setup.span) for what in GENERATED]
     if setup.value("include_package_data") and setup.folder.kind("MANIFEST.in"):
         unknown.append(
-            UnknownPart("other", "what MANIFEST.in adds beside modules is not followed", "MANIFEST.in", NOWHERE)
+            UnknownPart("other", "files that MANIFEST.in adds to modules are not followed", "MANIFEST.in", NOWHERE)
         )
     rows = [
         *data_rows(setup),
@@ -57,7 +57,7 @@ def python_table(setup: SetupPy, name: str) -> InstallTable:
 
 
 def script_folder(setup: SetupPy) -> str | None:
-    """Return the folder of executables below the prefix; None where it can't be told."""
+    """Return the folder of executables below the prefix; None where it is unknown."""
     option = setup.cfg.get("install", "install_scripts") if setup.cfg else None
     if option is None:
         return None if setup.cfg_broken and setup.cfg is None else "bin"

@@ -65,5 +65,5 @@ def setup_call(evaluator: Evaluator) -> tuple[Call | None, Unknown | None]:
     found = [call for call in evaluator.calls if call.callee.rpartition(".")[2] == "setup" and call.receiver is None]
     if len(found) == 1 and found[0].certain:
         return found[0], None
-    why = evaluator.gave_up or ("setup() is not called" if not found else "which setup() is called can't be told")
+    why = evaluator.gave_up or ("setup() is not called" if not found else "which setup() is called can't be determined")
     return None, Unknown(found[0].span if found else Span(0, 0), why)

@@ -1,4 +1,4 @@
-"""The arguments of setup() as they were given, by setup.py or by setup.cfg, and where they stand."""
+"""The arguments of setup() that setup.py and setup.cfg give, and their positions."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class SetupArguments:
     file: PythonFile
     folder: SandboxFilesystem
     call: Call | None
-    """The call of setup(); None where it can't be told."""
+    """The call of setup(); None where it is unknown."""
     call_unknown: Unknown | None
-    """Why not."""
+    """Why the call is unknown."""
     cfg: SetupCfg | None
     cfg_broken: bool
     """Whether setup.cfg is there and can't be read, or pyproject.toml may say more."""
@@ -36,21 +36,21 @@ class SetupArguments:
 
     @property
     def span(self) -> Span:
-        """Of `setup` in the call of setup()."""
+        """The span of the name `setup` in its call."""
         return Span(self.call.span.start, self.call.span.start + 5) if self.call else Span(0, 0)
 
     def argument(self, name: str) -> Argument | None:
         return self.call.argument(name) if self.call else None
 
     def name_span(self, name: str) -> Span:
-        """Return where an argument is named; the name of the function where it isn't given there."""
+        """Return the span of an argument's name; that of `setup` where the call does not have it."""
         found = self.argument(name)
         if found is None or self.call is None or not self.call.span.start < found.span.start < self.call.span.end:
             return self.span
         return Span(found.span.start, found.span.start + len(name))
 
     def value_span(self, name: str) -> Span:
-        """Return where the value of an argument stands; the name of the function where it isn't given there."""
+        """Return the span of an argument's value; that of `setup` where the call does not have it."""
         found, name_at = self.argument(name), self.name_span(name)
         if found is None or name_at == self.span:
             return self.span
@@ -59,7 +59,7 @@ class SetupArguments:
         return Span(equals + blanks, found.span.end)
 
     def value(self, name: str) -> Value | None:
-        """Return what setup() is given; None where setup.cfg or nobody says it; Unknown where it can't be told."""
+        """Return the value of an argument; None where setup.py lacks it; Unknown where it can't be evaluated."""
         if self.call is None:
             return self.call_unknown
         found = self.call.get(name)
@@ -68,13 +68,13 @@ class SetupArguments:
         return None if isinstance(found, Constant) and not found.value else found
 
     def may_be_given_elsewhere(self, name: str) -> Unknown | None:
-        """Return why a missing argument may yet be given elsewhere."""
+        """Return why a missing argument may be given in another file."""
         if self.cfg_broken:
             return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
         return None
 
     def setup_text(self, name: str) -> SetupText | None:
-        """Return a text of the metadata, as setup.py or setup.cfg gives it; None where it isn't known."""
+        """Return a text of the metadata in setup.py or setup.cfg; None where it is unknown."""
         value = self.value(name)
         if value is None and self.cfg is not None:
             return self.from_cfg.text(name)

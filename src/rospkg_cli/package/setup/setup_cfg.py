@@ -1,4 +1,4 @@
-"""setup.cfg with the place of everything: read as configparser reads it, and refused where it refuses."""
+"""setup.cfg with positions: read as configparser reads it, and refused where configparser refuses it."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class CfgOption:
     key: str
     key_span: Span
     value: SetupText
-    """All lines of it, blanks at both ends left out."""
+    """All lines of it, without white space at both ends."""
     span: Span
     """From the first character of the key to the end of the last line of the value."""
 
@@ -72,7 +72,7 @@ class SetupCfg:
 
     @property
     def span(self) -> Span:
-        """Of the first section's name: the place for what is missing."""
+        """The span of the first section's name: the position of what is missing."""
         return next((section.span for section in self.sections.values()), Span(0, 0))
 
     def get(self, section: str, option: str) -> CfgOption | None:
@@ -91,7 +91,7 @@ def read_setup_cfg(reading: ReaderInput) -> Iterator[SetupCfg]:
 
 
 def parse_setup_cfg(source: Source) -> SetupCfg:
-    """Return what a text says; raises UnreadableError where configparser refuses it."""
+    """Parse setup.cfg; raises UnreadableError where configparser refuses it."""
     refuse(source)
     return SetupCfg(source, {section.name: section for section in sections(source)})
 

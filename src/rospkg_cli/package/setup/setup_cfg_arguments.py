@@ -1,4 +1,4 @@
-"""What setup.cfg's `[metadata]` and `[options…]` say, in the terms of setup()'s arguments."""
+"""The options of `[metadata]` and `[options…]` in setup.cfg, as arguments of setup()."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class SetupCfgArguments:
 
     @cached_property
     def unknown(self) -> Mapping[str, Unknown]:
-        """What is given by a directive that is not followed."""
+        """The arguments that are given by a directive which is not followed."""
         found: dict[str, Unknown] = {}
         for name in ("name", "version", "packages", "py_modules", "scripts", "data_files", "entry_points"):
             option = self.option(name)
@@ -70,7 +70,7 @@ class SetupCfgArguments:
 
     @cached_property
     def found_packages(self) -> tuple[str, ...] | None:
-        """What `packages = find:` finds; None where that can't be told."""
+        """What `packages = find:` finds; None where that is unknown."""
         packages = self.option("packages")
         if packages is None or self.cfg is None:
             return None

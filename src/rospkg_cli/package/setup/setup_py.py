@@ -1,4 +1,4 @@
-"""setup.py as rules see it: what setuptools is told, merged with setup.cfg as setuptools merges them."""
+"""setup.py as rules see it: the arguments of setup(), merged with setup.cfg as setuptools merges them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ ARGUMENTS = (
 @dataclass(frozen=True)
 class SetupPy(SetupArguments):
     calls: tuple[Call, ...]
-    """Every call of setup.py that was left alone."""
+    """Every call in setup.py that was not evaluated."""
     globs: tuple[GlobResult, ...]
     searches: tuple[PackageSearch, ...]
     """Every find_packages()."""
@@ -39,12 +39,12 @@ class SetupPy(SetupArguments):
     """The folder that relative paths start from, when setup() is called."""
 
     def used_elsewhere(self, said: SetupText) -> bool:
-        """Return whether a text stands outside of the call of setup(), in a variable that others may use."""
+        """Return whether a text is outside of the call of setup(), in a variable that others may use."""
         return self.call is None or not self.call.span.start < said.span.start < self.call.span.end
 
     @property
     def extras_for_tests(self) -> bool:
-        """Whether colcon finds the tests' requirements in extras_require, or can't be told not to."""
+        """Whether colcon finds the tests' requirements in extras_require, or may find them."""
         if not self.knows("extras_require"):
             return True
         value = self.value("extras_require")
@@ -96,7 +96,7 @@ class SetupPy(SetupArguments):
 
     @cached_property
     def package_data(self) -> Mapping[str, tuple[str, ...]]:
-        """Patterns of files that are installed beside modules: name of a package, or "" for all, to patterns."""
+        """Patterns of files that are installed with modules: name of a package, or "" for all, to patterns."""
         value = self.value("package_data")
         if value is None:
             return self.from_cfg.package_data
@@ -128,7 +128,7 @@ class SetupPy(SetupArguments):
         return found
 
     def kind(self, path: str) -> Kind | None:
-        """Return what stands at a path; "unknown" where a link leads out of the package."""
+        """Return the kind of entry at a path; "unknown" where a link leads out of the package."""
         try:
             return self.folder.kind(path)
         except OutsideError:
@@ -153,7 +153,7 @@ class SetupPy(SetupArguments):
 
     @property
     def entry_points(self) -> tuple[EntryPoint, ...]:
-        """Those that are known, in order."""
+        """The entry points that are known, in order."""
         return tuple(self._entries[0])
 
     @cached_property
@@ -176,7 +176,7 @@ class SetupPy(SetupArguments):
 
     @cached_property
     def generated(self) -> tuple[str, ...]:
-        """The modules that setup.py lets be written into the package, by their last name."""
+        """The modules that setup.py has generated into the package, by their last name."""
         asked = [call.get("module_name", 0) for call in self.calls if call.callee in GENERATORS]
         return tuple(value.text for value in asked if isinstance(value, Text))
 

@@ -1,4 +1,4 @@
-"""A text that setup.py or setup.cfg gives to setuptools, and where it stands."""
+"""A text that setup.py or setup.cfg passes to setuptools, and its position."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class SetupText:
     span: Span
     """Of the expression, or of the value without blanks around it."""
     literal: Span | None = None
-    """Where the text stands just as it is, and may be edited; None where it was computed."""
+    """Where the text is written literally, and may be edited; None where it was computed."""
 
     @classmethod
     def of(cls, path: str, value: Text) -> SetupText:

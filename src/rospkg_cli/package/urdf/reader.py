@@ -1,4 +1,4 @@
-"""Which files of a package describe robots and worlds, and how each is read."""
+"""Find and read the robot descriptions and worlds of a package."""
 
 from __future__ import annotations
 

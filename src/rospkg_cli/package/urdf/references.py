@@ -1,4 +1,4 @@
-"""What a robot description names in packages, wherever it stands: attributes and texts."""
+"""References of a robot description to files of packages, in attributes and texts."""
 
 from __future__ import annotations
 

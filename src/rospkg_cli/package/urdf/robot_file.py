@@ -36,7 +36,7 @@ class LocalInclude:
 class RobotFile:
     document: Document
     is_xacro: bool
-    """Whether xacro makes something else of it first."""
+    """Whether xacro processes it first."""
     links: tuple[Element, ...] = ()
     joints: tuple[Element, ...] = ()
     references: tuple[ResourceReference, ...] = ()
