@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,15 +11,16 @@ from typing import Any
 import pytest
 from imports import SRC
 from typer.main import get_command
+from typer.testing import CliRunner
 
 from rospkg_cli.cli.app import app
 from rospkg_cli.report import FORMATS
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.rule import all_rules
-from rospkg_cli.scaffold import launch_format as launching
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.node_kinds import OF, all_kinds
-from rospkg_cli.scaffold.template import load_template, template_names
+from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
+from rospkg_cli.scaffold.node_kinds import listed_kinds, offered_kinds
+from rospkg_cli.scaffold.template import template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 ROOT = Path(__file__).parents[1]
@@ -26,8 +28,10 @@ PAGES = {path.relative_to(ROOT).as_posix(): path for path in [*ROOT.glob("*.md")
 HELD = {name: PAGES[name] for name in PAGES if name != "CHANGELOG.md"}
 """All but the history, which names what once was."""
 COMMANDS: dict[str, Any] = get_command(app).commands  # type: ignore[attr-defined]
-KINDS = {name for name in all_kinds() if not name.endswith(OF)}
+KINDS = set(offered_kinds())
 ARCHITECTURE = "docs/architecture.md"
+LISTS = {"README.md": "Kinds of nodes: ", "docs/new.md": r"\| `--node [^|]*\| "}
+"""How the lists of kinds begin on pages; `--update-golden` writes them."""
 
 
 def text(page: str) -> str:
@@ -70,19 +74,28 @@ def test_formats_of_reports() -> None:
     assert words(ARCHITECTURE, r"one file a format: ([^|]*)") == list(FORMATS)
 
 
-def test_kinds_of_nodes() -> None:
-    help_text = help_of("new", "--node")
-    assert set(names(help_text.partition("Kinds:")[2].partition(".")[0])) == KINDS
-    assert set(words("README.md", r"Kinds of nodes: (.*?)\.")) == KINDS
-    assert set(words("docs/new.md", r"\| `--node [^|]*\| ([^|]*)")) == KINDS
-    for template in map(load_template, template_names()):
-        if template.languages:
-            fit = {name for name in KINDS if {*all_kinds()[name].languages} & {*template.languages}}
-            assert set(template.kinds) == fit, template.name
+def test_kinds_of_nodes(pytestconfig: pytest.Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    if pytestconfig.getoption("--update-golden"):
+        for page, begins in LISTS.items():
+            rewritten = re.sub(rf"({begins})[^|.]*[^|. ]", lambda found: found[1] + listed_kinds(), text(page), count=1)
+            paragraphs = rewritten.split("\n\n")
+            PAGES[page].write_text("\n\n".join(map(refilled, paragraphs)), encoding="utf-8")
+    for page, begins in LISTS.items():
+        assert set(words(page, rf"{begins}([^|.]*)")) == KINDS, f"write it with: pytest {__file__} --update-golden"
+    monkeypatch.setenv("COLUMNS", "500")
+    shown = CliRunner().invoke(app, ["new", "--help"]).output
+    assert f"Kinds: {listed_kinds()}." in shown
+
+
+def refilled(paragraph: str) -> str:
+    """Return the paragraph of the kinds with lines as long as they may be, any other as it is."""
+    if not paragraph.startswith("Kinds of nodes: "):
+        return paragraph
+    return textwrap.fill(" ".join(paragraph.split()), 120, break_long_words=False, break_on_hyphens=False)
 
 
 def test_what_else_new_lets_one_choose() -> None:
-    types, forms = set(template_names()), set(launching.FORMATS)
+    types, forms = set(template_names()), set(LAUNCH_FORMATS)
     assert set(names(help_of("new", "--type"))) == types
     assert set(words("docs/new.md", r"\| `--type`, `-t` \| ([^|]*)")) == types
     assert set(names(help_of("new", "--with").partition(";")[0])) == set(all_extras())

@@ -8,6 +8,7 @@ import itertools
 import json
 import re
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +24,10 @@ from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
-from rospkg_cli.scaffold.node_kinds import OF, all_kinds
+from rospkg_cli.scaffold.node import known_kind
+from rospkg_cli.scaffold.node_kinds import OF, all_kinds, offered_kinds
 from rospkg_cli.scaffold.plan import Plan, make_plan
+from rospkg_cli.scaffold.render import in_order
 from rospkg_cli.scaffold.template import load_template, template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 from rospkg_cli.scaffold.workspace import WorkspacePackages
@@ -467,3 +470,38 @@ def test_what_only_python_uses_is_for_when_a_mixed_package_runs() -> None:
     assert "example_interfaces" not in files["CMakeLists.txt"]
     assert files["package.xml"].count(">std_msgs<") == files["package.xml"].count("<depend>std_msgs</depend>") == 1
     assert "<buildtool_depend>ament_cmake_python</buildtool_depend>" in files["package.xml"]
+
+
+@pytest.mark.parametrize(
+    "template, kind, why",
+    [
+        (
+            "ament_python",
+            "component",
+            "a component can be written only in C++, and `ament_python` has nodes in Python",
+        ),
+        ("ament_cmake", "tmer", "there is no kind of node `tmer` (did you mean `timer`?); known: publisher, "),
+        ("mixed", "publisher-of", "there is no kind of node `publisher-of`"),
+    ],
+)
+def test_a_kind_is_refused_as_unknown_or_as_not_offered(template: str, kind: str, why: str) -> None:
+    with pytest.raises(ScaffoldError) as refused:
+        plan(template=template, nodes=(f"a_node:{kind}",))
+    assert why in str(refused.value)
+
+
+def test_a_template_of_ones_own_may_offer_some_kinds() -> None:
+    template = replace(load_template("ament_python"), kinds=("timer",))
+    with pytest.raises(ScaffoldError, match="`ament_python` offers no publisher; it offers: timer"):
+        known_kind("publisher", template)
+
+
+def test_all_kinds_of_the_languages_are_offered() -> None:
+    assert "component" not in load_template("ament_python").kinds
+    assert load_template("ament_cmake").kinds == load_template("mixed").kinds == offered_kinds()
+    assert load_template("interfaces").kinds == ()
+
+
+def test_imports_of_one_module_are_put_together() -> None:
+    lines = "from b import d\nimport rclpy\nfrom a import z, Y\n\nfrom b import C, d\n"
+    assert in_order(lines) == "from a import z, Y\nfrom b import C, d\nimport rclpy\n"
