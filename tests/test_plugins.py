@@ -171,7 +171,7 @@ LIBRARIES = [
     ("planer", "is compiled into `planner`"),
     ("lib/libplanner", "is compiled into `planner`"),
     ("libplanner.so", "is compiled into `planner`"),
-    ("libplanner", "leave `lib` away"),
+    ("libplanner", "remove `lib`"),
 ]
 
 
@@ -328,7 +328,7 @@ def test_a_loader_that_goes_astray() -> None:
     files = {**loading(LOADS.replace('"server"', '"srv"')), **beside(OURS)}
     ((path, message),) = said(files, "PLG005")
     assert path == "server/src/s.cpp"
-    assert "`srv` is no package that is known" in message
+    assert "`srv` is no known package" in message
     assert "exported to `server`" in message
     alone = loading(LOADS.replace('"server"', '"srv"'))
     assert said(alone, "PLG005") == []
@@ -415,7 +415,7 @@ def test_where_only_the_description_is_checked_it_is_told_there(tmp_path: Path) 
     located = locate([tmp_path / "my_pkg"], tmp_path)
     (finding,) = Session(DiskTree(located.root), located.scope, frozenset({"PLG003"})).run().findings
     assert finding.place.path == "my_pkg/plugins.xml"
-    assert "`robot` asks for the plug-in `my_pkg::Planner`" in finding.message
+    assert "`robot` uses the plugin `my_pkg::Planner`" in finding.message
 
 
 @pytest.mark.parametrize("code", ["PLG002", "PLG003", "PLG004", "PLG005", "PLG006"])

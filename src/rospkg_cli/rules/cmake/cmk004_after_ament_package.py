@@ -52,7 +52,7 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
 
 
 def move_to_end(package: CMakePackage, late: MisplacedCommand) -> Fix | None:
-    """Return the fix, where the call stands alone in its lines and outside of any block."""
+    """Return the fix, where the call is alone in its lines and outside of any block."""
     file = package.cmake.root
     command = late.end.command
     again = [call for call in package.cmake.named(late.end.name) if call is not late.end]

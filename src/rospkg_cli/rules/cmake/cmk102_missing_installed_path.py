@@ -60,12 +60,12 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
 def consequence(named: ReferencedPath) -> str:
     match named.use:
         case "source":
-            return 'CMake stops with "Cannot find source file"; name the file that is meant, or take it out'
+            return 'CMake stops with "Cannot find source file"; name an existing file, or remove it'
         case "folder":
             return (
-                "the build stops when it installs (git keeps no empty folder); add it with a file in it, or take it out"
+                "the build stops when it installs (git keeps no empty folder); add it with a file in it, or remove it"
             )
         case _ if named.call.name.startswith("pluginlib_"):
-            return "CMake stops at once; name the plug-in description that is meant"
+            return "CMake stops at once; name an existing plugin description"
         case _:
-            return "the build stops when it installs; name the file that is meant, or take it out"
+            return "the build stops when it installs; name an existing file, or remove it"

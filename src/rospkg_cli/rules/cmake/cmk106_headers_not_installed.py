@@ -69,11 +69,11 @@ def headers_not_installed(headers: PublicHeaders) -> Iterator[Hit]:
     if call.name in INCLUDES:
         start = f"`{call.name}` exports a folder of headers, and none of those in `include/` (`{first}`) is installed:"
         message = (
-            f"{start} `find_package({package.facts.name})` warns that the folder does not exist, and who includes one "
+            f"{start} `find_package({package.facts.name})` warns that the folder does not exist, and including one "
             "stops; add `install(DIRECTORY include/ …)`, or export nothing"
         )
     else:
         start = f"`{call.name}` exports what needs the headers in `include/` (`{first}`), and none of them is installed"
-        message = f"{start}: who links it stops at the first `#include`; add `install(DIRECTORY include/ …)`"
+        message = f"{start}: linking it stops at the first `#include`; add `install(DIRECTORY include/ …)`"
     fix = Fix("install the headers", (install_headers(package.cmake),))
     yield Hit(call.path, call.command.span, message, fix=fix)

@@ -63,6 +63,6 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
 def message(each: UnguardedTest) -> str:
     verb = f"`find_package({each.what})`" if each.call.name == "find_package" else f"`{each.what}`"
     return (
-        f"{verb} is for tests and stands outside of `if(BUILD_TESTING)`: a build without tests, as for a release, "
+        f"{verb} is for tests and outside of `if(BUILD_TESTING)`: a build without tests, as for a release, "
         "stops because it is not installed; put it inside"
     )

@@ -116,7 +116,7 @@ def unknown(components: ComponentRegistration, component: Component) -> str:
     there = f"it is `{names[0]}` that is registered" if len(set(names)) == 1 else "they register others"
     near = did_you_mean(name, names) or f" ({there})" if names else ""
     fails = f'no source registers `{name}`{near}: the build is green, and loading it ends with "Failed to find class'
-    return f'{fails} with the requested plugin name"; write `{MACRO}({name})`, or the name that is meant'
+    return f'{fails} with the requested plugin name"; write `{MACRO}({name})`, or the right name'
 
 
 def meant(components: ComponentRegistration, component: Component) -> tuple[Related, ...]:

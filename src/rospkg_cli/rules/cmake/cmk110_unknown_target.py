@@ -64,8 +64,8 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(reference.word.path, reference.word.span, message)
     names = {found.name for found in package.cmake.packages} | {each.name for each in package.manifest.dependencies}
     for reference, first, second in references.run_together(names):
-        start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a blank between them"
-        message = f"{start}: who uses this package stops because it is not found; part the two"
+        start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a space between them"
+        message = f"{start}: users of this package stop because it is not found; separate them"
         yield Hit(reference.word.path, reference.word.span, message)
 
 
@@ -73,10 +73,10 @@ def said(package: CMakePackage, reference: TargetReference) -> str:
     name = package.cmake.quoted(reference.word)
     if reference.kind == "export":
         return f"no `install(… EXPORT …)` fills {name}, which `{reference.call.name}` exports"
-    return f"`{reference.call.name}` names the target {name}, which nothing makes"
+    return f"`{reference.call.name}` names the target {name}, which nothing creates"
 
 
 def stops(reference: TargetReference) -> str:
     if reference.kind == "export":
         return f'"INSTALL(EXPORT) given unknown export"; add `EXPORT {reference.word.text}` to the `install(TARGETS …)`'
-    return '"… which does not exist"; name a target of this package, or take it out'
+    return '"… which does not exist"; name a target of this package, or remove it'

@@ -18,7 +18,7 @@ URDF = '<robot name="my_robot">\n  <link name="base_link"/>\n</robot>\n'
 
 OUTSIDE = re.compile(r"/|~|\$ENV\{HOME\}")
 STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
-"""What a person meant: a folder below the prefix, with a slash or the path of a workspace before it."""
+"""A folder below the prefix, with a slash or the path of a workspace before it."""
 
 
 @rule(

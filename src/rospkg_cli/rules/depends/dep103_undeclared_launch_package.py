@@ -36,8 +36,8 @@ BAD_XML = """\
     over=LaunchDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which whoever starts a launch file has, for examples and demos, "
-        "for nodes that other code describes, and for what stands in a comment"
+        Severity.INFO: "for launch itself, which users of launch files have, for examples and demos, "
+        "for nodes that other code describes, and where package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -110,8 +110,8 @@ def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageUse]]) 
     line = "<exec_depend>ros2launch</exec_depend>"
     names = " and ".join(f"`{name}`" for name in missing)
     message = (
-        f"package.xml does not declare {names}, of which this launch file is made: where nothing else brings them, "
-        f"`ros2 launch` is not there to start it; add {line}, which stands for all of them"
+        f"package.xml does not declare {names}, which this launch file needs: where nothing else brings them, "
+        f"`ros2 launch` is not there to start it; add {line}, which implies them"
     )
     fix = Fix(f"add {line}", (add_dependency(launch.declared.manifest, "exec_depend", "ros2launch"),))
     return Hit(first.path, first.span, message, Severity.INFO, fix=fix)

@@ -70,7 +70,7 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
         tag = f"<{kind}>{name}</{kind}>"
         known = "" if name == found.name else f" (`{name}` for rosdep)"
         message = (
-            f"package.xml does not declare `{found.name}`{known}, which CMake can't do without: "
+            f"package.xml does not declare `{found.name}`{known}, which CMake requires: "
             f"{consequence(missing)}; add {tag}"
         )
         level = Severity.WARNING if tests or missing.transitive == "possible" else None

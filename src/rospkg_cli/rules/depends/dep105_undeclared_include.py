@@ -54,9 +54,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         ends = "it is there only as long as another dependency brings it"
         if not transitive:
             ends = 'the build ends with "No such file or directory" where nothing else brings it'
-        message = (
-            f"package.xml does not declare `{name}`, of which `{first.header}` is included here: {ends}; add {tag}"
-        )
+        message = f"package.xml does not declare `{name}`, whose `{first.header}` is included here: {ends}; add {tag}"
         fix = Fix(f"add {tag}", (add_dependency(includes.declared.manifest, kind, name),))
         related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
         mild = transitive or name in includes.declared.commented_out

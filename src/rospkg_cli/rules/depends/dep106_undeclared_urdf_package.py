@@ -32,7 +32,7 @@ Visualization Manager:
     over=RobotUses,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for plug-ins of robots and of RViz's layouts, or in a package that launches nothing, and where "
+        Severity.INFO: "for plugins of robots and of RViz configs, or in a package that launches nothing, and where "
         "package.xml has it in a comment"
     },
     examples=(

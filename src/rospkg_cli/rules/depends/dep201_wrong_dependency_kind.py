@@ -47,7 +47,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
         name, tag = each.dependency.name, each.dependency.tag
         when = "runs" if each.wanted == "exec_depend" else "is built"
         message = (
-            f"`{name}` {each.usage}, and package.xml has it as <{tag}> alone: it may not be there when the package "
+            f"`{name}` {each.usage}, and package.xml has it only as <{tag}>: it may not be there when the package "
             f"{when}; declare it as <{each.wanted}>"
         )
         related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)

@@ -66,13 +66,13 @@ def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
         name, tag = each.dependency.name, each.dependency.tag
         if each.is_run_only:
             message = (
-                f"`{name}` is declared as <{tag}>, and nothing that is built uses it, only what runs: whoever builds "
-                f"the package waits for it all the same; write <exec_depend>{name}</exec_depend>"
+                f"`{name}` is declared as <{tag}>, and nothing that is built uses it, only what runs: every build of "
+                f"the package waits for it; write <exec_depend>{name}</exec_depend>"
             )
             edit, title = change_tag(manifest, each.dependency, "exec_depend"), f"declare `{name}` as <exec_depend>"
         else:
             message = (
-                f"`{name}` is declared, and nothing in the package {verb(tag)} it: everybody installs it all the same; "
+                f"`{name}` is declared, and nothing in the package {verb(tag)} it: all users install it all the same; "
                 "remove the line"
             )
             edit, title = remove_element(manifest, each.dependency.element), f"remove <{tag}>{name}</{tag}>"

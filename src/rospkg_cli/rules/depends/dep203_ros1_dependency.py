@@ -43,7 +43,7 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
         if taken is None or names.declared.workspace.named(each.name) is not None:
             continue
         instead = " or ".join(f"`{name}`" for name in taken)
-        todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 has nothing in its place: take the line out"
+        todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 has no replacement: remove the line"
         message = (
             f'`{each.name}` is a package of ROS 1: `rosdep install` ends with "Cannot locate rosdep definition for '
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'

@@ -57,8 +57,7 @@ def test_only_dependency(used: TestOnlyDependencies) -> Iterator[Hit]:
     for each in used.dependencies():
         line = f"<test_depend>{each.name}</test_depend>"
         message = (
-            f"`{each.name}` is declared as <{each.tag}>, and only tests use it: everybody installs it all the same; "
-            f"write {line}"
+            f"`{each.name}` is declared as <{each.tag}>, and only tests use it: all users install it; write {line}"
         )
         fix = Fix(
             f"declare `{each.name}` as <test_depend>", (change_tag(manifest, each, "test_depend"),), Safety.UNSAFE

@@ -78,14 +78,14 @@ def invalid_field_name(interface: InterfaceFile) -> Iterator[Hit]:
     for section in interface.sections:
         for member, first in repeated(section):
             what = "constant" if member.constant else "field"
-            message = f"the {what} `{member.name}` stands here twice: rosidl stops the build"
+            message = f"the {what} `{member.name}` is here twice: rosidl stops the build"
             yield Hit(path, member.name_span, message, related=(Related(path, first.name_span, "the first one"),))
 
 
 def refusal(member: Member) -> str:
     if not member.constant:
-        return f"rosidl refuses the field `{member.name}`: lower case letters, digits and single `_`, a letter first"
-    message = f"rosidl refuses the constant `{member.name}`: upper case letters, digits and single `_`"
+        return f"rosidl refuses the field `{member.name}`: lowercase letters, digits and single `_`, a letter first"
+    message = f"rosidl refuses the constant `{member.name}`: uppercase letters, digits and single `_`"
     return f"{message}; a default value is written without `=`: `{member.type.text} {member.name.lower()} …`"
 
 

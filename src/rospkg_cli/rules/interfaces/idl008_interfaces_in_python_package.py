@@ -44,7 +44,7 @@ def interfaces_in_python_package(package: NamedFiles) -> Iterator[Hit]:
         kind = where.suffix[1:]
         if kind in KINDS and path == f"{kind}/{where.name}":
             message = (
-                f"`{where.name}` lies in an ament_python package, where nothing generates interfaces: colcon builds "
+                f"`{where.name}` is in an ament_python package, where nothing generates interfaces: colcon builds "
                 f"without it and `from {name}.{kind} import {where.stem}` raises ModuleNotFoundError; move `{kind}/` "
                 f"to a package of its own: `rospkg new {name}_interfaces --type interfaces`"
             )

@@ -88,7 +88,7 @@ def missing_launch_reference(scope: LaunchScope) -> Iterator[Hit]:
 def message(missing: Missing) -> str:
     if missing.state == "no slash":
         return (
-            f"no `/` stands between the share directory of `{missing.package}` and `{missing.path}`: "
+            f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
             f"{HARM[missing.use]}; begin it with `/`"
         )
     hint = f" (did you mean `{missing.meant}`?)" if missing.meant else ""

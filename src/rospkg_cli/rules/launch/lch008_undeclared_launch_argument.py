@@ -26,7 +26,7 @@ def generate_launch_description():
     return LaunchDescription([LogInfo(msg=LaunchConfiguration('«rate»'))])
 """
 FEW = 3
-"""A file that asks for more is probably made to be included, by whatever sets them."""
+"""A file that uses more is probably made to be included by another file that sets them."""
 
 NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 
@@ -36,7 +36,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "undeclared-launch-argument",
     over=Configurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the file is included by others, or asks for so many that it probably is"},
+    levels={Severity.INFO: "the file is included by others, or uses so many that it probably is"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
@@ -73,4 +73,4 @@ def undeclared_launch_argument(configurations: Configurations) -> Iterator[Hit]:
             message = f"nothing declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
             better = "declare it, or give it a default"
         ends = f"the launch stops with \"launch configuration '{each.name}' does not exist\""
-        yield Hit(file.path, each.span, f"{message}: {ends} where nobody sets it; {better}", level)
+        yield Hit(file.path, each.span, f"{message}: {ends} where nothing sets it; {better}", level)

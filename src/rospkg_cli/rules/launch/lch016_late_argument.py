@@ -50,7 +50,7 @@ def late_argument(configurations: Configurations) -> Iterator[Hit]:
     for each in configurations.unset():
         if each.state == "late":
             message = (
-                f"`{each.name}` is asked for before it is declared: unless somebody gives it, the launch stops with "
+                f"`{each.name}` is used before it is declared: unless it is given, the launch stops with "
                 f"\"launch configuration '{each.name}' does not exist\"; move the declaration up"
             )
             yield Hit(configurations.file.path, each.span, message)

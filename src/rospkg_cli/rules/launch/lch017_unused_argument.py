@@ -45,5 +45,5 @@ def unused_argument(configurations: Configurations) -> Iterator[Hit]:
     """
     for argument in configurations.unused():
         name = argument.name.literal
-        message = f"the launch argument `{name}` is declared and nothing asks for it: setting it has no effect"
+        message = f"the launch argument `{name}` is declared and nothing uses it: setting it has no effect"
         yield Hit(configurations.file.path, argument.span, message)

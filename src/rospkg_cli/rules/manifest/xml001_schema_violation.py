@@ -65,26 +65,26 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     """
     newer = {each for each, _ in manifest.features_of_3} if manifest.schema_format < 3 else set()
     for violation in manifest.verdict.violations:
-        told = describe(manifest, violation)
-        if told is not None and not (
+        described = describe(manifest, violation)
+        if described is not None and not (
             violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
         ):
-            span, what, lost = told
+            span, what, lost = described
             level = None if lost else Severity.WARNING
             harm = LOST if lost else "" if is_group(violation) else ONLY_THE_SCHEMA
             yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level)
 
 
 def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool] | None:
-    """Return where a violation stands, what is wrong, and whether colcon refuses it too; None where others tell it."""
+    """Return where a violation is, what is wrong, and whether colcon refuses it too; None if other rules report it."""
     element, name = violation.element, violation.name
     match violation.kind:
         case ViolationKind.MISSING:
             return element.open, f"`<{name}>` is missing; add it below `<{before(name)}>`", True
         case ViolationKind.REPEATED:
-            return element.span, f"`<{name}>` stands here again, and may stand only once; remove one", True
+            return element.span, f"`<{name}>` is here again, and allowed only once; remove one", True
         case ViolationKind.CHILD:
-            return element.span, stranger(manifest, element.tag, element in manifest.root.children), True
+            return element.span, misplaced_tag(manifest, element.tag, element in manifest.root.children), True
         case ViolationKind.ATTRIBUTE:
             span = element.attributes[name].span if name in element.attributes else element.open
             what = f"`<{element.tag}>` has no attribute `{name}` in format {manifest.schema_format}; remove it"
@@ -106,7 +106,7 @@ def value(manifest: Manifest, tag: str, text: str) -> tuple[str, bool]:
         return "`<license>` is empty; name the license by its SPDX id, such as `Apache-2.0`", True
     if tag == "url":
         return f"`{text}` is no URL", False
-    return f"`{text}` is no name of a group: REP-149 wants what it wants of packages (`a-z`, digits, single `_`)", False
+    return f"`{text}` is no name of a group: REP-149 wants `a-z`, digits and single `_`, as for packages", False
 
 
 def empty_group(element: Element) -> bool:
@@ -118,22 +118,22 @@ def is_group(violation: Violation) -> bool:
     return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]
 
 
-def stranger(manifest: Manifest, tag: str, top: bool) -> str:
-    """Say what is wrong with a tag that may not stand where it stands, and what to write instead."""
+def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
+    """Return what is wrong with a tag that is not allowed where it is, and what to write instead."""
     known = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
     format = manifest.schema_format
     if not top:
-        return f"`<{tag}>` stands where only text may stand; remove it"
+        return f"`<{tag}>` is where only text is allowed; remove it"
     if tag in INSIDE_EXPORT:
         return f"`<{tag}>` belongs inside `<export>`; move it there"
     if tag == "run_depend":
-        return f"`<run_depend>` is gone since format 2, and this is format {format}; write `<exec_depend>`"
+        return f"`<run_depend>` was removed in format 2, and this is format {format}; write `<exec_depend>`"
     if tag in NEW_IN[2]:
         return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
     return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, known)}; tools' own tags belong inside `<export>`"
 
 
 def before(tag: str) -> str:
-    """Return the required tag that stands above one, in the schema's order."""
+    """Return the required tag before one, in the schema's order."""
     place = REQUIRED.index(tag)
     return REQUIRED[place - 1] if place else "package"

@@ -20,7 +20,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
     "unsupported-format",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or it stands among blanks"},
+    levels={Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or there are spaces around it"},
     examples=(
         Example(
             bad={"package.xml": GOOD.replace('format="3"', 'format="«4»"')},

@@ -25,7 +25,7 @@ def named(name: str) -> dict[str, str]:
     "invalid-package-name",
     over=ManifestAndFiles,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a dash or an upper case letter, in a package without interfaces"},
+    levels={Severity.WARNING: "a hyphen or an uppercase letter, in a package without interfaces"},
     examples=(
         Example(
             on="ament_cmake", bad=named("my__pkg"), good={"package.xml": GOOD, "CMakeLists.txt": CMAKE.format("my_pkg")}
@@ -61,11 +61,15 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     if not name:
         what = "the package has no name: colcon refuses the manifest"
     elif len(name) == 1:
-        what = f"the name `{name}` is one character long, REP-144 wants two or more: it can't be released"
+        what = f"the name `{name}` is one character long, REP-144 requires two or more: it can't be released"
     elif TOLERATED.fullmatch(name) and not re.search(r"__|_$", name):
         level = None if package.interface_files else Severity.WARNING
-        harm = "rosidl refuses it, and the interfaces can't be generated" if level is None else "Python can't import it"
-        what = f"the name `{name}` holds a dash or an upper case letter: {harm}"
+        odd, harm = "an uppercase letter", "REP-144 allows only lowercase ones"
+        if "-" in name:
+            odd, harm = "a hyphen", "Python can't import it"
+        if level is None:
+            harm = "rosidl refuses it, and the interfaces can't be generated"
+        what = f"the name `{name}` has {odd}: {harm}"
     else:
-        what = f"`{name}` is no package name (lower case letters, digits, single `_`): the schema and bloom refuse it"
+        what = f"`{name}` is no package name (lowercase letters, digits, single `_`): the schema and bloom refuse it"
     yield Hit(manifest.path, manifest.span(element), what + hint, level)

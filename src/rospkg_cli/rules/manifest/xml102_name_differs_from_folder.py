@@ -53,5 +53,5 @@ def name_differs_from_folder(package: ManifestInFolder) -> Iterator[Hit]:
     folder = PurePosixPath(package.facts.folder).name
     name = package.manifest.name
     if folder and name and folder != name:
-        message = f"the package `{name}` lies in a folder called `{folder}`; rename the folder, or the package"
+        message = f"the package `{name}` is in a folder called `{folder}`; rename the folder, or the package"
         yield Hit(package.manifest.path, package.manifest.name_span, message)

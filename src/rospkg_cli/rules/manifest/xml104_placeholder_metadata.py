@@ -64,7 +64,7 @@ def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
             yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}")
     for element in manifest.all("license"):
         if TODO.fullmatch(element.text):
-            message = f"the license is `{element.text}`: nobody may use this package; name one by its SPDX id"
+            message = f"the license is `{element.text}`: no one may use this package; name a license by its SPDX id"
             yield Hit(manifest.path, manifest.span(element), message)
     yield from people(manifest)
 

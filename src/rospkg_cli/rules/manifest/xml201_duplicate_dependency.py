@@ -19,7 +19,7 @@ CMAKE = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
     "duplicate-dependency",
     over=Manifest,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "a `<depend>` stands twice: colcon refuses the manifest"},
+    levels={Severity.ERROR: "a `<depend>` is declared twice: colcon refuses the manifest"},
     examples=(
         Example(
             bad={
@@ -60,7 +60,7 @@ def duplicate_dependency(manifest: Manifest) -> Iterator[Hit]:
         yield Hit(
             manifest.path,
             each.element.span,
-            f"`{each.name}` stands in `<{each.tag}>` twice: {lost}; remove this line",
+            f"`{each.name}` is in `<{each.tag}>` twice: {lost}; remove this line",
             Severity.ERROR if refused else None,
             (Related(manifest.path, first.element.span, "the first"),),
             Fix(f"Remove the second `{each.name}`", (remove_element(manifest, each.element),)),

@@ -84,7 +84,7 @@ def hit(manifest: Manifest, each: Dependency, whole: Dependency, refused: bool) 
     return Hit(
         manifest.path,
         each.element.span,
-        f"`{each.name}` stands in `<{each.tag}>` and in `<{whole.tag}>`: {why}; remove this line",
+        f"`{each.name}` is in `<{each.tag}>` and in `<{whole.tag}>`: {why}; remove this line",
         related=(Related(manifest.path, whole.element.span, f"the `<{whole.tag}>`"),),
         fix=fix if covered else None,
     )

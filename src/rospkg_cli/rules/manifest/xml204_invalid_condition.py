@@ -66,8 +66,8 @@ def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
             yield Hit(manifest.path, place(manifest, attribute, error.problem.span.start), message)
             continue
         for comparison in condition.comparisons():
-            if told := doubt(comparison):
-                at, length, message = told
+            if found := misleading_part(comparison):
+                at, length, message = found
                 span = place(manifest, attribute, at, length)
                 yield Hit(manifest.path, span, message, Severity.WARNING)
 
@@ -82,12 +82,12 @@ def place(manifest: Manifest, attribute: Attribute, at: int, length: int = 0) ->
     return Span(start, start + length)
 
 
-def doubt(comparison: Comparison) -> tuple[int, int, str] | None:
-    """Return where a comparison is not what it seems, how long that is, and why; None where it is fine."""
+def misleading_part(comparison: Comparison) -> tuple[int, int, str] | None:
+    """Return the offset and length of what is misleading in a comparison, and why; None where nothing is."""
     operands = (comparison.left, comparison.right)
     for each in operands:
         if not each.variable and not each.quoted and each.text in ENVIRONMENT:
-            why = f"`{each.text}` is a plain text here, not the variable; write `${each.text}`"
+            why = f"`{each.text}` is a string here, not the variable; write `${each.text}`"
             return each.at, len(each.text), why
         if each.variable and each.text not in ENVIRONMENT:
             why = f"`${each.text}` is no variable of a ROS environment{did_you_mean(each.text, ENVIRONMENT)}"
@@ -97,6 +97,6 @@ def doubt(comparison: Comparison) -> tuple[int, int, str] | None:
         return None
     for each in numbers:
         if len(each.text) > 1:
-            why = f"`{comparison.operator}` compares texts, not numbers: `10` comes before `9`; compare with `==`"
+            why = f"`{comparison.operator}` compares strings, not numbers: `10` comes before `9`; compare with `==`"
             return each.at, len(each.text), why
     return None

@@ -49,7 +49,7 @@ def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
         for other in found[:index]:
             if can_hold_together(other.get("condition"), element.get("condition"), environments):
                 message = (
-                    f"`{element.text}` is a second build type that holds beside `{other.text}`: colcon builds "
+                    f"`{element.text}` is a second build type that holds together with `{other.text}`: colcon builds "
                     f"the folder as a plain package; keep one, or give each a condition such as `$ROS_VERSION == 2`"
                 )
                 related = (Related(manifest.path, manifest.span(other), "the first"),)

@@ -41,7 +41,7 @@ def without(line: str) -> Example:
     "missing-interface-group",
     over=InterfacePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the runtime alone is missing: the package builds, and breaks for who installs it"},
+    levels={Severity.WARNING: "the runtime alone is missing: the package builds, and is broken for its users"},
     examples=(
         without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
         without("  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"),
@@ -72,7 +72,7 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
     for tag, names, harm, level in (
         ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", None),
-        ("exec_depend", RUNTIMES, "who installs the package can't use its messages", Severity.WARNING),
+        ("exec_depend", RUNTIMES, "users of the package can't use its messages", Severity.WARNING),
     ):
         if not package.installs or any(manifest.depends_on(name) for name in names):
             continue

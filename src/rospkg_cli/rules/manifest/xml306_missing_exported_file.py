@@ -78,17 +78,17 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         if not package.files.exists(path):
             meant = suggested(package, path)
             hint = f" (did you mean `{meant}`?)" if meant else ""
-            harm = "rqt will not offer the plug-in" if rqt else "ROS 2 goes by what CMake exports"
-            message = f"{what} is not there{hint}: {harm}; add the file or mend the line"
+            harm = "rqt will not offer the plugin" if rqt else "ROS 2 goes by what CMake exports"
+            message = f"{what} does not exist{hint}: {harm}; add the file or fix the line"
             yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.WARNING)
         elif rqt and package.is_installed(path) is False:
             place = f"share/{manifest.name}/{posixpath.dirname(path)}".rstrip("/")
-            message = f"{what} is not installed: rqt will not offer the plug-in; install it to `{place}`"
+            message = f"{what} is not installed: rqt will not offer the plugin; install it to `{place}`"
             yield Hit(manifest.path, attribute.value_span, message)
 
 
 def suggested(package: ManifestAndInstalls, path: str) -> str | None:
-    """Return the XML file that is meant: of the same name elsewhere, of a near name, or the only one in that folder."""
+    """Return the XML file to suggest: of the same name elsewhere, the only one in that folder, or of a similar name."""
     every = [each for each in package.files.paths if each.endswith(".xml") and each != "package.xml"]
     folder, name = posixpath.split(path)
     for alike in (

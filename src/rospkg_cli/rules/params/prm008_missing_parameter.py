@@ -102,7 +102,7 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
                 message = (
                     f"`{item.text}` has no `{item.text}.plugin` here (did you mean `{group}`, which no list names?)"
                 )
-                yield Hit(file.path, item.span, f"{message}: the plug-in can't be loaded")
+                yield Hit(file.path, item.span, f"{message}: the plugin can't be loaded")
 
 
 def listed(names: Sequence[str]) -> str:

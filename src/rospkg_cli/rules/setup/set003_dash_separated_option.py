@@ -39,7 +39,7 @@ def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
             if "-" in option.key:
                 right = option.key.replace("-", "_")
                 message = (
-                    f"`{option.key}` is spelt with a dash: setuptools warns about it, 78.0.1 refused it and a later "
+                    f"`{option.key}` is spelt with a hyphen: setuptools warns about it, 78.0.1 refused it and a later "
                     f"one will; write `{right}`"
                 )
                 fix = Fix(f"write `{right}`", (Edit(cfg.path, option.key_span, right),))

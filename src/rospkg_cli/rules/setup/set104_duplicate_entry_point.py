@@ -44,6 +44,6 @@ def duplicate_entry_point(package: PythonPackage) -> Iterator[Hit]:
             continue
         first = seen.setdefault((entry.group, entry.name), entry)
         if first is not entry:
-            message = f"`{entry.name}` stands twice in `{entry.group}`: setuptools stops, or keeps one; rename one"
+            message = f"`{entry.name}` is twice in `{entry.group}`: setuptools stops, or keeps one; rename one"
             related = (Related(first.path, first.name_span, "the other one"),)
             yield Hit(entry.path, entry.name_span, message, related=related)

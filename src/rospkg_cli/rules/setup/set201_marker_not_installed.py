@@ -52,7 +52,7 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     fix = Fix(f"install resource/{name}", operations) if operations else None
     if wrong is not None:
         message = (
-            f"the marker is installed as `{wrong.setup_text.text}`: the index then knows another package, and `{name}` "
+            f"the marker is installed as `{wrong.setup_text.text}`: the index then has another package, and `{name}` "
             f"is not found once it is installed from a Debian package; install `resource/{name}`"
         )
         yield Hit(wrong.setup_text.path, wrong.setup_text.shown, message, fix=fix)

@@ -22,7 +22,7 @@ GOOD = config("('share/' + package_name + '/config', ['config/nav.yaml'])")
 YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
 SHAPES = {
     "list-entry": "is a list; colcon stops at it: write a tuple `(destination, [files])`",
-    "text-sources": "has a text where the list of files belongs; colcon stops at it: write `[…]` around it",
+    "text-sources": "has a string where the list of files belongs; colcon stops at it: write `[…]` around it",
     "tuple-sources": "has a tuple where the list of files belongs; colcon stops at it: write `[…]`",
     "length": "is no pair of a destination and a list of files",
 }

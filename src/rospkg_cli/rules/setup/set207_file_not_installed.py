@@ -51,8 +51,8 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         edits = widen_glob(package.setup, missed.glob, missed.path)
         fix = Fix(f"widen the glob so that it finds {missed.path}", edits, Safety.UNSAFE) if edits else None
         folder = missed.path.endswith("/")
-        why = "unlike the folders beside it" if folder else f"`{missed.glob.pattern}` finds its neighbours alone"
+        why = "unlike the folders next to it" if folder else f"`{missed.glob.pattern}` finds only its neighbours"
         message = (
-            f"`{missed.path}` is not installed, {why}: the build is green, and nothing finds it in share/{package.name}"
+            f"`{missed.path}` is not installed, {why}: the build is green, and it is missing in share/{package.name}"
         )
         yield Hit(package.setup.path, missed.glob.span, message, fix=fix)

@@ -31,5 +31,5 @@ def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     fix = None
     if unused.delete:
         fix = Fix(f"Remove the ignore of {unused.code}", (Edit(unused.path, unused.delete, ""),))
-    message = f"`{unused.code}` is ignored here, but nothing here breaks it; remove the ignore"
+    message = f"`{unused.code}` is ignored here, but not reported here; remove the ignore"
     yield Hit(unused.path, unused.span, message, fix=fix)

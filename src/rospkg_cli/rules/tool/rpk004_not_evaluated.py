@@ -12,7 +12,7 @@ from ...rule import Profile, rule
 from ...source import Span
 
 SOURCES = "['resource/' + package_name]"
-QUIET: dict[tuple[bool, InstallKind], tuple[str, str]] = {
+SKIPPED: dict[tuple[bool, InstallKind], tuple[str, str]] = {
     (True, "share"): ("the files in share/", "SET201–SET209, LCH004"),
     (True, "executable"): ("the executables", "SET101–SET106, LCH002"),
     (True, "module"): ("the Python modules", "SET105, SET302"),
@@ -20,7 +20,7 @@ QUIET: dict[tuple[bool, InstallKind], tuple[str, str]] = {
     (False, "executable"): ("the executables", "CMK103, LCH002"),
     (False, "module"): ("the Python modules", "CMK109"),
 }
-"""What can't be told, of setup.py or of CMake, and who keeps quiet for it."""
+"""What is unknown of setup.py or CMake, and the rules that are skipped for it."""
 
 
 @rule(
@@ -50,10 +50,10 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
     """
     for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
         python = not path.endswith(("CMakeLists.txt", ".cmake"))
-        told = [QUIET[key] for each in group if (key := (python, each.what)) in QUIET]
-        if told:
-            whats, rules = (", ".join(dict.fromkeys(part)) for part in zip(*told, strict=True))
-            yield Hit(path, span, f"{why}. Not all is known of {whats}: {rules} keep quiet")
+        skipped = [SKIPPED[key] for each in group if (key := (python, each.what)) in SKIPPED]
+        if skipped:
+            whats, rules = (", ".join(dict.fromkeys(part)) for part in zip(*skipped, strict=True))
+            yield Hit(path, span, f"{why}. Not all is known of {whats}: {rules} are skipped")
 
 
 def place(unknown: UnknownPart) -> tuple[str, Span, str]:
