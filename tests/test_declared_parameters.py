@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.params.library_definitions import library_faults
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cpp.file import read_cpp
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.yaml.nodes import documents
-from rospkg_cli.package.params import cpp, python
-from rospkg_cli.package.params.declared import DeclaredParameter
-from rospkg_cli.package.params.library import library
+from rospkg_cli.package.params import cpp_parameters as cpp
+from rospkg_cli.package.params import python_parameters as python
+from rospkg_cli.package.params.declared_parameter import DeclaredParameter
+from rospkg_cli.package.params.parameter_library import library
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 
@@ -175,7 +177,7 @@ ctrl:
 """
     source = Source("src/p.yaml", text)
     found = library(source, documents(source), False)
-    assert not found.faults
+    assert not any(library_faults(found))
     assert [each.keys for each in found.definitions] == [
         ("rate",), ("names",), ("gains", "__map_names", "p"), ("note",),
     ]  # fmt: skip
@@ -202,7 +204,7 @@ ctrl:
 )
 def test_faults_of_a_parameter_library(fields: str, said: str) -> None:
     source = Source("src/p.yaml", f"ctrl:\n  a: {fields}\n")
-    faults = library(source, documents(source), False).faults
+    faults = list(library_faults(library(source, documents(source), False)))
     assert bool(faults) is bool(said), faults
     assert all(said in fault.message for fault in faults)
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.params.numbers import ambiguous_numbers, canonical
+from rospkg_cli.checks.fault import Fault
+from rospkg_cli.checks.params.ambiguous_numbers import canonical, number_faults
+from rospkg_cli.checks.params.rcl_validation import rcl_faults
+from rospkg_cli.checks.params.ros_parameters_key import key_faults
 from rospkg_cli.example import BACKDROPS
 from rospkg_cli.languages.yaml.nodes import ScalarNode, documents
-from rospkg_cli.package.params.file import ParameterFile
-from rospkg_cli.package.params.judge import judge
-from rospkg_cli.package.params.value import type_of, yaml_type
+from rospkg_cli.package.params.parameter_file import ParameterFile
+from rospkg_cli.package.params.scalar_types import type_of, yaml_type
 from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
 from rospkg_cli.unreadable import UnreadableError
@@ -47,22 +49,26 @@ REFUSED = [
 
 def read(text: str) -> ParameterFile:
     source = Source("config/robot.yaml", text)
-    return judge(source, documents(source))
+    return ParameterFile(source, tuple(documents(source)))
+
+
+def faults(text: str) -> list[Fault]:
+    return [*key_faults(read(text)), *rcl_faults(read(text))]
 
 
 @pytest.mark.parametrize("text", TAKEN)
 def test_what_rcl_takes(text: str) -> None:
-    assert read(text).faults == ()
+    assert not faults(text)
 
 
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_rcl_refuses(text: str) -> None:
-    assert read(text).faults
+    assert faults(text)
 
 
 def test_an_empty_list_has_no_type() -> None:
     """rcl takes it, and rclcpp stops at it."""
-    (fault,) = read(BLOCK + "    a: []\n").faults
+    (fault,) = faults(BLOCK + "    a: []\n")
     assert "No parameter value set" in fault.message
 
 
@@ -98,8 +104,9 @@ def test_a_number_that_everybody_reads(text: str, better: str | None) -> None:
 
 
 def test_a_list_of_numbers_is_one_finding_that_repairs_all() -> None:
-    (found,) = ambiguous_numbers(read(BLOCK + "    noise: [1e-9, 0.0, 1e-9]\n"))
-    assert [text for _, text in found.repairs] == ["1.0e-9", "1.0e-9"]
+    (found,) = number_faults(read(BLOCK + "    noise: [1e-9, 0.0, 1e-9]\n"), is_read_by_python=False)
+    assert found.repair is not None
+    assert [text for _, text in found.repair.edits] == ["1.0e-9", "1.0e-9"]
 
 
 def test_names_of_parameters_and_places() -> None:
@@ -134,7 +141,7 @@ def test_other_yaml_is_left_alone(path: str, text: str) -> None:
 
 
 def test_names_that_launch_fills_in_are_left_alone() -> None:
-    assert not read("$(var name)_node:\n  ros__parameters:\n    a: [1.0, $(var x)]\n").faults
+    assert not faults("$(var name)_node:\n  ros__parameters:\n    a: [1.0, $(var x)]\n")
 
 
 def test_broken_yaml_with_parameters_is_unreadable() -> None:
@@ -145,14 +152,14 @@ def test_broken_yaml_with_parameters_is_unreadable() -> None:
 @pytest.mark.parametrize(
     "text, says",
     [
-        ("1e-9", "a text for PyYAML, which launch files read it with: write `1.0e-9`"),
-        ("089", "`089` is no whole number any more, because of the zero before it: write `89`"),
+        ("1e-9", "a string for PyYAML, which launch files read it with: write `1.0e-9`"),
+        ("089", "`089` is not a whole number, because of the zero before it: write `89`"),
         ("010", "`010` is octal, that is 8, because of the zero before it: write `10`"),
-        ("1_000", "is a text for rcl, and a number for PyYAML: write `1000`"),
+        ("1_000", "is a string for rcl, and a number for PyYAML: write `1000`"),
         ("089.5", ""),
         ("0", ""),
     ],
 )
 def test_numbers_that_two_readers_take_differently(text: str, says: str) -> None:
-    found = [each.message for each in ambiguous_numbers(read(f"{BLOCK}    a: {text}\n"))]
+    found = [each.message for each in number_faults(read(f"{BLOCK}    a: {text}\n"), is_read_by_python=False)]
     assert (says in found[0]) if says else not found

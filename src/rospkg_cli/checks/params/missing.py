@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .launched import LaunchedParameters
-from .owners import PackageParameters
+from .declaring_packages import PackageParameters
+from .launch_parameters import LaunchedParameters
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
-from ...package.params.file import NodeBlock
+from ...package.params.parameter_file import NodeBlock
 
 LISTS = re.compile(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
 TYPE = "plugin"

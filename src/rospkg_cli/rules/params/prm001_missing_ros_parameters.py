@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.ros_parameters_key import key_faults
+from ...edits.fault_hits import hits
 from ...example import Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.params.file import ParameterFile
+from ...finding import Hit, Safety, Severity
+from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -56,11 +58,4 @@ def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    for fault in file.faults:
-        if fault.kind == "key":
-            fix = None
-            if fault.repair is not None:
-                where = fault.repair_span or fault.span
-                safety = Safety.SAFE if where == fault.span else Safety.UNSAFE
-                fix = Fix("write `ros__parameters:`", (Edit(file.path, where, fault.repair),), safety)
-            yield Hit(file.path, fault.span, fault.message, fix=fix)
+    yield from hits(file.path, key_faults(file))

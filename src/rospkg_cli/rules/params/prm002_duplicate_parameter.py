@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.repeated_names import repetition_faults
+from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Related, Severity
-from ...package.params.file import ParameterFile
+from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -54,11 +56,4 @@ def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rclcpp#2166
     """
-    for each in file.repeated:
-        if each.joined:
-            message = f"`{each.key.text}` stands here twice: rcl joins both, PyYAML (launch files) knows only the last"
-        else:
-            message = f"`{each.key.text}` stands here twice: the last value wins, and nobody says so"
-        level = Severity.INFO if each.joined else None
-        related = (Related(file.path, each.first.span, "the first one"),)
-        yield Hit(file.path, each.key.span, message, level, related=related)
+    yield from hits(file.path, repetition_faults(file))

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.rcl_validation import rcl_faults
+from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Severity
-from ...package.params.file import ParameterFile
+from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -50,6 +52,4 @@ def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
     """
-    for fault in file.faults:
-        if fault.kind == "yaml":
-            yield Hit(file.path, fault.span, fault.message)
+    yield from hits(file.path, rcl_faults(file))

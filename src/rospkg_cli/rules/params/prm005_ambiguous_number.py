@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.launched import LaunchedParameters
-from ...checks.params.numbers import ambiguous_numbers
+from ...checks.params.launch_parameters import LaunchedParameters
+from ...checks.params.ambiguous_numbers import number_faults
+from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -23,7 +24,7 @@ filter:
     "ambiguous-number",
     over=LaunchedParameters,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "rcl alone reads the file, and reads the number as it was meant"},
+    levels={Severity.INFO: "rcl alone reads the file, and reads the number correctly"},
     examples=(
         Example(
             on="config",
@@ -59,10 +60,5 @@ def ambiguous_number(launched: LaunchedParameters) -> Iterator[Hit]:
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """
     for file in launched.files:
-        for number in ambiguous_numbers(file):
-            fix = None
-            if number.repairs:
-                edits = tuple(Edit(file.path, span, text) for span, text in number.repairs)
-                fix = Fix(f"write `{number.repairs[0][1]}`", edits)
-            fine = number.right_for_rcl and not launched.is_read_by_python(file)
-            yield Hit(file.path, number.span, number.message, Severity.INFO if fine else None, fix=fix)
+        faults = number_faults(file, is_read_by_python=launched.is_read_by_python(file))
+        yield from hits(file.path, faults)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.params.owners import PackageParameters, given_type
+from ...checks.params.declaring_packages import PackageParameters, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
-from ...package.params.file import Parameter
+from ...package.params.parameter_file import Parameter
 from ...rule import rule
 
 NODE = """\

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.owners import PackageParameters
+from ...checks.params.declaring_packages import PackageParameters
 from ...edits.plain_names import only_plain_names
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.library_definitions import library_faults
+from ...edits.fault_hits import hits
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
-from ...package.params.library import ParameterLibrary
+from ...package.params.parameter_library import ParameterLibrary
 from ...rule import rule
 
 GOOD = """\
@@ -64,5 +66,4 @@ def invalid_parameter_library(library: ParameterLibrary) -> Iterator[Hit]:
     ## References
     https://github.com/PickNikRobotics/generate_parameter_library
     """
-    for fault in library.faults:
-        yield Hit(library.path, fault.span, fault.message)
+    yield from hits(library.path, library_faults(library))

@@ -11,7 +11,7 @@ from ...languages.cmake.targets import Target
 from ...languages.cpp.read import SUFFIXES
 from ...unreadable import UnreadableError
 from ..cmake.cmake_project import CMake
-from .declared import NodeCode
+from .declared_parameter import NodeCode
 
 REGISTERED = re.compile(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")
 

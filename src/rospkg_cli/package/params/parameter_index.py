@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..package_facts import PackageFacts
-from .declared import DeclaredParameter
+from .declared_parameter import DeclaredParameter
 
 
 class ParameterIndex:

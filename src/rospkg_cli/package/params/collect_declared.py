@@ -12,10 +12,11 @@ from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..python_modules import Modules
-from . import cpp, python
-from .declared import DeclaredParameter
-from .file import ParameterFile
-from .library import defined_parameters
+from . import cpp_parameters as cpp
+from . import python_parameters as python
+from .declared_parameter import DeclaredParameter
+from .parameter_file import ParameterFile
+from .parameter_library import defined_parameters
 
 DECLARES = re.compile("declare_parameter|declare_or_get_parameter")
 DYNAMIC = "dynamic_typing"

@@ -10,11 +10,11 @@ from ...languages.cpp.file import CppFile
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
 from ...package.package_facts import PackageFacts
-from ...package.params.cpp import read_in
-from ...package.params.declared import DeclaredParameter, type_named
-from ...package.params.file import NodeBlock, Parameter, ParameterFile
-from ...package.params.index import ParameterIndex
-from ...package.params.value import type_of
+from ...package.params.cpp_parameters import read_in
+from ...package.params.declared_parameter import DeclaredParameter, type_named
+from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
+from ...package.params.parameter_index import ParameterIndex
+from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import near_names, nearest

@@ -9,7 +9,7 @@ from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.unconditional import last_word, unconditional
 from ...source import Source
-from .declared import DeclaredParameter
+from .declared_parameter import DeclaredParameter
 
 NAMED = re.compile(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""

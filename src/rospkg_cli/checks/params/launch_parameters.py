@@ -11,8 +11,8 @@ from ...package.install_table import InstallTable
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...package.package_facts import PackageFacts
-from ...package.params.declared import DeclaredParameter
-from ...package.params.file import NodeBlock, ParameterFile
+from ...package.params.declared_parameter import DeclaredParameter
+from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
 

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from .declared import DeclaredParameter
+from .declared_parameter import DeclaredParameter
 
 RCL_TYPES = {
     "BOOL": "bool", "INTEGER": "int", "DOUBLE": "double", "STRING": "string", "BOOL_ARRAY": "bool[]",

@@ -10,9 +10,8 @@ from ...languages.yaml.nodes import documents
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
-from .file import ParameterFile
-from .handed import handed_files
-from .judge import judge
+from .parameter_file import ParameterFile
+from .passed_files import handed_files
 
 MENTIONS = re.compile(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
 WILD = re.compile(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
@@ -28,7 +27,7 @@ def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unrea
             source = text_of(reading, path)
             if source and is_parameter_file(source, path in handed):
                 try:
-                    yield judge(source, documents(source))
+                    yield ParameterFile(source, tuple(documents(source)))
                 except UnreadableError as error:
                     yield error.unreadable
 

@@ -1,0 +1,154 @@
+"""PRM004: what rcl_yaml_param_parser refuses in a parameter file, but for `ros__parameters` itself (PRM001).
+
+Sources: ros2/rcl: parse.c (also _validate_name) and rmw_validate_namespace; ros2/rclcpp: parameter_map.cpp.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...languages.yaml.nodes import AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...package.params.parameter_file import (
+    KEY,
+    NodeEntry,
+    ParameterFile,
+    has_placeholder,
+    mapping_in_list,
+    node_name,
+)
+from ...package.params.scalar_types import type_of
+from ..fault import Fault
+
+REFUSES = "rcl refuses the whole file, and the node does not start"
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+WILDCARDS = ("*", "**")
+MAX_NAME = 255
+
+
+def rcl_faults(file: ParameterFile) -> Iterator[Fault]:
+    for root in file.roots:
+        if not isinstance(root, MappingNode):
+            yield Fault(root.span, "a parameter file is a mapping: the name of a node, and `ros__parameters:` below")
+    for entry in file.entries:
+        key, value = entry.key, entry.value
+        if not isinstance(key, ScalarNode):
+            yield Fault(key.span, f"a key is the name of a node here; {REFUSES}")
+        elif entry.kind == "block":
+            yield from block_faults(key, value, entry)
+        elif entry.kind == "after block":
+            node = entry.above[-1].text
+            yield Fault(key.span, f"`{key.text}` must come before the `{KEY}` of `{node}`; {REFUSES}")
+        elif entry.kind == "value":
+            yield misplaced_value(key, value, entry)
+
+
+def block_faults(key: ScalarNode, value: YamlNode, entry: NodeEntry) -> Iterator[Fault]:
+    """Yield what is wrong with `ros__parameters`, with the name of its node, and with its values."""
+    if not entry.above:
+        yield Fault(key.span, f"`{KEY}` needs the name of a node above it, or `/**:` for all; {REFUSES}")
+        return
+    if entry.is_after_block:
+        yield Fault(key.span, f"`{KEY}` is there twice for one node; {REFUSES}")
+    name = node_name(entry.above)
+    why = None if has_placeholder(name) else name_problem(name)
+    if why:
+        yield Fault(entry.above[-1].span, f"{why}; {REFUSES}")
+    if isinstance(value, MappingNode):
+        yield from value_faults(value)
+    elif is_empty(value):
+        message = f"`{KEY}` of `{name}` is empty; {REFUSES}: write `{KEY}: {{}}`, or remove the node"
+        yield Fault(key.span, message)
+    else:
+        yield Fault(value.span, f"the value of `{KEY}` is a mapping of parameters, `name: value`")
+
+
+def is_empty(value: YamlNode) -> bool:
+    return isinstance(value, ScalarNode) and value.plain and not value.text
+
+
+def name_problem(name: str) -> str | None:
+    """Return why rcl refuses the name of a node with its namespace; None where it does not."""
+    if name in ("/**", "/*"):
+        return None
+    namespace, slash, node = name.rpartition("/")
+    if not node:
+        return f"`{name}` ends with `/` instead of the name of a node"
+    has_empty = slash and "" in namespace.removeprefix("/").split("/") and namespace not in ("", "/")
+    if has_empty or name.startswith("//"):
+        return f"`{name}` has two `/` in a row"
+    for part in (*namespace.split("/"), node):
+        if part and part not in WILDCARDS and not NAME.fullmatch(part):
+            return f"`{part}` is no name of a node or namespace: letters, digits and `_`, no digit first"
+    return f"`{node[:20]}…` is longer than {MAX_NAME} characters" if len(node) > MAX_NAME else None
+
+
+def misplaced_value(key: ScalarNode, value: YamlNode, entry: NodeEntry) -> Fault:
+    """Return the fault of a value that belongs below a `ros__parameters`."""
+    if isinstance(value, AliasNode):
+        return alias_fault(value)
+    if is_empty(value):
+        return Fault(key.span, f"`{key.text}` has no value; {REFUSES}: remove it")
+    where = f"the `{KEY}:` of `{entry.above[-1].text}`" if entry.above else f"a node and its `{KEY}:`"
+    return Fault(key.span, f"the value of `{key.text}` is outside of {where}; {REFUSES}")
+
+
+def value_faults(mapping: MappingNode) -> Iterator[Fault]:
+    """Yield what is wrong with the parameters of a mapping and of those inside it."""
+    for number, (key, value) in enumerate(mapping.entries):
+        if not isinstance(key, ScalarNode) or not key.text:
+            yield Fault(key.span, f"a parameter needs a name; {REFUSES}")
+        elif isinstance(value, AliasNode):
+            yield alias_fault(value)
+        elif isinstance(value, SequenceNode):
+            yield from list_faults(key.text, value)
+        elif isinstance(value, MappingNode) and value.entries:
+            yield from value_faults(value)
+        elif isinstance(value, MappingNode) and number + 1 < len(mapping.entries):
+            message = f"behind the empty mapping of `{key.text}` rcl refuses what follows, or gives it a wrong name"
+            yield Fault(value.span, f"{message}; remove it")
+        elif isinstance(value, ScalarNode) and not value.text and not value.quoted:
+            message = f'`{key.text}` has no value; {REFUSES}: write one (`""` for an empty string)'
+            yield Fault(key.span, message)
+
+
+def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
+    """Yield what is wrong with a list: the first item that rcl can't read, or items of several types."""
+    if not value.items:
+        message = f"rcl can't determine the type of the empty list `{name}`: a C++ node that declares parameters stops"
+        yield Fault(value.span, f'{message} with "No parameter value set"; leave `{name}` out')
+        return
+    if only := mapping_in_list(value):
+        yield from value_faults(only)
+        return
+    types: dict[str, ScalarNode] = {}
+    for item in value.items:
+        if not isinstance(item, ScalarNode) or (not item.text and not item.quoted):
+            yield item_fault(name, item)
+            return
+        if has_placeholder(item.text):
+            return
+        types.setdefault(type_of(item), item)
+    if len(types) > 1:
+        yield mixed_types(name, list(types.items()))
+
+
+def item_fault(name: str, item: YamlNode) -> Fault:
+    if isinstance(item, AliasNode):
+        return alias_fault(item)
+    if isinstance(item, ScalarNode):
+        return Fault(item.span, f"an entry of `{name}` has no value; {REFUSES}")
+    kind = "list" if isinstance(item, SequenceNode) else "mapping"
+    return Fault(item.span, f"a {kind} inside the list `{name}`: rcl has no such parameter type")
+
+
+def mixed_types(name: str, types: list[tuple[str, ScalarNode]]) -> Fault:
+    (first, one), (second, other) = types[:2]
+    message = f"`{name}` mixes {first} (`{one.text}`) and {second} (`{other.text}`)"
+    hint = "; write the whole numbers with `.0`" if {first, second} == {"int", "double"} else ""
+    quote = "; quote the strings" if "string" in (first, second) or "bool" in (first, second) else ""
+    return Fault(other.span, f"{message}: all entries of a list have one type; {REFUSES}{hint or quote}")
+
+
+def alias_fault(node: AliasNode) -> Fault:
+    return Fault(node.span, f"rcl does not support aliases (`*{node.name}`): {REFUSES}; write the value out")

@@ -1,0 +1,41 @@
+"""PRM001: a missing or misspelt `ros__parameters:` below the name of a node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.yaml.nodes import MappingNode, ScalarNode
+from ...package.params.parameter_file import KEY, ParameterFile, is_key
+from ...source import Source, Span
+from ..fault import Fault, TextRepair
+from .rcl_validation import REFUSES
+
+TITLE = f"write `{KEY}:`"
+
+
+def key_faults(file: ParameterFile) -> Iterator[Fault]:
+    for entry in file.entries:
+        key, value = entry.key, entry.value
+        if not isinstance(key, ScalarNode):
+            continue
+        if entry.kind == "block" and not is_key(key):
+            repair = TextRepair(TITLE, ((key.span, KEY),))
+            yield Fault(key.span, f"`{key.text}` is written `{KEY}`, with two `_`; {REFUSES}", repair=repair)
+        elif entry.kind == "no block" and isinstance(value, MappingNode):
+            message = f"the block of `{key.text}` has no `{KEY}:` above its values; {REFUSES}"
+            yield Fault(key.span, message, repair=added_key(file.source, key, value))
+
+
+def added_key(source: Source, key: ScalarNode, value: MappingNode) -> TextRepair | None:
+    """Return the repair that writes `ros__parameters:` above a block; None where the block is in braces.
+
+    It may be a namespace that was intended.
+    """
+    text, first = source.text, value.entries[0][0].span.start
+    start = text.rfind("\n", 0, first) + 1
+    if text[value.span.start] == "{" or text[start:first].strip() or start <= key.span.end:
+        return None
+    end = first + len(text[first : value.span.end].rstrip())
+    indent = text[start:first]
+    lines = [f"  {line}" if line.strip() else line for line in text[start:end].split("\n")]
+    return TextRepair(TITLE, ((Span(start, end), "\n".join([f"{indent}{KEY}:", *lines])),), is_certain=False)
