@@ -1,4 +1,4 @@
-"""The command: a lone --version is answered at once, everything else is handed to the command line."""
+"""The entry point: --version alone is answered at once, everything else goes to the command line."""
 
 from __future__ import annotations
 

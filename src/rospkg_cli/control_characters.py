@@ -1,7 +1,7 @@
-r"""How a character that nobody can see, or that a terminal or a log would obey, is shown: as Python writes it.
+r"""Escape invisible characters and those that control a terminal or a log, as Python writes them.
 
 `\x1b` for a control character, `\u202e` for one that turns the direction of writing, `\udcff` for a byte of a file name
-that is no text. Every report, diff, table and sentence that shows a user's text asks here.
+that is not text. Every report, diff, table and message that shows a user's text calls this.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SHORT = {"\t": "\\t", "\n": "\\n", "\r": "\\r"}
 
 
 def visible(text: str) -> str:
-    """Return a text as one line in which every character is seen and none is obeyed.
+    """Return a text as one line without invisible characters or control characters.
 
     A prefix of a text becomes a prefix of what is returned, so that a column can be found again.
     """
@@ -50,7 +50,7 @@ def is_plain(text: str) -> bool:
 
 
 def without_workflow_commands(text: str) -> str:
-    """Return lines of which none begins with `::`; for what has been laid out."""
+    """Escape lines that begin with `::`, which GitHub's runner takes for commands; for text that is already laid out."""
     return re.sub(COMMAND, r"\1\\x3a", text) if "::" in text else text
 
 
@@ -69,7 +69,7 @@ def in_json(text: str, only_ascii: bool = False) -> str:
 
 
 def without_surrogates(text: str) -> str:
-    """Return a JSON document whose texts show a byte of a name that is no text, and half a surrogate pair."""
+    """Return a JSON document in which surrogates (bytes of a name that are not text) are escaped."""
     return text if is_plain(text.replace("\n", "")) else re.sub(SURROGATE, lambda found: "\\" + escape(found), text)
 
 

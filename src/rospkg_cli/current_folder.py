@@ -1,4 +1,4 @@
-"""Where the user stands and what a typed path means: links stay in it, so that a linked package keeps its workspace."""
+"""The current folder and absolute paths, with symlinks kept, so that a linked package keeps its workspace."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def current_folder() -> Path:
-    """Return the current folder as the shell shows it, links and all, where $PWD tells it truly."""
+    """Return the current folder as the shell shows it, with symlinks, where $PWD is right."""
     shown = os.environ.get("PWD", "")
     try:
         if Path(shown).is_absolute() and os.path.samefile(shown, os.curdir):  # noqa: PTH121

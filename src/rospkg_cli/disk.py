@@ -1,4 +1,4 @@
-"""A folder on disk as a tree: what lies in a working tree, links and FIFOs and half-built leftovers included."""
+"""A folder on disk as a tree: files, symlinks, FIFOs and other things that a working tree holds."""
 
 from __future__ import annotations
 
@@ -67,9 +67,9 @@ def read_entry(path: Path) -> TreeEntry:
 
 
 def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
-    """Yield what lies below a folder; neither what a build leaves nor links to folders are followed.
+    """Yield everything below a folder; build output and symlinks to folders are not entered.
 
-    Folders wait in a list of their own, so that no depth of them is too deep; one that can't be listed is left out.
+    Without recursion, so that any depth is possible; a folder that can't be listed is left out.
     """
     waiting = [""]
     while waiting:
@@ -91,7 +91,7 @@ def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
 
 
 def kind_of(entry: os.DirEntry[str], path: str, fence: Fence) -> Kind:
-    """Return what something is that is no folder."""
+    """Return the kind of a directory entry that is not a folder."""
     if entry.is_file(follow_symlinks=False):
         return "file"
     try:

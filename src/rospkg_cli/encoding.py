@@ -1,4 +1,4 @@
-"""Bytes to text and back, so that a file that was edited keeps its encoding, its mark and its line ends."""
+"""Decode bytes and encode text, so that an edited file keeps its encoding, byte order mark and line ends."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class DecodedText:
 
 
 def decode(data: bytes) -> DecodedText:
-    """Decode bytes by their mark, else by what an XML or Python header declares, else as UTF-8.
+    """Decode bytes by their byte order mark, else by the encoding of an XML or Python header, else as UTF-8.
 
     Raises UnicodeError where that fails.
     """
@@ -60,12 +60,12 @@ def decode(data: bytes) -> DecodedText:
 
 
 def detect_utf16(body: bytes) -> str:
-    """Return the encoding of XML in UTF-16 without a mark: a `<` of two bytes tells it; else ""."""
+    """Return the encoding of XML in UTF-16 without a mark: recognized by a `<` of two bytes; else ""."""
     return {b"<\0": "utf-16-le", b"\0<": "utf-16-be"}.get(body[:2], "")
 
 
 def declared_encoding(body: bytes) -> str:
-    """Return the encoding that a header names; raises UnicodeError where we don't know it, or where it can't be."""
+    """Return the encoding that a header names; raises UnicodeError for an unknown one, and for one that the bytes are not in."""
     found = DECLARED.match(body) or CODING.match(body)
     if found is None:
         return "utf-8"

@@ -16,9 +16,9 @@ MARK = re.compile("[«»]")
 
 @dataclass(frozen=True, kw_only=True)
 class Example:
-    """A tree that the rule complains about, and one that it does not.
+    """A tree for which the rule has findings, and one for which it has none.
 
-    In `bad`, each complaint stands between « and »: the exact span of one hit.  `good` gives only the files that
+    In `bad`, « and » enclose the exact span of each hit.  `good` gives only the files that
     differ from `bad` (None: the file is not there).  `on` names the backdrop: the other files of a faultless
     package called `my_pkg`: "ament_python", "ament_cmake", "interfaces", "config" (which installs the folder of that
     name), or "" for none.  `fix` says that the rule's own fix makes `good` of `bad`.
@@ -108,7 +108,7 @@ SETUP_PY_FOR_ALL = SETUP_PY.replace("from setuptools", "import os\n\nfrom setupt
     ],
     install_requires""",
 )
-"""It installs whatever an example puts into such a folder, so that the example shows its own fault alone."""
+"""It installs all files that an example puts into such a folder, so that the example has no other fault."""
 
 SETUP_CFG = """\
 [develop]

@@ -1,4 +1,4 @@
-"""How far links may lead: within the package, or the repository that it lies in; nothing beyond is read or written."""
+"""Where symlinks may lead: into the package or its repository; nothing outside is read or written."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Fence:
     packages: Iterable[str] = ()
 
     def check(self, path: str) -> str:
-        """Return where a path really lies; raises LeadsOutError where that is out of its package and repository."""
+        """Return the real path; raises LeadsOutError where that is outside of its package and repository."""
         real = os.path.realpath(self.root / path)
         if any(is_within(real, each) for each in self.allowed(path)):
             return real
@@ -62,7 +62,7 @@ def is_within(path: str, folder: str) -> bool:
 
 
 def repository_of(folder: Path) -> Path | None:
-    """Return the root of the git repository that a folder lies in; a home or another shared folder is none."""
+    """Return the root of the git repository that a folder lies in; a home or another shared folder does not count."""
     for each in (folder, *folder.parents):
         if is_shared(each):
             return None

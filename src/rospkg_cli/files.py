@@ -1,4 +1,4 @@
-"""The files of one package, and what readers get to read them with."""
+"""The files of one package, and the input of readers."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class PackageFiles:
 
     @cached_property
     def paths(self) -> tuple[str, ...]:
-        """Every file of the package, sorted; packages below it are not its own."""
+        """Every file of the package, sorted; files of nested packages do not belong to it."""
         inner = tuple(p[: -len("package.xml")] for p in self.every if p.endswith("/package.xml"))
         return tuple(p for p in self.every if not p.startswith(inner)) if inner else self.every
 
@@ -51,11 +51,11 @@ class PackageFiles:
         return folders_of(found).union(path for path, kind in found.items() if kind in EXISTING)
 
     def has_file(self, path: str) -> bool:
-        """Return whether a file stands there, be it in a package below."""
+        """Return whether there is a file; one of a nested package counts."""
         return path in self._every
 
     def is_there(self, path: str) -> bool:
-        """Return whether a file or folder stands there, be it in a package below or behind a link."""
+        """Return whether there is a file or folder; nested packages and what is behind a symlink count."""
         parts = path.split("/")
         links = ("/".join(parts[:end]) for end in range(1, len(parts)))
         return path in self.places or any(self.tree.files().get(link) in LINKED for link in links)
@@ -140,7 +140,7 @@ def unreadable_bytes(path: str, error: UnicodeError) -> str:
 
 @dataclass(frozen=True)
 class ReadModels(Generic[T_co]):
-    """What a reader made of a package: the models that could be read, and the files that could not."""
+    """The result of a reader: the models that could be read, and the files that could not."""
 
     good: tuple[T_co, ...] = ()
     broken: tuple[Unreadable, ...] = ()
@@ -152,7 +152,7 @@ class ReadModels(Generic[T_co]):
 
 
 class ReaderInput(Protocol):
-    """What a reader may ask for: the files, and other models of the same package."""
+    """The input of a reader: the files, and other models of the same package."""
 
     @property
     def files(self) -> PackageFiles: ...

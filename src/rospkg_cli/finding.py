@@ -1,4 +1,4 @@
-"""What a rule says (Hit) and what users get (Finding): plain values that pickle, never a syntax node."""
+"""The result of a rule (Hit) and what users get (Finding): plain values that pickle, never a syntax node."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class Fix:
 
 @dataclass(frozen=True, slots=True)
 class Related:
-    """Another place that has to do with a hit, and why."""
+    """Another location that explains a hit."""
 
     path: str
     span: Span
@@ -94,7 +94,7 @@ class Related:
 
 @dataclass(frozen=True, slots=True)
 class Hit:
-    """One place where a rule's complaint holds; the engine adds code, name and level.
+    """One location where a rule has a finding; the engine adds code, name and level.
 
     Paths are relative to the package; one that begins with `/` is relative to the root of the run.
     """
@@ -108,7 +108,7 @@ class Hit:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class Location:
     """A span of a file with its lines and columns (from 1, in code points; the end is exclusive)."""
 
     path: str
@@ -121,24 +121,24 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A stamped hit. Paths are relative to the root of the run."""
+    """A hit with its rule, severity and location. Paths are relative to the root of the run."""
 
     code: str
     name: str
     severity: Severity
     message: str
-    place: Place
+    place: Location
     package: str
     excerpt: str = ""
     """The line of source at `place.line`."""
-    related: tuple[tuple[Place, str], ...] = ()
+    related: tuple[tuple[Location, str], ...] = ()
     fix: Fix | None = None
-    edit_places: tuple[Place, ...] = ()
+    edit_places: tuple[Location, ...] = ()
     """One for each Edit of `fix`, in order."""
     suppressed: str | None = None
     """Why this finding is not reported; None where it is."""
     external: bool = False
-    """Whether it was the config or a baseline that silenced it, not a comment beside it."""
+    """Whether the config or a baseline suppresses it, not a comment in the file."""
 
     @property
     def sort_key(self) -> tuple[str, int, str, str]:

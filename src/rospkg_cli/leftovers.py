@@ -1,4 +1,4 @@
-"""What tools leave in a working tree that is none of the package's source: builds, environments, caches, swap files."""
+"""What tools write into a working tree and is not the package's source: builds, environments, caches, temporary files."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ from collections.abc import Set
 SKIPPED = frozenset(
     ".git .hg .svn .venv venv node_modules __pycache__ .tox .nox .eggs .mypy_cache .pytest_cache .ruff_cache".split()
 )
-"""Folders that are never a package's own files."""
+"""Folders that are never part of a package's source."""
 
 MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
-"""A folder that holds one of them is a virtual environment, or where CMake builds, whatever its name."""
+"""A folder that holds one of them is a virtual environment, or CMake's build folder, under any name."""
 
 BUILD_FOLDERS = {
     "build": re.compile(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
     "install": re.compile(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
     "log": re.compile(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
 }
-"""Output folders of colcon and setuptools, with what stands in one; a folder of that name without is the package's."""
+"""Output folders of colcon and setuptools, with names that mark one; a folder of that name without them belongs to the package."""
 
 STRAY = re.compile(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""
 
 NEVER_SOURCE = re.compile(rf"\._.*|{STRAY.pattern}", re.DOTALL)
-"""Resource forks of macOS (`._setup.py` is no Python), and our own temporary files."""
+"""Resource forks of macOS (`._setup.py` is not Python), and our own temporary files."""
 
 
 def is_never_source(name: str) -> bool:
-    """Return whether a file or folder is never a package's own, by its name alone."""
+    """Return whether a file or folder is never part of a package's source, by its name alone."""
     return name in SKIPPED or (name[:1] == "." and NEVER_SOURCE.fullmatch(name) is not None)
 
 

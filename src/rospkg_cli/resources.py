@@ -1,4 +1,4 @@
-"""Find the data that ships beside the code: schemas and templates."""
+"""Find the data files of rospkg: schemas and templates."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ class Profile(Enum):
 
 @dataclass(frozen=True)
 class Rule(Generic[S]):
-    """A pure function over one slice, with its docs (the function's docstring) and its examples."""
+    """A pure function over one input, with its docs (the function's docstring) and its examples."""
 
     code: str
     name: str
@@ -39,7 +39,7 @@ class Rule(Generic[S]):
     profile: Profile = Profile.DEFAULT
     since: str = "0.1"
     preview: bool = False
-    """New in this release: runs only under --preview, so that an upgrade reddens nobody's CI."""
+    """New in this release: runs only under --preview, so that an upgrade does not break CI."""
     examples: tuple[Example, ...] = field(default=(), repr=False)
 
     @property
@@ -69,7 +69,7 @@ def rule(
     preview: bool = False,
     examples: tuple[Example, ...],
 ) -> Callable[[Callable[[S], Iterator[Hit]]], Rule[S]]:
-    """Make a rule of a generator over `over`: a file's model, or a joined slice."""
+    """Make a rule of a generator over `over`: a file's model, or a joined input."""
 
     def make(check: Callable[[S], Iterator[Hit]]) -> Rule[S]:
         return Rule(code, name, over, severity, check, levels or {}, profile, since, preview, examples)
@@ -83,7 +83,7 @@ PLUGGED_IN: dict[str, Rule[Any]] = {}
 
 @cache
 def all_rules() -> tuple[Rule[Any], ...]:
-    """Every rule of the house, and those that are plugged in, by code."""
+    """Every built-in rule and every rule of a plug-in, by code."""
     from . import rules
 
     found = dict(PLUGGED_IN)

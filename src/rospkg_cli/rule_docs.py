@@ -38,7 +38,7 @@ def explain(rule: Rule[Any]) -> str:
 
 
 def example_files(example: Example) -> Iterator[str]:
-    """Yield the bad files, and what is good instead; of long files only what is around the difference."""
+    """Yield the bad files and the good ones; of long files only the lines around the difference."""
     if example.targets:
         yield f"For {', '.join(example.targets)}:"
     for path, text in example.bad.items():
@@ -93,7 +93,7 @@ def lines_marked(text: str) -> set[int]:
 
 
 def lines_changed(bad: str, good: str) -> set[int]:
-    """Return the numbers (from 0) of the lines of `good` that `bad` lacks, or beside which it has more."""
+    """Return the numbers (from 0) of the lines of `good` that `bad` lacks, or next to which `bad` has more."""
     matcher = SequenceMatcher(None, bad.split("\n"), good.split("\n"), autojunk=False)
     return {
         number

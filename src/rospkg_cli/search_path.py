@@ -1,7 +1,7 @@
-"""Where Python looks for modules: never in the current folder, which may be a stranger's package.
+"""Where Python looks for modules: never in the current folder, which may be an untrusted package.
 
-`python -m rospkg_cli` and an empty entry in PYTHONPATH (a trailing `:` is enough) put it first; a `yaml.py` that lies
-there would be imported in the place of PyYAML.
+`python -m rospkg_cli` and an empty entry in PYTHONPATH (a trailing `:` is enough) put it first; a `yaml.py`
+in it would be imported instead of PyYAML.
 """
 
 from __future__ import annotations

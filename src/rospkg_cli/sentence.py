@@ -1,15 +1,15 @@
-"""One line of bounded length, for messages that quote what a user, a template or a stranger's file said."""
+"""One line of bounded length, for messages that quote a user's input, a template or an untrusted file."""
 
 from __future__ import annotations
 
 from .control_characters import visible
 
 LONGEST = 2_000
-"""Characters; what was given is quoted whole up to here."""
+"""Characters; a longer text loses its middle."""
 
 
 def single_line(text: str) -> str:
-    """Return a text with escapes for what is not seen, and without the middle where it is very long."""
+    """Return a text with control characters escaped, and without its middle where it is very long."""
     line = visible(text if len(text) <= LONGEST else text[:LONGEST] + text[-LONGEST:])
     if max(len(text), len(line)) <= LONGEST:
         return line

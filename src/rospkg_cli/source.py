@@ -1,4 +1,4 @@
-"""A file's text, and the way from an offset to a line and a column."""
+"""A file's text, with conversion between offsets and lines and columns."""
 
 from __future__ import annotations
 

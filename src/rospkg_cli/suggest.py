@@ -1,4 +1,4 @@
-"""Did you mean: the one name that is near."""
+"""Suggest the one name that is similar to a misspelt one."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from difflib import SequenceMatcher
 
 LONGEST = 200
-"""Characters; a longer word is no misspelt name, and comparing takes time that grows with its length."""
+"""Characters; a longer word is not a misspelt name, and comparing it is slow."""
 
 
 def distance(a: str, b: str, limit: int = 3) -> int:

@@ -35,13 +35,13 @@ def lint_files(
 
 
 def test_package(request: pytest.FixtureRequest) -> None:
-    """Lint the package that the importing test file lies in; what `rospkg lint` would fail on fails the test."""
+    """Lint the package that the importing test file lies in; the test fails where `rospkg lint` fails."""
     report = lint_package(Path(request.path))
     assert not report, f"\n\n{report}"
 
 
 def lint_package(inside: Path) -> str:
-    """Return what `rospkg lint` says of the package around a path; "" where it would leave with 0."""
+    """Return the report of `rospkg lint` on the package around a path; "" where the exit status is 0."""
     stream = io.StringIO()
     status = lint_to(LintOptions(paths=(inside,), report=ReportOptions(color="never")), stream)
     return stream.getvalue() if status else ""

@@ -14,7 +14,7 @@ from typing import Literal, Protocol
 from .encoding import DecodedText, decode
 
 Kind = Literal["file", "link", "outside", "dir", "linked-dir", "linked-package", "other"]
-"""What stands at a path: a regular file; a link to one that may be read; a link to one out of the package and its
+"""The kind of a path: a regular file; a link to one that may be read; a link to one out of the package and its
 repository; an empty folder; a link to a folder, or to one with an `__init__.py`; anything else (a dead link, a FIFO, a
 socket, a device)."""
 
@@ -26,11 +26,11 @@ FILES: frozenset[Kind] = READABLE | {"outside"}
 """What counts as a file of the package; one that leads outside is never read."""
 
 EXISTING: frozenset[Kind] = FILES | LINKED | {"dir"}
-"""What a build finds; a dead link or a FIFO is nothing that it could install."""
+"""What a build finds; it can't install a dead link or a FIFO."""
 
 
 class SkippedError(OSError):
-    """A file that is there and is not read on purpose; the message is a whole sentence."""
+    """A file that exists and is not read on purpose; the message is a whole sentence."""
 
 
 class LeadsOutError(SkippedError):

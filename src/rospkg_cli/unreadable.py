@@ -15,13 +15,13 @@ class Unreadable:
     grammar: bool = False
     """The text may be right for a Python newer than the one that runs us."""
     skipped: bool = False
-    """The file is there and is not read on purpose: it is too large, or a link that leads out."""
+    """The file exists and is not read on purpose: it is too large, or a link that leads out."""
     outside: bool = False
     """It is skipped because it is a link that leads out of the package and its repository."""
 
 
 class UnreadableError(Exception):
-    """Raised by readers; the engine makes one finding of it."""
+    """Raised by readers; the engine reports it as one finding."""
 
     def __init__(
         self,

@@ -45,7 +45,7 @@ class Config:
     path: Path | None = None
     """The file it came from; None for no config."""
     table: tuple[str, ...] = ()
-    """Where in that file our keys stand."""
+    """The TOML table of our keys in that file."""
     select: tuple[str, ...] = ()
     extend_select: tuple[str, ...] = ()
     ignore: Ignores = field(default_factory=dict)
@@ -62,7 +62,7 @@ class Config:
     per_path: tuple[OverrideSection, ...] = ()
     new: Mapping[str, Any] = field(default_factory=dict)
     index: Mapping[str, Any] = field(default_factory=dict)
-    """Where names are fetched from; in the user's own config alone."""
+    """Where names are fetched from; only allowed in the user's config."""
 
     @property
     def folder(self) -> Path:
@@ -71,7 +71,7 @@ class Config:
 
 
 def find_config(start: Path) -> Config:
-    """Return the config that holds for a path; raises ConfigError with line and column for what is wrong in it."""
+    """Return the config that applies to a path; raises ConfigError, with line and column, where it is wrong."""
     start = absolute(start)
     for folder in (start, *start.parents):
         for path, table in config_files(folder):
@@ -88,7 +88,7 @@ def config_files(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
 
 
 def user_config() -> Config:
-    """Return the user's own config, for what no repository can say; raises ConfigError."""
+    """Return the user's config, for keys that a repository may not set; raises ConfigError."""
     path = user_config_path()
     return load_config(path, own=True) if path.is_file() else Config()
 
@@ -98,7 +98,7 @@ def user_config_path() -> Path:
 
 
 def load_config(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
-    """Read a config file; `table` is where in it our keys stand, `own` whether it is the user's own."""
+    """Read a config file; `table` names the TOML table of our keys, `own` says whether it is the user's config."""
     text = read_config_text(path)
     if len(text) > MAX_TEXT:
         raise ConfigError(f"{path}: a config of more than {MAX_TEXT:,} characters is not read")

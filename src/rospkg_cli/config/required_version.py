@@ -19,7 +19,7 @@ ONE = re.compile(r"(==|!=|>=|<=|>|<)?\s*(\d+(?:\.\d+)*)")
 
 
 def satisfies(version: str, wanted: str) -> bool:
-    """Return whether a version fulfils a requirement such as `>=0.1,<0.3`; raises ValueError for what is none."""
+    """Return whether a version satisfies a requirement such as `>=0.1,<0.3`; raises ValueError for any other text."""
     own = numbers(version)
     for each in wanted.split(","):
         found = ONE.fullmatch(each.strip())

@@ -1,4 +1,4 @@
-"""The keys of the config, and what is said of wrong ones: one sentence, with line and column."""
+"""The keys of the config and the types of their values; an error is one sentence with line and column."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..sentence import single_line
 from ..suggest import did_you_mean
 
 LONGEST_KEY = 1_000
-"""Characters; a longer one is none of ours, and making a pattern of it takes long."""
+"""Characters; no key is longer, and compiling a pattern of a longer one is slow."""
 
 SEVERITIES = ("error", "warning", "info", "off")
 
@@ -21,7 +21,7 @@ class ConfigError(Exception):
     """A config that can't be used; the message begins with the file and the place."""
 
     def __str__(self) -> str:
-        """The sentence on one line, whatever of a stranger's file it quotes."""
+        """The message on one line, with control characters escaped."""
         return single_line(super().__str__())
 
 

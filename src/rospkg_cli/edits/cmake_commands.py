@@ -1,4 +1,4 @@
-"""How CMake files are changed: commands put in and taken out, arguments added, in the file's own style."""
+"""Edits of CMake files: add and remove commands and arguments, in the style of the file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def add_after(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
 
 
 def remove(file: CMakeFile, command: CommandInvocation) -> Edit:
-    """Take a command out, with its line where nothing else stands in it."""
+    """Remove a command, with its line where that holds nothing else."""
     source = file.source
     start = source.line_span(source.position(command.span.start)[0]).start
     end = source.line_span(source.position(command.span.end)[0]).end
@@ -49,7 +49,7 @@ def remove(file: CMakeFile, command: CommandInvocation) -> Edit:
 
 
 def add_argument(file: CMakeFile, command: CommandInvocation, text: str, after: Span | None = None) -> Edit:
-    """Put an argument into a command: below the one before it where that has a line of its own, else beside it."""
+    """Put an argument into a command: below the one before it where that has its own line, else behind it."""
     source = file.source
     last = after or (
         command.arguments[-1].span if command.arguments else Span(command.inner.start, command.inner.start)
@@ -64,7 +64,7 @@ def add_argument(file: CMakeFile, command: CommandInvocation, text: str, after: 
 def guard(file: CMakeFile, commands: Sequence[CommandInvocation]) -> dict[int, tuple[Edit, ...]]:
     """Return, by the id of each command, the edit that puts it and its neighbours among them into `if(BUILD_TESTING)`.
 
-    None of them has one where something else stands in their lines, nor one in a run that only a generator writes.
+    There is no edit where their lines hold something else, nor for a run that only a generator writes.
     """
     wanted = {id(each) for each in commands}
     if not all(has_own_lines(file.source, each) for each in file.top if id(each) in wanted):
@@ -88,7 +88,7 @@ def guard_commands(file: CMakeFile, first: CommandInvocation, last: CommandInvoc
 
 
 def has_own_lines(source: Source, command: CommandInvocation) -> bool:
-    """Return whether nothing but a comment stands in the lines of a command."""
+    """Return whether the lines of a command hold nothing else but a comment."""
     start = source.line_span(source.position(command.span.start)[0]).start
     end = source.line_span(source.position(command.span.end)[0]).end
     behind = source.text[command.span.end : end].strip()
@@ -114,7 +114,7 @@ def start_with_comments(source: Source, command: CommandInvocation) -> int:
 
 
 def literal_span(source: Source, span: Span, text: str) -> Span | None:
-    """Return the span of a text that stands in an argument as it is, without quotes; None where it is evaluated."""
+    """Return the span of a text that an argument holds literally, without quotes; None where it is evaluated."""
     written = source.slice(span)
     if written == text:
         return span
@@ -126,7 +126,7 @@ def listed(words: Sequence[str], indent: str) -> str:
 
 
 def remove_argument(file: CMakeFile, span: Span) -> Edit:
-    """Take an argument out, with its line where nothing else stands in it, else with the blanks before it."""
+    """Remove an argument, with its line where that holds nothing else, else with the blanks before it."""
     source = file.source
     start = source.line_span(source.position(span.start)[0]).start
     end = source.line_span(source.position(span.end)[0]).end

@@ -1,4 +1,4 @@
-"""How a rule that installs executables to the wrong place is mended."""
+"""Edits of install rules with a wrong destination for executables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where an exported dependency is named."""
+"""Edits that export a dependency in CMakeLists.txt."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .cmake_install import add_rule
 
 
 def export_dependency(cmake: CMake, name: str, *, first: bool) -> Edit | None:
-    """Name a package in the last call of ament_export_dependencies, or in a new one beside the other exports.
+    """Name a package in the last call of ament_export_dependencies, or in a new one below the other exports.
 
     Where there is no call yet, the first package makes it, and the others wait for that.
     """
@@ -22,7 +22,7 @@ def export_dependency(cmake: CMake, name: str, *, first: bool) -> Edit | None:
         return add_argument(root, plain[-1], name)
     if not first:
         return None
-    beside = exports or [each for each in commands if each.name.startswith("ament_export_")]
+    others = exports or [each for each in commands if each.name.startswith("ament_export_")]
     if beside:
-        return add_after(root, beside[-1], f"ament_export_dependencies({name})")
+        return add_after(root, others[-1], f"ament_export_dependencies({name})")
     return add_rule(cmake, f"ament_export_dependencies({name})")

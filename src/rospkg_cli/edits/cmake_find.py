@@ -1,4 +1,4 @@
-"""Where find_package() goes: below the others."""
+"""Edits that add find_package(), below the others."""
 
 from __future__ import annotations
 

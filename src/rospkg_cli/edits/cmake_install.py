@@ -1,4 +1,4 @@
-"""Where install rules go, and how they are written: beside their like, in the file's own layout."""
+"""Edits that install more with CMake: an item in a rule of its kind, or a new rule, in the layout of the file."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def install_folder(cmake: CMake, folder: str) -> Edit:
 
 
 def to_share(cmake: CMake, command: CommandInvocation, folder: str) -> Edit | None:
-    """Name a folder behind INSTALL_TO_SHARE of ament_auto_package, where that stands in CMakeLists.txt itself."""
+    """Name a folder behind INSTALL_TO_SHARE of ament_auto_package, where CMakeLists.txt itself calls it."""
     if not cmake.root.is_top(command):
         return None
     texts = [argument.text for argument in command.arguments]
@@ -88,7 +88,7 @@ def install_headers(cmake: CMake) -> Edit:
 
 
 def install_library(cmake: CMake, target: Target, export: str = "") -> Edit:
-    """Install a library beside other libraries (of the same export, where one is named), else in a rule of its own."""
+    """Install a library in the rule of other libraries (of the same export, where one is named), else in a new rule."""
 
     def fits(rule: InstallRule) -> bool:
         targets = [cmake.target(word.text) for word in rule.items]
@@ -129,7 +129,7 @@ def runs_after(cmake: CMake, command: CommandInvocation, made: EvaluatedCommand 
     """Return whether a command runs after a call."""
     if made is None:
         return True
-    return cmake.place(command) > cmake.place(made.command)
+    return cmake.last_index(command) > cmake.last_index(made.command)
 
 
 def add_rule(cmake: CMake, lines: str, made: EvaluatedCommand | None = None) -> Edit:

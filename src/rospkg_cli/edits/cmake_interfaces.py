@@ -1,4 +1,4 @@
-"""How CMakeLists.txt is told of interface files and of the packages that they use."""
+"""Edits of rosidl_generate_interfaces(): interface files and the packages that they depend on."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .cmake_commands import add_argument
 
 
 def add_interface_file(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
-    """Put a file among its like, in order where they are; None where no file of its kind is written out."""
+    """Add an interface file among those of its kind, sorted where they are; None where the call lists none of its kind."""
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
     like = of_kind or list(generated.listed)
@@ -44,7 +44,7 @@ def add_interface_dependency(generated: GeneratedInterfaces, need: UnlistedDepen
 
 
 def is_written(cmake: CMake, word: Word) -> bool:
-    """Return whether a word stands in a file just as it is."""
+    """Return whether a file holds a word literally."""
     text = cmake.file(word.path).source.slice(word.span)
     return text.strip('"') == word.text
 

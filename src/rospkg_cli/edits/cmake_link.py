@@ -1,4 +1,4 @@
-"""How a call of ament_target_dependencies becomes one of target_link_libraries, in the same lines."""
+"""Edits that replace ament_target_dependencies by target_link_libraries, in the same lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a Python package gets installed by CMake."""
+"""Edits that install a Python package with CMake."""
 
 from __future__ import annotations
 

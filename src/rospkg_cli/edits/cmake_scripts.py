@@ -1,4 +1,4 @@
-"""How an installed script is made executable."""
+"""Edits that make an installed script executable."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SHEBANG = "#!/usr/bin/env python3\n"
 
 
 def make_executable(scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
-    """Return what mends a script: PROGRAMS for FILES, a first line, the executable bit, or keeping the bits."""
+    """Return the operations that make a script executable: PROGRAMS for FILES, a first line, the executable bit, or keeping the bits."""
     cmake, copy = scripts.package.cmake, script.copy
     match script.wrong:
         case "files":

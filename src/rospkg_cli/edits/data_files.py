@@ -1,4 +1,4 @@
-"""How data_files of setup.py is changed: an entry more, a file less, a wider glob."""
+"""Edits of data_files in setup.py: add an entry, remove a file, widen a glob."""
 
 from __future__ import annotations
 
@@ -86,14 +86,14 @@ def widen_glob(setup: SetupPy, glob: GlobResult, path: str) -> tuple[Edit, ...]:
 
 
 def remove_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
-    """Take a file out of data_files, with its entry where it is the only one of it."""
+    """Remove a file from data_files, with its entry where it is the only one of it."""
     value = setup.value("data_files")
     if file.setup_text.path != setup.path or not isinstance(value, Sequence) or not value.display:
         return ()
     entry = setup.data_entries[file.entry]
     if len(entry.files) == 1:
-        inside = value.span.start < entry.place.start and entry.place.end < value.span.end
-        return (commas.remove(setup.source, entry.place),) if inside else ()
+        inside = value.span.start < entry.position.start and entry.position.end < value.span.end
+        return (commas.remove(setup.source, entry.position),) if inside else ()
     sources = entry.sources
-    inside = sources is not None and sources.display and sources.span.start < file.place.start < sources.span.end
-    return (commas.remove(setup.source, file.place),) if inside else ()
+    inside = sources is not None and sources.display and sources.span.start < file.position.start < sources.span.end
+    return (commas.remove(setup.source, file.position),) if inside else ()

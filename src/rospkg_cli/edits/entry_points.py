@@ -1,4 +1,4 @@
-"""How entry points are mended and added."""
+"""Edits of entry points in setup.py: repair and add."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:
 
 
 def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
-    """Return the edits that make a malformed entry point what was probably meant; none where that isn't clear."""
+    """Return the edits that repair a malformed entry point; none where the intention isn't clear."""
     if entry.fault == "joined":
         return separate_with_commas(setup, entry)
     if entry.fault == "no-attribute" and "." in entry.module:
@@ -71,4 +71,4 @@ def strings(code: str) -> list[tuple[int, int]]:
 
 def add_entry(setup: SetupPy, like: EntryPoint, text: str) -> tuple[Edit, ...]:
     """Put an entry point into the list of another one."""
-    return add_item(setup, like.within, quoted(setup, text)) if like.within is not None else ()
+    return add_item(setup, like.list_value, quoted(setup, text)) if like.list_value is not None else ()

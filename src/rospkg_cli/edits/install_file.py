@@ -1,4 +1,4 @@
-"""How one file more is installed into the share directory, beside its like."""
+"""Edits that install one more file into the share directory, in the rule or entry of its folder."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .setup_py import add_item, quoted
 
 
 def install_for_cmake(cmake: CMake, name: str, path: str) -> tuple[Edit, ...]:
-    """Name a file in the rule for its folder, or in a rule of its own; nothing where CMake would take it apart."""
+    """Name a file in the rule for its folder, or in a new rule; nothing where CMake would split it."""
     if not PLAIN.fullmatch(path):
         return ()
     folder = posixpath.dirname(path)
@@ -31,7 +31,7 @@ def install_for_cmake(cmake: CMake, name: str, path: str) -> tuple[Edit, ...]:
 
 
 def install_for_setup(setup: SetupPy, name: str, path: str) -> tuple[Edit, ...]:
-    """Name a file in the entry for its folder, where that is a list of names, or in an entry of its own."""
+    """Name a file in the entry for its folder, where that is a list of names, or in a new entry."""
     folder = posixpath.dirname(path)
     place = posixpath.join(f"share/{name}", folder)
     for entry in setup.data_entries:

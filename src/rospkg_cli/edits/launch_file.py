@@ -10,7 +10,7 @@ from ..source import Span
 
 
 def import_name(file: PythonFile, module: str, name: str) -> tuple[Edit, ...]:
-    """Import a name behind the imports of modules that come before its own; nothing where the file has the name."""
+    """Import a name, sorted by module among the imports; nothing where the file has the name."""
     if name in file.definitions:
         return ()
     every = [node for node in file.tree.body if isinstance(node, ast.Import | ast.ImportFrom)]

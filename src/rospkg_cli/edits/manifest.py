@@ -1,4 +1,4 @@
-"""How package.xml is changed: one element put in or taken out, in the file's own indentation."""
+"""Edits of package.xml: add or remove one element, in the indentation of the file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..source import Span
 
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
-    """Put a dependency where a person would: among its like, in order where they are in order."""
+    """Add a dependency among those of its tag, sorted where they are sorted."""
     return add_element(manifest, tag, f"<{tag}>{escaped(name)}</{tag}>", name)
 
 
@@ -77,7 +77,7 @@ def indentation(manifest: Manifest, sibling: Element | XmlComment | None) -> str
 
 
 def end_of_line(manifest: Manifest, element: Element) -> int:
-    """Return the end of an element, past a comment that stands behind it in the same line."""
+    """Return the end of an element, past a comment behind it in the same line."""
     rest = manifest.source.line_span(manifest.source.position(element.span.end)[0])
     behind = manifest.source.text[element.span.end : rest.end]
     commented = behind.strip().startswith("<!--") and behind.strip().endswith("-->")
@@ -85,7 +85,7 @@ def end_of_line(manifest: Manifest, element: Element) -> int:
 
 
 def remove_element(manifest: Manifest, element: Element) -> Edit:
-    """Take an element out, with its line where nothing else stands in it."""
+    """Remove an element, with its line where that holds nothing else."""
     source = manifest.source
     start = source.line_span(source.position(element.span.start)[0]).start
     end = source.line_span(source.position(element.span.end)[0]).end
@@ -96,7 +96,7 @@ def remove_element(manifest: Manifest, element: Element) -> Edit:
 
 
 def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> Edit:
-    """Put another name in the place of a dependency's."""
+    """Replace the name of a dependency."""
     return Edit(manifest.path, dependency.span, escaped(name))
 
 

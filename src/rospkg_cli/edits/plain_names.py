@@ -1,4 +1,4 @@
-"""Which names may go into a file of another language as they are."""
+"""Names that can be written into a file of another language without quoting."""
 
 from __future__ import annotations
 

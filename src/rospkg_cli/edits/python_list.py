@@ -1,4 +1,4 @@
-"""Put an item into a bracketed list of Python, or take one out: its layout, comments and trailing comma stay."""
+"""Add an item to a bracketed list of Python, or remove one; layout, comments and trailing comma stay."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def append(source: Source, brackets: Span, items: Sequence[Span], code: str) -> 
 
 
 def remove(source: Source, item: Span) -> Edit:
-    """Take an item out with its comma; with its lines where it stands alone in them."""
+    """Remove an item with its comma; with its lines where they hold nothing else."""
     text = source.text
     comma = COMMA.match(text, item.end)
     end = comma.end() if comma else item.end
@@ -59,7 +59,7 @@ def remove(source: Source, item: Span) -> Edit:
 
 
 def begins_line(source: Source, at: int) -> bool:
-    """Return whether nothing but blanks stands before an offset in its line."""
+    """Return whether the line holds only blanks before an offset."""
     line = source.line_span(source.position(at)[0])
     return not source.text[line.start : at].strip()
 

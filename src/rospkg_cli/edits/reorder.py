@@ -1,7 +1,7 @@
-"""Put the children of <package> into another order: comments travel with their element, blank lines with paragraphs.
+"""Reorder the children of <package>: comments move with their element, blank lines with paragraphs.
 
 What stands between two children is kept to the last blank: what comes out is made of the same pieces in another order.
-Only a child that shared its line with another one gets a line of its own when it moves.
+Only a child that shares its line with another one gets its own line when it moves.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Item:
 def reorder(manifest: Manifest, key: Callable[[Element], Any]) -> list[Edit]:
     """Return the edits that sort the children by a key, stably; none where they are sorted already.
 
-    None either where text or an instruction stands between the children: then nobody knows what it belongs to.
+    None either where there is text or an instruction between the children: it is unknown what it belongs to.
     """
     items = items_of(manifest)
     order = sorted(items, key=lambda item: key(item.element))
@@ -108,7 +108,7 @@ def trailing_comment(text: str, end: int, node: Element | XmlComment) -> bool:
 
 
 def lead_start(text: str, nodes: Sequence[Element | XmlComment]) -> int:
-    """Return where an item begins: at the first of the comments that stand right above its element."""
+    """Return where an item begins: at the first of the comments right above its element."""
     start = nodes[-1].span.start
     for comment in reversed(nodes[:-1]):
         if text.count("\n", comment.span.end, start) > 1:
@@ -118,7 +118,7 @@ def lead_start(text: str, nodes: Sequence[Element | XmlComment]) -> int:
 
 
 def has_content(lead: str) -> bool:
-    """Return whether something but blanks and comments stands there."""
+    """Return whether a span holds anything but blanks and comments."""
     while "<!--" in lead:
         before, _, rest = lead.partition("<!--")
         lead = before + rest.partition("-->")[2]
@@ -126,7 +126,7 @@ def has_content(lead: str) -> bool:
 
 
 def assign_leads(items: Sequence[Item], order: Sequence[Item]) -> list[str]:
-    """Return what stands before each item of the new order: those of the old one, each of them once."""
+    """Return the text before each item of the new order: the texts of the old one, each of them once."""
     leads = {item: item.lead for item in order}
 
     def swap(one: Item, other: Item) -> None:

@@ -1,4 +1,4 @@
-"""How setup.cfg is changed."""
+"""Edits of setup.cfg."""
 
 from __future__ import annotations
 

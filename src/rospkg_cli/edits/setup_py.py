@@ -1,4 +1,4 @@
-"""How setup.py is changed: a text, an argument, an item of a list; everything else stays as it stands."""
+"""Edits of setup.py: a text, an argument, an item of a list; everything else stays as it is."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def name_code(setup: SetupPy, name: str) -> str:
 
 
 def add_item(setup: SetupPy, into: Sequence, code: str) -> tuple[Edit, ...]:
-    """Put an item into a list that is written out in setup.py; no edit where it isn't."""
+    """Add an item to a list that is written out in setup.py; no edit where it isn't."""
     if not into.display or setup.source.text[into.span.end - 1 : into.span.end] not in ("]", ")", "}"):
         return ()
     return commas.append(setup.source, into.span, into.places, code)
@@ -116,7 +116,7 @@ def add_package(setup: SetupPy, name: str) -> tuple[Edit, ...]:
 
 
 def remove_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:
-    """Take a text out of a list that is written out in setup.py."""
+    """Remove a text from a list that is written out in setup.py."""
     value = setup.value(argument)
     if said.path != setup.path or not isinstance(value, Sequence) or not value.display:
         return ()

@@ -1,4 +1,4 @@
-"""Take keys out of a TOML file by spans; the parser itself says whether the right thing is gone."""
+"""Remove keys from a TOML file by spans; the parser checks the result."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ else:
     import tomli as tomllib
 
 TABLE = re.compile(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
-"""What may stand before a key in its line: nothing, or the tables that lead to it."""
+"""What may come before a key in its line: nothing, or the tables that lead to it."""
 STRING = r"""(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
 
 
@@ -47,7 +47,7 @@ def value_at(data: Any, keys: Sequence[str]) -> Any:
 
 
 def candidate_entries(text: str, key: str) -> Iterator[tuple[Span, Span]]:
-    """Yield each `key = "…"`, with the line it stands in alone, or with one of the commas beside it."""
+    """Yield each `key = "…"`, with its line where that holds nothing else, or with the comma before or behind it."""
     name = re.escape(key)
     for match in re.finditer(rf"(?:(?<=[\s{{,.])|^)(?:{name}|\"{name}\"|'{name}')[ \t]*=[ \t]*{STRING}", text):
         before = text[: match.start()]
