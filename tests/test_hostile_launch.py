@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.scope import LaunchScope
+from rospkg_cli.checks.launch.missing_references import LaunchScope
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.file import parse_python

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.launch.call_errors import call_faults
-from rospkg_cli.checks.launch.imported import misimports
-from rospkg_cli.checks.launch.names import undefined_names
 from rospkg_cli.checks.launch.robot_description import robot_parameters
+from rospkg_cli.checks.launch.undefined_names import undefined_names
+from rospkg_cli.checks.launch.wrong_imports import misimports
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.package import Package

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.launch.entity_schema import entity_faults
-from rospkg_cli.checks.launch.uses import package_uses
+from rospkg_cli.checks.launch.package_references import package_uses
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.launch.text import LaunchText

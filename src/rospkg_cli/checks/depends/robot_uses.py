@@ -15,7 +15,7 @@ from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...ros.names import Known
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
-from ..launch.uses import every_use
+from ..launch.package_references import every_use
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_launch_packages import LaunchDependencies
 
@@ -80,7 +80,7 @@ class RobotUses:
         if first in PLUGIN_PACKAGES:
             return PLUGIN_PACKAGES[first]
         owner = self.declared.workspace.named(first)
-        if owner is None and self.declared.workspace.what(first) is Known.PACKAGE:
+        if owner is None and self.declared.workspace.kind_of(first) is Known.PACKAGE:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first
         if owner is not None and any(plugin.name == use.name for plugin in owner.plugins):
             return first

@@ -16,7 +16,7 @@ from ...package.python.python_imports import OwnModules, PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import Known
-from ..launch.uses import NAME, PackageUse, package_uses
+from ..launch.package_references import NAME, PackageUse, package_uses
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
@@ -70,7 +70,7 @@ class LaunchDependencies:
     def is_unknown_package(self, name: str) -> bool:
         """Return whether nobody knows a package of that name."""
         workspace = self.declared.workspace
-        return not workspace.is_available(name) and workspace.what(name) is not Known.PACKAGE
+        return not workspace.is_available(name) and workspace.kind_of(name) is not Known.PACKAGE
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
         """Return each package that is needed and not declared, with the places that need it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
-from ...checks.launch.uses import PackageUse
+from ...checks.launch.package_references import PackageUse
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.started import Started, StartedNode
+from ...checks.launch.node_executables import Started, StartedNode
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

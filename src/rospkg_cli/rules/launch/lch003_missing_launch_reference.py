@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.scope import LaunchScope, Missing
+from ...checks.launch.missing_references import LaunchScope, Missing
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.launch.file_references import Use

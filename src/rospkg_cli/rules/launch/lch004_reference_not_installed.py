@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.installing import LaunchedFiles
-from ...checks.launch.scope import Missing
+from ...checks.launch.missing_references import Missing
+from ...checks.launch.reference_install import LaunchedFiles
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity

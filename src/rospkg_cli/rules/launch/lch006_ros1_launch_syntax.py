@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.missing_references import LaunchScope
 from ...checks.launch.ros1_syntax import ros1_syntax
-from ...checks.launch.scope import LaunchScope
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity

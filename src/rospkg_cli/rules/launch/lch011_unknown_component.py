@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.components import Loaded, UnknownComponent
+from ...checks.launch.loaded_components import Loaded, UnknownComponent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

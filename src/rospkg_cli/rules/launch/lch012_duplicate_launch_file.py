@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.collected import InstalledLaunchFiles
+from ...checks.launch.installed_launch_files import InstalledLaunchFiles
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.imported import misimports
-from ...checks.launch.names import Unbound, undefined_names
+from ...checks.launch.undefined_names import Unbound, undefined_names
+from ...checks.launch.wrong_imports import misimports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.launch.launch_file import LaunchFile

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.including import Including, Mismatch
+from ...checks.launch.include_arguments import Including, Mismatch
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule

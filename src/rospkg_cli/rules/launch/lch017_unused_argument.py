@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.configurations import Configurations
+from ...checks.launch.unset_configurations import Configurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule

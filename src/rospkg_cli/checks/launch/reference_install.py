@@ -10,7 +10,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.setup.setup_py import SetupPy
 from ..cmake.share_folders import RuntimeFolders
 from ..setup.share_files import ShareFiles, folder_of
-from .scope import LaunchScope, Missing
+from .missing_references import LaunchScope, Missing
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class LaunchedFiles:
         if missing.package == self.name:
             return top in self.said_folders or missing.path in self.said_files
         facts = self.scope.workspace.named(missing.package)
-        given = facts is not None and facts.folder in self.scope.workspace.given
+        given = facts is not None and facts.folder in self.scope.workspace.selected
         return given and facts is not None and not any(path.startswith(f"{top}/") for path in facts.share_files)
 
     @cached_property

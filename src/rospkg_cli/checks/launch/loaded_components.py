@@ -52,7 +52,7 @@ class Loaded:
 
     def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
         """Return who registers the class now, of a package that nobody knows; nothing where that may be another."""
-        known = self.workspace.what(package)
+        known = self.workspace.kind_of(package)
         found = () if known is Known.PACKAGE else self.elsewhere(name, None)
         longer = len(found) == 1 and found[0][0].endswith(f"_{package}")
         return found if known is Known.UNKNOWN or longer else ()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...source import Span
 from ...suggest import nearest
-from .scope import LaunchScope
+from .missing_references import LaunchScope
 
 
 @dataclass(frozen=True, slots=True)

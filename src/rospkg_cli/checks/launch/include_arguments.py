@@ -10,7 +10,7 @@ from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
 from ...source import Span
 from ...suggest import nearest
-from .scope import LaunchScope
+from .missing_references import LaunchScope
 
 Key = tuple[str, str]
 """The folder of a package, and the source of a launch file in it."""
