@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -55,3 +56,13 @@ def test_deleting(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("x")
     write_changes(tmp_path, DiskTree(tmp_path), {"a": None})
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("kind", ["fifo", "folder", "dead link"])
+def test_what_is_no_file_is_not_replaced_by_one(tmp_path: Path, kind: str) -> None:
+    target = tmp_path / "__init__.py"
+    {"fifo": os.mkfifo, "folder": Path.mkdir, "dead link": lambda path: path.symlink_to("nowhere")}[kind](target)
+    before = target.lstat()
+    with pytest.raises(WriteError, match="`__init__.py` is there and is no file; it was left alone"):
+        write_changes(tmp_path, DiskTree(tmp_path), {"__init__.py": Entry("file", b"")})
+    assert target.lstat().st_mode == before.st_mode

@@ -48,6 +48,8 @@ def write_changes(root: Path, tree: Tree, changes: Changes, fence: Fence | None 
 def write_change(target: Path, path: str, tree: Tree, entry: TreeEntry | None, fence: Fence) -> None:
     """Write one change; raises OSError."""
     fence.check(path)
+    if (target.exists() or target.is_symlink()) and not target.is_file():
+        raise ChangedError(f"`{path}` is there and is no file; it was left alone")
     try:
         before: bytes | None = tree.entry(path).data
     except FileNotFoundError:
