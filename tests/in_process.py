@@ -1,0 +1,35 @@
+"""The command in this process: what a subprocess would say, at a tenth of its cost."""
+
+from __future__ import annotations
+
+import os
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from io import StringIO
+from pathlib import Path
+
+from rospkg_cli.cli.app import status
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a run came to, with the names that `subprocess.run` gives it."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def run_here(*arguments: object, cwd: Path) -> Done:
+    """Run the command line in a folder."""
+    out, err, before, argv = StringIO(), StringIO(), Path.cwd(), sys.argv
+    try:
+        os.chdir(cwd)
+        sys.argv = ["rospkg", *map(str, arguments)]
+        with redirect_stdout(out), redirect_stderr(err):
+            code = status()
+    finally:
+        os.chdir(before)
+        sys.argv = argv
+    return Done(code, out.getvalue(), err.getvalue())
