@@ -1,1 +1,1 @@
-"""Text in, tree or value out: what a file says in its own language, with the place of each value. No word of ROS."""
+"""Parsers and evaluators: text in, tree or value with positions out. They know nothing of ROS."""

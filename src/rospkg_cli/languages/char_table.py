@@ -1,4 +1,4 @@
-"""The way from bytes of UTF-8, in which parsers count, to characters."""
+"""Convert offsets in UTF-8 bytes, in which parsers count, to offsets in characters."""
 
 from __future__ import annotations
 

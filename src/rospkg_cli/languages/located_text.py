@@ -1,4 +1,4 @@
-"""A value and where it is written."""
+"""A text with its position in a file."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from ..source import Span
 class LocatedText:
     text: str
     span: Span
-    """Between the quotes where there are any."""
+    """Without quotes."""
     exact: bool = True
-    """Whether each character of the text is one of the span: no reference, no escape."""
+    """Whether the text is literally at the span: no reference, no escape."""
 
     def part(self, start: int, end: int) -> Span:
         """Return the span of some characters of the text."""

@@ -1,4 +1,4 @@
-"""What is wrong with a text in its own language, and where: one type for all languages."""
+"""A syntax error with its position: one type for all languages."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..source import Span
 
 @dataclass(frozen=True, slots=True)
 class SyntaxProblem:
-    """A place that the language's own parser would refuse too; offsets are those of the text that was parsed."""
+    """An error that the language's own parser would report too; offsets are those of the parsed text."""
 
     span: Span
     message: str

@@ -1,4 +1,4 @@
-"""Where a run of CMake files is, what surrounds it, and how it leaves a file or a loop."""
+"""The frame that is being run, the variables that CMake itself sets, and how a file or a loop is left."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ INSTALL_DIRS = {
 """What GNUInstallDirs sets, below any prefix but /usr."""
 
 PYTHON = "lib/python"
-"""What stands for the folder of Python packages, whose name depends on the Python: `lib/python3.12/site-packages`."""
+"""A placeholder for the folder of Python packages, whose name depends on the Python version: `lib/python3.12/site-packages`."""
 
 CONSTANTS = {
     "CMAKE_INSTALL_PREFIX": PREFIX,
@@ -51,12 +51,12 @@ class LeaveError(Exception):
 
 
 class ExhaustedError(Exception):
-    """The files take more steps than we are willing to go."""
+    """The run takes more steps, or costs more, than is allowed."""
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Where the interpreter is."""
+    """The position of the interpreter and the conditions under which it is there."""
 
     path: str
     """The file whose commands are run."""
@@ -67,7 +67,7 @@ class Frame:
     testing: bool = False
     maybe: bool = False
     is_unreachable: bool = False
-    """Nothing of it is really run: a branch that is never taken, a loop over nothing."""
+    """It is never run: a branch that is never taken, a loop over nothing."""
     depth: int = 0
     inside: str = ""
     """The function or macro of the package that is run."""

@@ -1,4 +1,4 @@
-"""Commands in their blocks: what stands between `if` and `endif`, `foreach` and `endforeach`, and so on."""
+"""Commands nested in their blocks: `if` to `endif`, `foreach` to `endforeach`, and so on."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BETWEEN = ("elseif", "else")
 
 @dataclass(slots=True)
 class Branch:
-    """A command that opens a block, or goes on with one (`elseif`, `else`), and what stands below it."""
+    """A command that opens a block or continues it (`elseif`, `else`), and the commands below it."""
 
     command: CommandInvocation
     body: list[CommandInvocation | Block] = field(default_factory=list)
@@ -41,7 +41,7 @@ class Block:
 
 
 def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation | Block], list[SyntaxProblem]]:
-    """Return the commands of a file with their blocks, and what is badly nested."""
+    """Return the commands of a file nested in their blocks, and the problems of nesting."""
     top: list[CommandInvocation | Block] = []
     stack: list[Block] = []
     problems: list[SyntaxProblem] = []
@@ -75,11 +75,9 @@ def may_have_alternative(block: Block) -> bool:
 def misplaced(command: CommandInvocation, stack: Sequence[Block]) -> SyntaxProblem:
     if not stack:
         wanted = OPENED_BY.get(command.name, "if")
-        return SyntaxProblem(command.name_span, f"`{command.name}` stands outside of any `{wanted}`")
+        return SyntaxProblem(command.name_span, f"`{command.name}` is outside of any `{wanted}`")
     opened = stack[-1].command.name
-    return SyntaxProblem(
-        command.name_span, f"`{command.name}` stands where `{CLOSED_BY[opened]}` should close `{opened}`"
-    )
+    return SyntaxProblem(command.name_span, f"`{command.name}` is where `{CLOSED_BY[opened]}` should close `{opened}`")
 
 
 def unclosed(command: CommandInvocation) -> SyntaxProblem:

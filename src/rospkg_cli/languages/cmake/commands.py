@@ -1,4 +1,4 @@
-"""What each command of CMake does to the state of the run; what is not here only gets recorded."""
+"""The effect of each command of CMake on the state; other commands are only recorded."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def run_project(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_find_package(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """What is required was found, or the configuration stopped."""
+    """A required package was found, or the configuration stopped."""
     for name in call.texts[:1]:
         if "REQUIRED" in call.texts and not call.maybe:
             interpreter.set_text(f"{name}_FOUND", "1")
@@ -55,7 +55,7 @@ def run_find_package(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """Run a file of the package; a module of CMake's own (`include(CTest)`) sets nothing that matters here."""
+    """Run a file of the package; CMake's own modules (`include(CTest)`) set no variable that matters here."""
     if not call.words or NAME.fullmatch(call.texts[0]):
         return
     path = interpreter.path(call.texts[0])
@@ -66,7 +66,7 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """Run a folder's CMakeLists.txt in a scope of its own."""
+    """Run a folder's CMakeLists.txt in a new scope."""
     folder = interpreter.path(call.texts[0]) if call.texts else None
     if folder is None or not interpreter.files.has_file(posixpath.join(folder, ROOT)):
         interpreter.reads_unknown_files = True
@@ -98,7 +98,7 @@ def leave_by(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
 
 
 def has_unknown_effects(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """What FetchContent brings is read as part of the package."""
+    """FetchContent adds unknown CMake files to the run."""
     interpreter.reads_unknown_files = True
 
 
@@ -114,7 +114,7 @@ def run_python_install_dir(interpreter: Interpreter, call: EvaluatedCommand) -> 
 
 
 def set_outputs_unknown(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """What execute_process and the like write is unknown."""
+    """The output variables of execute_process and similar commands are unknown."""
     for keyword, name in zip(call.texts, call.texts[1:], strict=False):
         if keyword in OUTPUT_KEYWORDS:
             interpreter.set(name, interpreter.unknown())

@@ -41,19 +41,19 @@ BINARY = frozenset({*NUMBERS, *STRINGS, *(f"VERSION_{name}" for name in NUMBERS)
 
 
 class ConditionContext(Protocol):
-    """What a condition asks about."""
+    """What a condition can test."""
 
     def variable(self, name: str) -> Value | None:
-        """Return a variable's value, None where it is not set; a hole where that can't be told."""
+        """Return a variable's value; None where it is not set, UNKNOWN where that is unknown."""
 
     def operand(self, name: str) -> Value | None:
-        """Return what a word in a comparison stands for; None where it is only a word."""
+        """Return the value of a word in a comparison; None where it is literal."""
 
     def holds(self, test: str, name: str) -> Truth:
-        """Answer EXISTS, COMMAND, TARGET and the like."""
+        """Evaluate a unary test: EXISTS, COMMAND, TARGET and others."""
 
     def spend(self, cost: int) -> None:
-        """Count what a comparison costs."""
+        """Charge the cost of a comparison."""
 
 
 def and_(a: Truth, b: Truth) -> Truth:

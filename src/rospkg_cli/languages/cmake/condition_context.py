@@ -1,4 +1,4 @@
-"""What conditions may ask about the package and about the state of the run."""
+"""What conditions can test about the package and the state of the interpreter."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class InterpreterContext:
     interpreter: Interpreter
 
     def variable(self, name: str) -> Value | None:
-        """Return a variable's value; None where it is not set; a hole where that can't be told."""
+        """Return a variable's value; None where it is not set, UNKNOWN where that is unknown."""
         found = self.interpreter.value_if_set(name)
         if found is not None or not IDENTIFIER.fullmatch(name):
             return found
         return None if self.interpreter.is_surely_unset(name) else self.interpreter.unknown()
 
     def operand(self, name: str) -> Value | None:
-        """Return what a word in a comparison stands for; None where it is only a word."""
+        """Return the value of a word in a comparison; None where it is literal."""
         found = self.interpreter.value_if_set(name)
         return self.variable(name) if found is None and FROM_OUTSIDE.fullmatch(name) else found
 
@@ -56,7 +56,7 @@ class InterpreterContext:
                 return None
 
     def is_made(self, target: str) -> Truth:
-        """Return whether a target is there; of one that is made for tests, that is known where tests are built."""
+        """Return whether a target is there; for one that is only made for tests, that is known only where tests are built."""
         for_tests = self.interpreter.targets.get(target)
         if for_tests is None or (for_tests and not self.interpreter.frame.testing and self.interpreter.assume != "ON"):
             return None

@@ -1,4 +1,4 @@
-"""What `if` does, and which function runs which block."""
+"""Run `if`; the table of functions that run blocks."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Reached = tuple[Truth, Truth]
 
 
 def run_if(interpreter: Interpreter, block: Block) -> None:
-    """Run the branches that may be taken, each on its own, and unite what they leave behind."""
+    """Run the branches that may be taken, each from the same state, and merge their results."""
     live: Reached = (True, not interpreter.frame.testing)
     before = interpreter.save()
     ends: list[Snapshot] = []

@@ -1,4 +1,4 @@
-"""A command as it was run: its arguments evaluated, each with the place where it was written."""
+"""A command that was run: its arguments evaluated, each with its position."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class EvaluatedCommand:
     command: CommandInvocation
     words: tuple[Word, ...]
     path: str
-    """The file that the command stands in."""
+    """The file of the command."""
     folder: str
     """CMAKE_CURRENT_SOURCE_DIR, relative to the package; "" for the package itself."""
     testing: bool = False
@@ -24,9 +24,9 @@ class EvaluatedCommand:
     maybe: bool = False
     """It runs only under a condition that can't be evaluated."""
     inside: str = ""
-    """The function or macro of the package that it stands in."""
+    """The function or macro of the package that contains it."""
     counts: tuple[int, ...] = ()
-    """How many words each argument of the command stands for."""
+    """How many words each argument of the command evaluates to."""
 
     @property
     def name(self) -> str:
@@ -37,7 +37,7 @@ class EvaluatedCommand:
         return tuple(word.text for word in self.words)
 
     def by_argument(self) -> Iterator[tuple[CommandArgument, tuple[Word, ...]]]:
-        """Yield the arguments as they are written, each with the words that it stands for."""
+        """Yield the arguments as they are written, each with the words that it evaluates to."""
         at = 0
         for argument, count in zip(self.command.arguments, self.counts, strict=True):
             yield argument, self.words[at : at + count]
@@ -54,7 +54,7 @@ class EvaluatedCommand:
 
 
 def by_keyword(words: Sequence[Word], keywords: Collection[str]) -> dict[str, list[Word]]:
-    """Return the words behind each keyword; those before the first stand under ""."""
+    """Return the words behind each keyword; those before the first have the key ""."""
     found: dict[str, list[Word]] = {"": []}
     current = found[""]
     for word in words:

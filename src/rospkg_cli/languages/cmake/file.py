@@ -1,4 +1,4 @@
-"""One CMake file of a package: parsed, or refused where CMake would refuse it."""
+"""One CMake file of a package: parsed, or an error where CMake would refuse it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MAX_LENGTH = 500_000
 ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 INDENT = re.compile(r"^([ \t]+)(?=\S)", re.MULTILINE)
 SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
-"""Where in their arguments commands name a variable that they set."""
+"""The index of the argument that names the variable which a command sets."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class CMakeFile:
 
     @cached_property
     def top(self) -> tuple[CommandInvocation, ...]:
-        """The commands that stand in no block, in order."""
+        """The commands outside of blocks, in order."""
         return tuple(each for each in self.body if isinstance(each, CommandInvocation))
 
     @cached_property
@@ -48,12 +48,12 @@ class CMakeFile:
         return frozenset(map(id, self.top))
 
     def is_top(self, command: CommandInvocation) -> bool:
-        """Return whether a command is one of this file's, and stands in no block."""
+        """Return whether a command is one of this file's, outside of blocks."""
         return id(command) in self._top
 
     @cached_property
     def last_install(self) -> CommandInvocation | None:
-        """The last `install` that stands in no block."""
+        """The last `install` outside of blocks."""
         return next((each for each in reversed(self.top) if each.name == "install"), None)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What `file(GLOB …)` finds among the package's files, and what other forms of `file` leave unknown."""
+"""`file`: GLOB is evaluated over the package's files, the output of other forms is unknown."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def run_file(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_glob(interpreter: Interpreter, call: EvaluatedCommand, recurse: bool) -> None:
-    """Set a variable to what the patterns match, each path at the place of its pattern."""
+    """Set a variable to what the patterns match, each path with the position of its pattern."""
     words = list(call.words[2:])
     relative: Word | None = None
     patterns: list[Word] = []
@@ -63,7 +63,7 @@ def matching_paths(interpreter: Interpreter, pattern: Word, recurse: bool, folde
 
 
 def match_recursively(interpreter: Interpreter, folder: str, last: str, candidates: Sequence[str]) -> list[str] | None:
-    """Return what fits the last part of a pattern anywhere below what fits its folder."""
+    """Return the paths that match the last part of a pattern, at any depth below the folders that match the rest."""
     roots = [""] if not folder else glob(folder, interpreter.places)
     names = glob(last, {posixpath.basename(path) for path in candidates})
     if roots is None or names is None:

@@ -1,4 +1,4 @@
-"""What functions, macros and `block` do."""
+"""Define and call functions and macros; run `block`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ AGAIN = re.compile(r"\$\{|\\")
 
 
 def run_block(interpreter: Interpreter, block: Block) -> None:
-    """Run `block()` in a scope of its own; with PROPAGATE the named variables go out of it."""
+    """Run `block()` in a new scope; the variables named by PROPAGATE are set outside of it too."""
     words = [word.text for word in interpreter.words(block.command)]
     names = words[words.index("PROPAGATE") + 1 :] if "PROPAGATE" in words else []
     inner = interpreter.scope = VariableScope(interpreter.scope)
@@ -39,7 +39,7 @@ def define_function(interpreter: Interpreter, block: Block) -> None:
 
 
 def call_function(interpreter: Interpreter, function: FunctionDefinition, call: EvaluatedCommand) -> None:
-    """Run a function in a scope of its own, or a macro in that of its caller."""
+    """Run a function in a new scope, or a macro in the scope of its caller."""
     bound = parameter_values(interpreter, function, call)
     frame = interpreter.frame
     name = function.command.arguments[0].text

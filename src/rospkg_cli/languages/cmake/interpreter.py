@@ -27,7 +27,7 @@ class Interpreter(InterpreterState):
     blocks: Mapping[str, Callable[[Interpreter, Block], None]]
     invoke: Callable[[Interpreter, FunctionDefinition, EvaluatedCommand], None]
     run_unknown_command: Callable[[Interpreter, EvaluatedCommand], None]
-    """What a command does that is none of CMake's own."""
+    """The effect of a command that is not CMake's."""
 
     def run(self) -> None:
         """Run CMakeLists.txt; never raises for what it holds."""
@@ -41,7 +41,7 @@ class Interpreter(InterpreterState):
     # ---- files
 
     def file(self, path: str, folder: str | None = None) -> None:
-        """Run a file of the package, in the folder of the one that includes it or in its own."""
+        """Run a file of the package, in a given folder, or in that of the file that includes it."""
         file = self.load(path)
         if file is None:
             return
@@ -102,7 +102,7 @@ class Interpreter(InterpreterState):
         return [words_of(argument, self.frame.path, self.value, environment) for argument in command.arguments]
 
     def run_unreachable(self, body: Sequence[CommandInvocation | Block]) -> None:
-        """Run what is never run, only to see its commands: nothing of what it does stays."""
+        """Run a body that is never run, only to record its commands; the state is restored."""
         saved, functions, targets = self.save(), dict(self.functions), dict(self.targets)
         try:
             with self.enter_frame(replace(self.frame, is_unreachable=True, depth=self.frame.depth + 1)):

@@ -1,4 +1,4 @@
-"""The state of a run of CMake files: its variables, where it is, and how much it has done."""
+"""The state of a run of CMake files: variables, targets, the current frame, and the cost so far."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class InterpreterState:
     files: PackageFiles
     calls: list[EvaluatedCommand] = field(default_factory=list)
     unreachable: list[EvaluatedCommand] = field(default_factory=list)
-    """Commands that are never run, evaluated as far as that goes."""
+    """Commands that are never run, evaluated as far as possible."""
     broken: list[Unreadable] = field(default_factory=list)
     read: dict[str, CMakeFile] = field(default_factory=dict)
     scope: VariableScope = field(default_factory=VariableScope)
@@ -40,12 +40,12 @@ class InterpreterState:
     assigned: set[str] = field(default_factory=set)
     """Names of variables that a file of the package sets somewhere: before that they are empty."""
     possibly_assigned: set[str] = field(default_factory=set)
-    """Names that a command which we don't know may have set."""
+    """Variables that an unknown command may have set."""
     frame: Frame = field(default_factory=lambda: Frame(ROOT))
     assume: str | None = None
     """What BUILD_TESTING is while a condition is tried."""
     reads_unknown_files: bool = False
-    """Something was read that we can't see: it may have set any variable, and made any target."""
+    """Files outside of the package were read: they may set any variable and make any target."""
     steps: int = 0
     spent: int = 0
     """The cost of all words that were looked at or built so far."""
@@ -85,11 +85,11 @@ class InterpreterState:
         return saved
 
     def unite(self, ends: Sequence[Snapshot]) -> None:
-        """Take over what is common to the ends of several branches."""
+        """Merge the variables of several branches."""
         self.spend(self.scope.unite(ends))
 
     def value(self, name: str) -> Value:
-        """Return what `${name}` stands for: nothing, where the package itself has yet to set it; else a hole."""
+        """Return the value of `${name}`: empty where only the package sets it, later; UNKNOWN for other variables that are not set."""
         found = self.value_if_set(name)
         if found is not None:
             return found
@@ -114,7 +114,7 @@ class InterpreterState:
         return None
 
     def word(self, text: str) -> Word:
-        """Return a word that stands nowhere: CMake made it."""
+        """Return a word without a position, made by CMake."""
         return Word(text, self.frame.path, NOWHERE)
 
     def unknown(self) -> Value:
@@ -126,7 +126,7 @@ class InterpreterState:
             self.scope.set(name, value)
 
     def set_text(self, name: str, text: str | None) -> None:
-        """Set a variable to a text, or to a hole."""
+        """Set a variable to a text; None means UNKNOWN."""
         self.set(name, self.unknown() if text is None else as_value([self.word(text)]))
 
     def path(self, text: str) -> str | None:

@@ -1,4 +1,4 @@
-"""Cut a CMake text into tokens that tile it: nothing is lost, whatever the text holds.
+"""Split a CMake text into tokens that cover all of it, also where it is not valid.
 
 The patterns are those of CMake's own lexer (Source/LexerParser/cmListFileLexer.in.l); where two of them fit, the
 longer one wins, as there.
@@ -53,7 +53,7 @@ class CMakeToken:
 def tokens(text: str, at: int = 0) -> Iterator[CMakeToken]:
     """Yield the tokens of a text from an offset on.
 
-    A string or a bracket that is never closed is one `bad` token up to the end; a stray character is one of its own.
+    A string or a bracket that is never closed is one `bad` token up to the end; an unexpected character is a `bad` token too.
     """
     while at < len(text):
         token = next_token(text, at)

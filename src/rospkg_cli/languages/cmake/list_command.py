@@ -61,7 +61,7 @@ def filter_items(value: Value, words: Sequence[Word]) -> Value | None:
 
 
 def transform_items(value: Value, words: Sequence[Word]) -> Value | None:
-    """Return a list with each element changed; a `;` that comes in parts it."""
+    """Return a list with each element changed; a `;` in a result splits it."""
     change = transformation(texts(tuple(words)))
     if change is None:
         return None
@@ -106,7 +106,7 @@ CHANGES: Mapping[str, Callable[[Value, Sequence[Word]], Value | None]] = {
 
 
 def read_list(interpreter: Interpreter, operation: str, value: Value, words: Sequence[Word]) -> Value:
-    """Return what a list operation that only reads gives."""
+    """Return the result of a list operation that only reads."""
     numbers = [int(word.text) for word in words if NUMBER.fullmatch(word.text)]
     if any(word.maybe or UNKNOWN in word.text for word in (*value, *words)):
         return interpreter.unknown()

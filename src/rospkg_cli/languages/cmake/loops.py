@@ -1,4 +1,4 @@
-"""What loops do: `foreach` over what is known and what is not, `while` as long as it can be told."""
+"""Run loops: `foreach` over known and unknown values, `while` as long as its condition is known."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def run_rounds(interpreter: Interpreter, block: Block, name: str, values: Sequen
 
 
 def run_maybe(interpreter: Interpreter, block: Block, variables: Mapping[str, Value]) -> None:
-    """Run a body that may run any number of times, and unite what it leaves behind with what was."""
+    """Run a body that may run any number of times, and merge the result with the state before."""
     before = interpreter.save()
     for name, value in variables.items():
         interpreter.scope.set(name, value)
@@ -66,7 +66,7 @@ def run_maybe(interpreter: Interpreter, block: Block, variables: Mapping[str, Va
 
 
 def loop_values(interpreter: Interpreter, words: Sequence[Word]) -> list[Word] | None:
-    """Return what a foreach goes over, None where that is unknown as a whole."""
+    """Return the values of a foreach; None where they are unknown as a whole."""
     if words and words[0].text == "RANGE" and not words[0].quoted:
         return range_values([word.text for word in words[1:]], interpreter)
     if not (words and words[0].text == "IN" and not words[0].quoted):

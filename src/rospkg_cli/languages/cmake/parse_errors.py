@@ -1,4 +1,4 @@
-"""What CMake would refuse in a text, said so that one finds it."""
+"""Messages for syntax errors of CMake files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def unexpected(token: CMakeToken, fresh: bool) -> str:
         return f"`{token.text}` follows a command in the same line: CMake wants a new line for each command"
     if token.kind == ")":
         return "`)` closes nothing"
-    return f"`{token.text}` stands where a command should begin"
+    return f"`{token.text}` is where a command should begin"
 
 
 def unclosed(token: CMakeToken) -> str:
@@ -29,4 +29,4 @@ def unclosed(token: CMakeToken) -> str:
             opening = token.text[: token.text.index("[", token.text.index("[") + 1) + 1]
             return f"`{opening}` is never closed"
         case _:
-            return f"`{token.text}` is no character that CMake knows here"
+            return f"`{token.text}` is not a character that CMake allows here"

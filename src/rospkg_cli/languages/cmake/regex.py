@@ -1,4 +1,4 @@
-"""CMake's regular expressions and globs, as far as they can be run in bounded time."""
+"""CMake's regular expressions and globs, where they can be run in bounded time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ REPEATED_GROUP = re.compile(r"\)[*+]|\(\?")
 
 @cache
 def compile_regex(pattern: str) -> tuple[re.Pattern[str], int] | None:
-    """Return the pattern and the power with which its time may grow, None where it is not run here.
+    """Return the pattern and the exponent of its worst run time, None where it is not evaluated.
 
     CMake knows `.`, `[]`, `*`, `+`, `?`, `|`, `()`, `^`, `$`; braces are ordinary characters.
     """
@@ -27,7 +27,7 @@ def compile_regex(pattern: str) -> tuple[re.Pattern[str], int] | None:
 
 
 def max_steps(pattern: str, subject: str) -> int:
-    """Return how many steps a search may take at most, 0 where it is not tried."""
+    """Return how many steps a search may take at most, 0 where it is not evaluated."""
     found = compile_regex(pattern)
     most = 0 if found is None else (len(subject) + 1) ** found[1]
     return most if most <= MAX_STEPS else 0
@@ -41,19 +41,19 @@ def affordable_regex(pattern: str, subject: str) -> re.Pattern[str] | None:
 
 
 def search(pattern: str, subject: str) -> bool | None:
-    """Return whether a pattern fits somewhere in a text; None where that is not tried."""
+    """Return whether a pattern matches anywhere in a text; None where that is not evaluated."""
     found = affordable_regex(pattern, subject)
     return None if found is None else found.search(subject) is not None
 
 
 def find_all(pattern: str, subject: str) -> list[str] | None:
-    """Return all matches; None where that is not tried."""
+    """Return all matches; None where that is not evaluated."""
     found = affordable_regex(pattern, subject)
     return None if found is None else [match.group() for match in found.finditer(subject)]
 
 
 def replace_all(pattern: str, replacement: str, subject: str) -> str | None:
-    """Return the text with every match replaced (`\\1` names a group); None where that is not tried."""
+    """Return the text with every match replaced (`\\1` names a group); None where that is not evaluated."""
     found = affordable_regex(pattern, subject)
     if found is None:
         return None
@@ -90,6 +90,6 @@ def glob_piece(piece: str) -> str:
 
 
 def glob(pattern: str, paths: Iterable[str]) -> list[str] | None:
-    """Return the paths that fit a glob; None where it is not tried."""
+    """Return the paths that match a glob; None where it is not evaluated."""
     found = glob_pattern(pattern)
     return None if found is None else [path for path in paths if found.match(path)]

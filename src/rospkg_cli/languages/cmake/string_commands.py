@@ -1,4 +1,4 @@
-"""What `string` and `get_filename_component` make of texts."""
+"""Evaluate `string` and `get_filename_component`."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def output_position(operation: str, rest: Sequence[str]) -> int | None:
 
 
 def string_result(operation: str, rest: Sequence[str]) -> str | None:
-    """Return the text that an operation gives, None where that is not evaluated."""
+    """Return the result of an operation; None where it is not evaluated."""
     match operation, list(rest):
         case "REPLACE", [old, new, *texts] if old:
             return "".join(texts).replace(old, new)

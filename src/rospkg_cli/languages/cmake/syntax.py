@@ -1,6 +1,6 @@
-"""Commands and their arguments, each with its span; and what CMake itself would refuse, at the place where it begins.
+"""Commands and their arguments, each with its span; and the errors that CMake would report, where they begin.
 
-The rules are those of cmListFileParser: a command begins a line, `(` stands in the same line as its name, brackets are
+The rules are those of cmListFileParser: a command begins a line, `(` is in the same line as its name, brackets are
 set apart by blanks.
 """
 
@@ -20,7 +20,7 @@ ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
 BLANK = ("space", "newline", "comment", "bracket comment")
 COMMAND_LINE = re.compile(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
 MAX_PROBLEMS = 20
-"""After so many the rest of a file is left alone: each may read to the end."""
+"""After so many the rest of a file is not parsed: each may read to the end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class CommandInvocation:
 
 @dataclass(frozen=True)
 class CMakeSyntax:
-    """The commands of a file, in order; behind a fault, those that can be told again."""
+    """The commands of a file, in order; after an error, those that can be recognized again."""
 
     source: Source
     commands: tuple[CommandInvocation, ...]
@@ -62,7 +62,7 @@ class CMakeSyntax:
 
 
 def parse(source: Source) -> CMakeSyntax:
-    """Parse a text; never raises, and goes on behind a fault with the next line that looks like a command."""
+    """Parse a text; never raises, and continues after an error with the next line that looks like a command."""
     parser = CMakeParser(source)
     parser.run()
     parser.problems.sort(key=lambda fault: fault.span)
@@ -75,7 +75,7 @@ class CMakeParser:
     begin: int = 0
     read_to: int = 0
     reread: int = 0
-    """How many characters were read before it showed that they are to be read again."""
+    """How many characters were read more than once."""
     commands: list[CommandInvocation] = field(default_factory=list)
     comments: list[Span] = field(default_factory=list)
     problems: list[SyntaxProblem] = field(default_factory=list)
@@ -86,7 +86,7 @@ class CMakeParser:
             at = self.file(at)
 
     def file(self, at: int) -> int:
-        """Read commands from an offset on; return where to go on after a fault, or the end."""
+        """Read commands from an offset on; return where to continue after an error, or the end."""
         self.stream, self.begin = tokens(self.source.text, at), at
         fresh = True
         for token in self.stream:
@@ -112,7 +112,7 @@ class CMakeParser:
             self.comments.append(token.span)
 
     def command(self, name: CMakeToken) -> int | None:
-        """Read the arguments behind a name; return where to go on where that fails."""
+        """Read the arguments behind a name; return where to continue after an error, None where there is none."""
         opened = next((token for token in self.stream if token.kind != "space"), None)
         if opened is None or opened.kind != "(":
             return self.fault(name, f"`{name.text}` is followed by no `(`: a command is `name(arguments)`")
@@ -138,7 +138,7 @@ class CMakeParser:
         )
 
     def fault(self, token: CMakeToken, message: str) -> int:
-        """Record a fault; return the offset of the next line that looks like a command."""
+        """Record a problem; return the offset of the next line that looks like a command."""
         start = token.start
         if (opening := self.swallowing(start)) is not None:
             start, message = opening, '`"` is never closed: the string goes on into the next command'
@@ -162,7 +162,7 @@ class CMakeParser:
 
 
 def lacks_blank(before: str, kind: str) -> bool:
-    """Return whether a blank is missing that CMake insists on: on both sides of a bracket."""
+    """Return whether a blank that CMake requires is missing: on both sides of a bracket."""
     if kind in BLANK or kind in ("(", ")") or before in ("space", "newline", "comment", "("):
         return False
     return "bracket" in (before, kind) or before == "bracket comment"

@@ -1,4 +1,4 @@
-"""The targets that a package's CMake makes, and what they are made of."""
+"""The targets that CMake files make, with their sources and options."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ OPTIONS = frozenset({*LIBRARY_TYPES, "IMPORTED", "GLOBAL", "WIN32", "MACOSX_BUND
 @dataclass(frozen=True)
 class Target:
     word: Word
-    """The name, where it is given."""
+    """The name, with its position."""
     kind: Kind
     call: EvaluatedCommand
     options: frozenset[str] = frozenset()
-    """`SHARED`, `INTERFACE`, `EXCLUDE_FROM_ALL` and the like."""
+    """`SHARED`, `INTERFACE`, `EXCLUDE_FROM_ALL` and other options."""
     sources: tuple[Word, ...] = ()
     folder: Word | None = None
     """The folder that ament_auto_add_* takes all sources of."""
@@ -59,7 +59,7 @@ def target_with_sources(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Tar
 
 
 def target_in_its_own_way(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
-    """Commands whose first argument is a target that they make in their own way."""
+    """Commands whose first argument is the target that they make."""
 
     def make(call: EvaluatedCommand) -> Iterator[Target]:
         if call.words:

@@ -1,6 +1,6 @@
-"""Values of CMake variables: lists of words, each with the place where it was written, and holes for what is unknown.
+"""Values of CMake variables: lists of words, each with its position; UNKNOWN stands in for unknown parts.
 
-A text is an ordinary string with a few private characters in it, none of which can stand in a CMake file.
+A text is an ordinary string with a few private characters in it, none of which a CMake file can hold.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from ...source import Span
 from .syntax import CommandArgument
 
 UNKNOWN = "\0"
-"""An unknown piece of a text. A word that is nothing but a hole may be any number of words."""
+"""An unknown part of a text. A word that consists of it alone may be any number of words."""
 SOURCE = "/\1source"
-"""The package's own folder."""
+"""The folder of the package."""
 BINARY = "/\1binary"
 """The build folder."""
 PREFIX = "/\1prefix"
@@ -33,16 +33,16 @@ ESCAPES = {"n": "\n", "t": "\t", "r": "\r", ";": "\\;"}
 class Word:
     text: str
     path: str
-    """The file where it was written."""
+    """The file of the argument."""
     span: Span
-    """The argument that it was written in, with its quotes."""
+    """The argument that it comes from, with its quotes."""
     maybe: bool = False
-    """It is there only under a condition that can't be evaluated."""
+    """It exists only under a condition that can't be evaluated."""
     quoted: bool = False
 
     @property
     def known(self) -> bool:
-        """Whether the text is what CMake would have: no hole, no generator expression."""
+        """Whether the text is known: no unknown part, no generator expression."""
         return UNKNOWN not in self.text and "$<" not in self.text
 
 
@@ -50,12 +50,12 @@ Value = tuple[Word, ...]
 
 
 def cost(words: Sequence[Word]) -> int:
-    """Return what it costs to go over some words: one for each, and one for every sixteen characters."""
+    """Return the cost of reading some words: one for each, and one for every sixteen characters."""
     return len(words) + (sum(len(word.text) for word in words) >> 4)
 
 
 def list_to_text(value: Sequence[Word]) -> str:
-    """Return a list as the string that it is in CMake, a hole where that can't be told."""
+    """Return a list as CMake's string; UNKNOWN where that is unknown."""
     if any(word.maybe for word in value):
         return UNKNOWN
     if cost(value) > MAX_TEXT:
@@ -65,12 +65,12 @@ def list_to_text(value: Sequence[Word]) -> str:
 
 
 def escape_element(text: str) -> str:
-    """Return an element as it stands in a list: `;` needs no escape inside square brackets."""
+    """Return an element as it is written in a list: `;` needs no escape inside square brackets."""
     return text.replace(";", "\\;") if ";" in text and len(list(split_list(text))) > 1 else text
 
 
 def split_list(text: str) -> Iterator[str]:
-    """Yield the elements of a list: `;` parts them, unless it is escaped or stands in square brackets."""
+    """Yield the elements of a list: separated by `;`, unless it is escaped or inside square brackets."""
     depth, start, at = 0, 0, 0
     while at < len(text):
         char = text[at]
@@ -88,7 +88,7 @@ def split_list(text: str) -> Iterator[str]:
 def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
     """Resolve references and escapes in one pass; `value_of` gets ("", "ENV" or "CACHE") and a name.
 
-    A reference that is never closed makes the whole a hole, and so does a text that is too long.
+    The result is UNKNOWN where a reference is never closed, or the text is too long.
     """
     levels: list[list[str]] = [[]]
     kinds: list[str] = []
@@ -115,7 +115,7 @@ def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
 def words_of(
     argument: CommandArgument, path: str, variable: Callable[[str], Value], env: Callable[[str], str]
 ) -> list[Word]:
-    """Return what an argument stands for: one word if it is quoted, else any number of them."""
+    """Return the words that an argument evaluates to: one if it is quoted, else any number."""
 
     def value_of(kind: str, name: str) -> str:
         return env(name) if kind == "ENV" else list_to_text(variable(name))
@@ -132,12 +132,12 @@ def words_of(
 
 
 def without_uncertain_separators(text: str) -> str:
-    """Return a text in which a hole beside other text takes the `;` before it along: it may be no element at all."""
+    """Return a text without the `;` between an unknown part and other text: the unknown part may be empty."""
     return HOLE_AT_TEXT.sub(UNKNOWN, text) if UNKNOWN in text and ";" in text else text
 
 
 def with_position(word: Word, argument: CommandArgument, path: str) -> Word:
-    """Return a word with a place: what CMake made, and so stands nowhere, is where it is used."""
+    """Return a word with a position: one that CMake made has none, and gets that of its use."""
     return replace(word, path=path, span=argument.span) if word.span.end == 0 else word
 
 
@@ -153,14 +153,14 @@ def as_value(words: Iterable[Word]) -> Value:
 
 
 def limited(value: Value) -> Value:
-    """Return a list, a hole where it is too long to be kept."""
+    """Return a list; UNKNOWN where it is too long to be kept."""
     return value if len(value) <= MAX_WORDS else (replace(value[0], text=UNKNOWN, maybe=False),)
 
 
 def merge_branches(values: Sequence[Value]) -> Value:
     """Return what a variable holds after branches that ended with these values.
 
-    Elements that only some branches have become `maybe`; where none of the values holds all the others, it's a hole.
+    Elements that only some branches have become `maybe`; where none of the values contains all the others, the result is UNKNOWN.
     """
     first = values[0]
     if all(texts(value) == texts(first) for value in values):

@@ -35,7 +35,7 @@ def run_unset(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_option(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """An option is whatever the user wants."""
+    """The value of an option is unknown: the user chooses it."""
     if call.words and call.texts[0] != "BUILD_TESTING" and interpreter.value_if_set(call.texts[0]) is None:
         interpreter.set(call.texts[0], interpreter.unknown())
 

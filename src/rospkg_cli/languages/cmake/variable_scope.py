@@ -1,4 +1,4 @@
-"""Variables of CMake: scopes of functions and folders, and what branches make of them."""
+"""Variables of CMake: scopes of functions and folders, and their merge after branches."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Snapshot = tuple[dict[str, Value], ...]
 
 @dataclass
 class VariableScope:
-    """The variables of a function or a folder; what it does not hold is looked up around it."""
+    """The variables of a function or a folder; others are looked up in the enclosing scope."""
 
     around: VariableScope | None = None
     variables: dict[str, Value] = field(default_factory=dict)
@@ -41,7 +41,7 @@ class VariableScope:
             scope.variables = dict(variables)
 
     def unite(self, ends: Sequence[Snapshot]) -> int:
-        """Take over what is common to the ends of several branches; what differs becomes `maybe` or unknown.
+        """Merge the variables of several branches; what differs becomes `maybe` or unknown.
 
         Return how many words were compared for that.
         """

@@ -1,4 +1,4 @@
-"""What stands between the parentheses behind a name: arguments, each with its span."""
+"""The arguments of a call, each with its span."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PIECE = re.compile(
 )
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"(?:\s*"((?:[^"\\\n]|\\.)*)")?')
 MAX_LENGTH = 20_000
-"""A call that goes on for longer is not followed."""
+"""A longer call is not read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class CppCall:
 
     name: str
     template: str
-    """What stands between `<` and `>`, "" where there is none."""
+    """The text between `<` and `>`, "" where there is none."""
     arguments: tuple[CppArgument, ...] | None
     """None where no parentheses follow: the declaration of a variable, or a type."""
     variable: str
@@ -79,7 +79,7 @@ def arguments(source: Source, at: int) -> tuple[tuple[CppArgument, ...], int] | 
 
 
 def argument_between(source: Source, start: int, end: int) -> CppArgument:
-    """Return what stands between two offsets, without the comments and blanks around it."""
+    """Return the argument between two offsets, without the comments and blanks around it."""
     comments = [m.span() for m in PIECE.finditer(source.text, start, end) if m.lastgroup == "comment"]
     borders = [start, *(offset for comment in comments for offset in comment), end]
     code = [stripped_span(source.text, *borders[i : i + 2]) for i in range(0, len(borders), 2)]
@@ -95,7 +95,7 @@ def stripped_span(text: str, start: int, end: int) -> Span:
 
 
 def template_end(text: str, at: int) -> int | None:
-    """Return the offset behind the `>` that closes the `<` at an offset; None where there is none near."""
+    """Return the offset behind the `>` that closes the `<` at an offset; None where there is none within MAX_LENGTH."""
     depth = 0
     for match in PIECE.finditer(text, at, at + MAX_LENGTH):
         kind = match.lastgroup

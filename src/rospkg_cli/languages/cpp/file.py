@@ -1,4 +1,4 @@
-"""One C++ file: its includes, and the calls that other files of the package may have to agree with."""
+"""One C++ file: its includes, macros, and calls that register classes or declare parameters."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WANTED = re.compile(
 )
 MAX_FOLLOWED = 500_000
 FOLLOWED_AGAIN = 10
-"""Calls are followed over so many characters, and over so many times the length of their file: they may hold others."""
+"""Calls are read over so many characters, and over so many times the length of their file: they may hold others."""
 BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
 
 
@@ -30,7 +30,7 @@ class IncludeDirective:
     """Of the path, between its brackets or quotes."""
     angled: bool
     conditional: bool
-    """Whether an `#if` other than a header's guard decides about it."""
+    """Whether it is inside an `#if` other than a header's include guard."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,7 @@ class CppFile:
 
 
 def read_cpp(source: Source) -> CppFile:
-    """Read one file; what it holds that is no C++ is passed over."""
+    """Read one file; what is not C++ is skipped."""
     includes: list[IncludeDirective] = []
     defines: list[MacroDefinition] = []
     calls: list[CppCall] = []
@@ -101,7 +101,7 @@ def macro_definition(text: str, token: CppToken) -> Iterator[MacroDefinition]:
 
 
 def call_at(source: Source, token: CppToken) -> Iterator[CppCall]:
-    """Yield the call at a name; nothing where it is only named."""
+    """Yield the call at a name; nothing where the name is not called."""
     text, at, kind = source.text, token.at, ""
     if text[at] == "<":
         end = template_end(text, at)

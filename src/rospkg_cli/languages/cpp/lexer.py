@@ -1,7 +1,7 @@
-"""Find what matters in a C++ text: preprocessor lines, strings, and names that may be a call of interest.
+"""Tokens of a C++ text: preprocessor lines, strings, and names that may be a call of interest.
 
-Comments are left out, and so is what stands between `#if 0` and its end. One pass of one pattern, as a text has
-thousands of tokens that nobody asks for.
+Comments and code between `#if 0` and its end are left out. One pass of one pattern, as a text has
+thousands of tokens that are not needed.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ NEVER = re.compile(r"0\b|false\b")
 
 @dataclass(frozen=True, slots=True)
 class CppToken:
-    """A piece of the text, and the offset of what it is applied to.
+    """A piece of the text, and the offset of its argument.
 
     That is a directive's rest (`word` is its name), or the parenthesis or `<` behind a name.
     """
@@ -37,7 +37,7 @@ class CppToken:
     start: int
     end: int
     conditional: bool
-    """Whether an `#if` decides about it, other than a header's guard."""
+    """Whether it is inside an `#if` other than a header's include guard."""
     word: str = ""
     at: int = 0
 
@@ -66,7 +66,7 @@ class ConditionalStack:
         return any(not level.guard for level in self.levels)
 
     def step(self, word: str, text: str, start: int, end: int) -> None:
-        """Follow one directive, whose arguments stand at `start`."""
+        """Process one directive, whose arguments begin at `start`."""
         if word in ("if", "ifdef", "ifndef"):
             guard = word == "ifndef" and self.first and guards(text, start, end)
             self.levels.append(ConditionalBlock(guard, word == "if" and NEVER.match(text, start) is not None))
@@ -84,7 +84,7 @@ def guards(text: str, start: int, end: int) -> bool:
 
 
 def tokens(text: str, at: int = 0) -> Iterator[CppToken]:
-    """Yield what matters from an offset on, in order."""
+    """Yield the tokens from an offset on, in order."""
     conditions = ConditionalStack()
     for match in TOKEN.finditer(text, at):
         kind = match.lastgroup

@@ -1,4 +1,4 @@
-"""Which files of a package are C++, and what each is there for."""
+"""Read the C++ files of a package."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ SUFFIXES = tuple(".c .cpp .cc .cxx .c++ .hpp .hh .hxx .h .ipp .tpp .inl .cu .cuh
 
 
 def read_cpp_files(reading: ReaderInput) -> Iterator[CppFile | Unreadable]:
-    """Read every C++ file of a package; one in an encoding of its own is no fault, and is left out."""
+    """Read every C++ file of a package; one that can't be decoded is left out without an error."""
     paths = [path for path in reading.files.paths if path.endswith(SUFFIXES)]
     return (file for file in read_each(reading.files, paths, read_cpp) if isinstance(file, CppFile))

@@ -1,4 +1,4 @@
-"""Whether places in C++ code are reached whenever their function is: no `if`, loop or lambda around them."""
+"""Find positions in C++ code that are unconditional in their function: no `if`, loop or lambda around them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .call import PIECE
 CONTROL = frozenset({"if", "for", "while", "switch", "catch", "else", "do", "constexpr"})
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 MAX_STATEMENT = 4_000
-"""A statement that goes on for longer is no plain one."""
+"""A longer statement counts as conditional."""
 HEADER = re.compile(r"\b(?:if|else|for|while|case|default|catch|do)\b|\?|&&|\|\|")
 
 
@@ -23,7 +23,7 @@ class Bracket:
     control: bool
     """A block of a condition, a loop or a lambda."""
     head: str = ""
-    """What a parenthesis stands behind: the last word, or `]` for a lambda."""
+    """The last word before a parenthesis, or `]` for a lambda."""
 
 
 @dataclass(slots=True)
@@ -50,7 +50,7 @@ class BracketStack:
 
 
 def unconditional(text: str, places: Iterable[int]) -> set[int]:
-    """Return those of the offsets that stand directly in the body of a function, in one pass over the text."""
+    """Return the offsets that are directly in the body of a function, in one pass over the text."""
     waiting, found = sorted(places, reverse=True), set()
     levels = BracketStack()
     statement, closed = 0, Bracket(False, False)
@@ -86,6 +86,6 @@ def last_word(before: str) -> str:
 
 
 def is_plain(text: str, start: int, at: int) -> bool:
-    """Return whether the statement of a place, which begins behind an offset, is not conditional before it."""
+    """Return whether a statement, from `start` to a position in it, holds nothing conditional."""
     begin = max(start, text.rfind(";", start, at) + 1)
     return at - begin < MAX_STATEMENT and not HEADER.search(COMMENT.sub("", text[begin:at]))

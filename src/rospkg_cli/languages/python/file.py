@@ -1,4 +1,4 @@
-"""A Python file as rules see it: what it imports, and which names it has at its top level."""
+"""A Python file: its imports, and the names at its top level."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ class PythonFile(PythonSyntax):
 
     @cached_property
     def dynamic(self) -> bool:
-        """Whether the module may have names that its text doesn't show."""
+        """Whether the module may have names that are not bound in its text."""
         if "__getattr__" in self.definitions:
             return True
         touched = {"globals", "setattr", "exec", "vars", "__dict__"}
@@ -138,12 +138,12 @@ def suppresses_import_error(manager: ast.expr) -> bool:
 
 
 def depends_on_platform(test: ast.expr) -> bool:
-    """Return whether a condition asks where the file runs: elsewhere, what stands under it is not needed."""
+    """Return whether a condition depends on the platform or the environment: code under it is optional."""
     return bool(names_in(test) & MACHINE)
 
 
 def names_in(node: ast.expr) -> set[str]:
-    """Return the names and attributes that stand in an expression."""
+    """Return the names and attributes in an expression."""
     names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
     return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
 
@@ -155,7 +155,7 @@ def is_type_checking(test: ast.expr) -> bool:
 
 
 def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
-    """Yield the names that statements bind in their own scope, and by which node."""
+    """Yield the names that statements bind in their scope, with the binding node."""
     for node in body:
         match node:
             case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():

@@ -1,7 +1,7 @@
-"""Whether only a newer grammar stands between a Python text and the interpreter that runs us.
+"""Detect Python that only a newer version than the running one can parse.
 
 The proof: a copy can be parsed in which each newer construct is replaced by what it holds, in older words. So a file
-with a plain mistake is never taken for a newer one, whatever else stands in its lines.
+with a plain mistake is never taken for a newer one, even if its lines hold newer syntax.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ class Older:
             self.last = [*self.last[1:], token]
 
     def following(self, at: int) -> int:
-        """Return the index of the first token from `at` on that is no blank."""
+        """Return the index of the first token from `at` on that is not blank."""
         while at < len(self.tokens) and self.tokens[at].strip(" \t\f\\\r\n") == "":
             at += 1
         return at

@@ -1,6 +1,6 @@
-"""A Python file: its syntax tree, and the way from a node to the characters it stands on.
+"""A Python file: its syntax tree, and the spans of its nodes in characters.
 
-The parser is that of the interpreter that runs us. `ast` counts columns in UTF-8 bytes and takes a lone carriage
+The parser is that of the running Python. `ast` counts columns in UTF-8 bytes and takes a lone carriage
 return for a line end; spans here are characters of the decoded text.
 """
 
@@ -24,7 +24,7 @@ LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 class PositionedNode(Protocol):
-    """What of a syntax node its span is made of."""
+    """The attributes of a syntax node that give its span."""
 
     lineno: int
     col_offset: int
@@ -76,7 +76,7 @@ class PythonSyntax:
         return Span(start, self.offset(node.end_lineno, node.end_col_offset))
 
     def text(self, node: PositionedNode) -> str:
-        """Return what the node says in the file."""
+        """Return the text of a node."""
         return self.source.slice(self.span(node))
 
 
@@ -109,7 +109,7 @@ def skipped_file(source: Source, why: str) -> UnreadableError:
 
 
 def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
-    """Return the complaint at the place that Python names (its columns are characters, from 1)."""
+    """Return the error at the position that Python reports (its columns are characters, from 1)."""
     starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
     line = min(max(error.lineno or 1, 1), len(starts))
     start = min(starts[line - 1] + max((error.offset or 1) - 1, 0), len(source.text))

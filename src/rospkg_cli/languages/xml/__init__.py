@@ -1,1 +1,1 @@
-"""XML with exact places: elements, attributes, and what is wrong with a document."""
+"""XML with exact positions: elements, attributes, and errors."""

@@ -36,7 +36,7 @@ class Instruction:
 
 @dataclass(slots=True, eq=False)
 class Element:
-    """Two elements are equal only if they are the same one."""
+    """Elements are compared by identity."""
 
     tag: str
     span: Span
@@ -82,10 +82,10 @@ class Document:
     root: Element
     instructions: list[Instruction]
     comments: list[XmlComment]
-    """All of them, wherever they stand."""
+    """All comments of the document."""
 
     def text_span(self, element: Element) -> Span:
-        """Return the span of what stands between the tags, without the blanks around it."""
+        """Return the span of the text between the tags, without the blanks around it."""
         raw = self.source.slice(element.inner)
         start = element.inner.start + len(raw) - len(raw.lstrip())
         return Span(start, start + len(raw.strip())) if raw.strip() else element.span

@@ -1,4 +1,4 @@
-"""What is wrong with XML that is not well formed, in words that say what to do."""
+"""Messages for XML that is not well formed."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ DECLARATION = Code[expat.errors.XML_ERROR_MISPLACED_XML_PI]
 
 
 def describe_error(source: Source, code: int, at: int, inside: str, opened: int) -> tuple[int, str]:
-    """Return where to look and what is wrong; expat noticed `code` at `at`, inside a tag that was opened earlier.
+    """Return the offset and the message of an error; expat reports `code` at `at`, inside a tag opened earlier.
 
-    A merge conflict is named as such, and where it begins, whatever else it broke.
+    A merge conflict is reported as such, where it begins, in preference to other errors.
     """
     conflict = CONFLICT.search(source.text)
     if conflict:

@@ -30,7 +30,7 @@ BOUND = frozenset({"xml", "xmlns"})
 
 
 def read_xml(source: Source, *, prefixes: bool = True) -> Document:
-    """Parse a decoded text; raises UnreadableError at the exact place where it is not well formed.
+    """Parse a decoded text; raises UnreadableError at the exact position where it is not well formed.
 
     Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML.
     """
@@ -86,7 +86,7 @@ class XmlParser:
         raise UnreadableError(self.source.path, Span(at, at + 1), message, skipped=True)
 
     def count(self, at: int) -> None:
-        """Refuse more elements and comments than those who read them can go through in some seconds."""
+        """Refuse more elements and comments than readers can process in some seconds."""
         self.elements += 1
         if self.elements > MAX_ELEMENTS:
             self.skip(at, f"it has more than {MAX_ELEMENTS:,} elements; leave generated files out with `exclude`")

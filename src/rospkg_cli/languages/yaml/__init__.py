@@ -1,1 +1,1 @@
-"""YAML with exact places."""
+"""YAML with exact positions."""

@@ -1,4 +1,4 @@
-"""One YAML document in which aliases are replaced by what they stand for."""
+"""One YAML document in which aliases are replaced by the nodes that they refer to."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ResolvedNode = ScalarNode | SequenceNode | MappingNode
 
 
 def read_resolved(source: Source) -> ResolvedNode | None:
-    """Return the one document of a file, None where there is none; raises UnreadableError for what is not that."""
+    """Return the one document of a file, None where there is none; raises UnreadableError for several documents and for invalid YAML."""
     roots = documents(source)
     if len(roots) > 1:
         at = first_character(roots[1])
@@ -40,10 +40,10 @@ class AliasResolver:
         if depth > MAX_DEPTH or self.count > MAX_NODES:
             self.refuse(node.span, "is nested too deeply, or too large")
         if isinstance(node, AliasNode):
-            meant = self.anchors.get(node.name)
-            if meant is None:
+            target = self.anchors.get(node.name)
+            if target is None:
                 self.refuse(node.span, f"is not valid YAML: found undefined alias '{node.name}'")
-            return self.node(meant, depth + 1)
+            return self.node(target, depth + 1)
         if node.anchor is not None:
             self.anchors[node.anchor] = node
         if isinstance(node, SequenceNode):

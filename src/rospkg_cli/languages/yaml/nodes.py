@@ -1,6 +1,6 @@
 """YAML as a tree with spans of characters: libyaml's events with their anchors, aliases, styles and tags.
 
-What an alias stands for is left open, for not every reader follows them (rcl does not); see `yaml_aliases`.
+Aliases are not replaced, for not every reader does so (rcl does not); see `aliases`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ NOWHERE = LocatedText("", Span(0, 0), False)
 class ScalarNode:
     text: str
     span: Span
-    """As it stands in the file: with quotes, and with an anchor or a tag before it."""
+    """As written in the file: with quotes, and with an anchor or a tag before it."""
     plain: bool
     """Neither quoted nor a block."""
     quoted: bool = False
@@ -56,7 +56,7 @@ YamlNode = ScalarNode | AliasNode | SequenceNode | MappingNode
 
 
 def documents(source: Source) -> list[YamlNode]:
-    """Return the root of every document of a file that holds something; raises UnreadableError for what is no YAML."""
+    """Return the root of every document of a file that is not empty; raises UnreadableError for invalid YAML."""
     builder = NodeBuilder(source)
     for event in events(source):
         builder.take(event)
@@ -79,7 +79,7 @@ def events(source: Source) -> Iterator[Any]:
 
 
 class NodeBuilder:
-    """Puts events together without recursion, so that no depth can break it."""
+    """Builds nodes from events without recursion, so that any depth is possible."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -110,7 +110,7 @@ class NodeBuilder:
             self.put(node)
 
     def written(self, text: str, span: Span, quoted: bool) -> LocatedText:
-        """Return where a text stands, behind an anchor or a tag and between its quotes."""
+        """Return the text with its span, behind an anchor or a tag and between its quotes."""
         raw = self.source.slice(span)
         if quoted:
             inner = Span(span.start + raw.index(raw[-1]) + 1, span.end - 1)

@@ -1,4 +1,4 @@
-"""Evaluate calls: of what is known, of functions of the file, and of what is left alone."""
+"""Evaluate calls: of known functions and functions of the file; other calls are recorded."""
 
 from __future__ import annotations
 
@@ -66,15 +66,15 @@ class Calls(Containers):
         return None
 
     def record_call(self, call: Call, node: ast.Call, scope: Namespace) -> Call:
-        """Record a call that is not known; lists that it was handed by name may have been changed by it."""
+        """Record a call of an unknown function; it may have changed lists and dicts that are passed by name."""
         self.unknown_count += 1
         self.calls.append(call)
         last = call.callee.rpartition(".")[2]
         if last[:1].islower() and last != "setup":
             for each in [*node.args, *[keyword.value for keyword in node.keywords]]:
-                handed = scope.find(each.id) if isinstance(each, ast.Name) else None
-                if isinstance(handed, MUTABLE):
-                    self.mark_unknown(handed, call.span, f"{self.quoted(call.span)} may change it")
+                passed = scope.find(each.id) if isinstance(each, ast.Name) else None
+                if isinstance(passed, MUTABLE):
+                    self.mark_unknown(passed, call.span, f"{self.quoted(call.span)} may change it")
         return call
 
     def arguments(self, node: ast.Call, scope: Namespace) -> tuple[tuple[Argument, ...], Unknown | None]:
@@ -88,7 +88,7 @@ class Calls(Containers):
             items = items_of(self, value)
             if items is None or any(map(is_many, items)):
                 rest = self.unknown(
-                    self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be told")
+                    self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be evaluated")
                 )
             self.tick(len(items or ()))
             found += [Argument("", item, self.span(each)) for item in items or () if not is_many(item)]
@@ -101,7 +101,7 @@ class Calls(Containers):
                 rest = value.rest[0] if value.rest else rest
             else:
                 rest = self.unknown(
-                    self.span(keyword), getattr(value, "why", f"{self.quoted(self.span(keyword))} can't be told")
+                    self.span(keyword), getattr(value, "why", f"{self.quoted(self.span(keyword))} can't be evaluated")
                 )
         return tuple(found), rest
 
@@ -122,7 +122,7 @@ class Calls(Containers):
         yields = scope.yields
         value: Value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)
         if yields is not None and isinstance(node, ast.YieldFrom):
-            for item in items_of(self, value) or [self.unknown(self.span(node), "it can't be told", many=True)]:
+            for item in items_of(self, value) or [self.unknown(self.span(node), "it can't be evaluated", many=True)]:
                 self.add_item(yields, item, self.span(node))
         elif yields is not None:
             self.add_item(yields, value, self.span(node))

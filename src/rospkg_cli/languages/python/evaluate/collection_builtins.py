@@ -1,4 +1,4 @@
-"""Builtins that make lists and dicts of what can be iterated: a part that can't be told stays in its place."""
+"""Builtins that make lists and dicts of iterables; an unknown item keeps its position."""
 
 from __future__ import annotations
 

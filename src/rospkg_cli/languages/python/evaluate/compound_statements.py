@@ -1,4 +1,4 @@
-"""Execute statements that hold others: what happens for certain, and what perhaps happens."""
+"""Execute statements that contain others, with certain and possible effects."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .values import Class, Function, Namespace, Symbol, Unknown, Value
 
 
 class CompoundStatements(SimpleStatements):
-    """Executes conditions, loops and the like."""
+    """Executes conditions, loops, `try`, `with` and `match`."""
 
     def execute(self, body: list[ast.stmt], scope: Namespace) -> Flow:
         """Run statements one after the other; raises LimitError."""
@@ -30,7 +30,7 @@ class CompoundStatements(SimpleStatements):
         return Flow.NEXT
 
     def do_unknown(self, node: ast.stmt, scope: Namespace) -> Flow | None:
-        """A statement that has no method here: whatever names it binds are unknown from here on."""
+        """A statement without a method here: the names that it binds are unknown from here on."""
         why = f"{self.quoted(self.span(node))} can't be evaluated"
         for each in ast.walk(node):
             spend(ITEM)
@@ -39,7 +39,7 @@ class CompoundStatements(SimpleStatements):
         return None
 
     def branch(self, bodies: list[list[ast.stmt]], scope: Namespace, why: str) -> Flow:
-        """Run alternatives of which one may happen (perhaps none), and join what they leave behind."""
+        """Run alternatives of which one may happen (perhaps none), and merge the names that they bind."""
         before, ends, flows = dict(scope.names), [], []
         spend(len(before) * (len(bodies) + 1))
         for body in bodies:
@@ -66,7 +66,7 @@ class CompoundStatements(SimpleStatements):
         return result
 
     def one_of(self, a: Value | None, b: Value | None, why: str) -> Value:
-        """Return a value that stands for one of two; where one of them was imported, that one is meant."""
+        """Return the merge of the values of two branches; an imported name wins."""
         if a is None or b is None:
             found = b if a is None else a
             assert found is not None
@@ -148,10 +148,10 @@ class CompoundStatements(SimpleStatements):
                 scope.names = dict(before)
                 if handler.name:
                     scope.bind(handler.name, self.unknown(self.span(handler), "it depends on what is raised"))
-                with self.assuming("it can't be told whether an exception is raised"):
+                with self.assuming("it is unknown whether an exception is raised"):
                     if self.execute(handler.body, scope) in (Flow.NEXT, Flow.MAYBE):
                         ends.append(scope.names)
-            scope.names = self.join_scopes(ends or [before], "it can't be told whether an exception is raised")
+            scope.names = self.join_scopes(ends or [before], "it is unknown whether an exception is raised")
             flow = flow if flow is not Flow.RAISE else Flow.NEXT
         final = self.execute(node.finalbody, scope)
         return flow if final is Flow.NEXT else final

@@ -1,4 +1,4 @@
-"""Evaluate what holds items: displays, subscripts, comprehensions, and what stands left of an `=`."""
+"""Evaluate displays, subscripts and comprehensions; assign to targets."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .values import (
 
 
 class Containers(Expressions):
-    """Evaluates expressions that hold or take apart items."""
+    """Evaluates expressions that build or unpack containers."""
 
     def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Namespace) -> Value:
         kind: Kind = "list" if isinstance(node, ast.List) else "tuple" if isinstance(node, ast.Tuple) else "set"
@@ -39,7 +39,7 @@ class Containers(Expressions):
             items = items_of(self, value)
             if items is None:
                 self.mark_unknown(
-                    result, self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be told")
+                    result, self.span(each), getattr(value, "why", f"{self.quoted(self.span(each))} can't be evaluated")
                 )
             for item in items or ():
                 self.add_item(result, item, self.span(each))
@@ -96,7 +96,7 @@ class Containers(Expressions):
         return result
 
     def iterations(self, generators: list[ast.comprehension], scope: Namespace) -> Iterator[Namespace]:
-        """Yield a scope for each round that a comprehension makes."""
+        """Yield a scope for each iteration of a comprehension."""
         if not generators:
             yield scope
             return
@@ -128,7 +128,7 @@ class Containers(Expressions):
             yield from self.iterations(generators[1:], inner)
 
     def assign(self, target: ast.expr, value: Value, scope: Namespace) -> None:
-        """Bind what stands left of an `=`."""
+        """Bind a target, the left side of an `=`."""
         match target:
             case ast.Name():
                 scope.bind(target.id, value)

@@ -1,4 +1,4 @@
-"""Between values and plain Python objects, and what can be said of a value without evaluating it."""
+"""Conversion between values and plain Python objects; size, equality and unknown parts of values."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MAX_DEPTH = 40
 
 
 MAX_NODES = 100_000
-"""The values in a value; one that is held twice counts twice."""
+"""The values in a value; a shared one counts twice."""
 
 
 def to_python(value: Value) -> object:
@@ -40,7 +40,7 @@ def to_python(value: Value) -> object:
 
 @dataclass
 class PythonConverter:
-    """Takes a value apart, and counts what it comes by."""
+    """Converts a value, and counts nodes and characters."""
 
     nodes: int = 0
     characters: int = 0
@@ -131,7 +131,7 @@ def is_equal(a: Value, b: Value) -> bool:
 
 
 def unknowns(value: Value, seen: set[int] | None = None) -> Iterator[Unknown]:
-    """Yield every Unknown in a value, in order; what is held twice is looked at once."""
+    """Yield every Unknown in a value, in order; a shared value is visited once."""
     seen = set() if seen is None else seen
     if isinstance(value, Unknown):
         yield value
@@ -154,7 +154,7 @@ def unknowns(value: Value, seen: set[int] | None = None) -> Iterator[Unknown]:
 
 
 def merge_texts(texts: list[Text], span: Span) -> list[Text]:
-    """Return texts as one at the span of all; a lone one stays where it stands, an empty one is none."""
+    """Return texts joined to one at the span of all; a single one keeps its span, empty ones are dropped."""
     start = next((index for index, each in enumerate(texts) if each.text), len(texts))
     if len(texts) - start < 2:
         return texts[start:]

@@ -1,4 +1,4 @@
-"""Methods of dicts, which change them in place: for certain, or perhaps."""
+"""Methods of dicts, which change them in place, certainly or possibly."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def views(state: EvaluationState, value: MappingValue, call: Call) -> Value | No
 
 
 def set_item(state: EvaluationState, value: MappingValue, key: Value, item: Value, span: Span) -> None:
-    """`mapping[key] = item`, for certain or perhaps."""
+    """`mapping[key] = item`, certainly or possibly."""
     state.tick()
     try:
         at = to_python(key)

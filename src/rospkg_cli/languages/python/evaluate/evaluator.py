@@ -15,7 +15,7 @@ from .state import Intrinsic
 from .values import Argument, Call, Function, Namespace, Text, Unknown, Value
 
 MAX_WEIGHT = 3_000_000
-"""The values that all calls are handed, each as often as it stands there."""
+"""The limit for the values in the arguments of all calls, shared ones counted each time."""
 
 GIVE_UP = (LimitError, RecursionError, MemoryError)
 
@@ -28,7 +28,7 @@ def reason(error: BaseException) -> str:
 
 
 class Evaluator(Functions):
-    """A file that was evaluated: its names, and the calls that were left alone.
+    """A file that was evaluated: its names, and the calls of unknown functions.
 
     `knows` adds functions to the library, by full name; each may return None to leave a call alone.
     """
@@ -82,13 +82,13 @@ class Evaluator(Functions):
         return Unknown(span, self.gave_up)
 
     def charge_weight(self, value: Value) -> None:
-        """Raise LimitError where values hold each other so often that who reads them would not come to an end."""
+        """Raise LimitError where values share each other so often that reading them would not end."""
         self.weight += weight_of(value, MAX_WEIGHT - self.weight)
         if self.weight > MAX_WEIGHT:
             raise LimitError("what it builds is too large")
 
     def drop_vast_calls(self) -> None:
-        """Forget the calls from the first one on that is handed too much, and give up."""
+        """Drop the calls from the first one on whose arguments are too large, and give up."""
         try:
             while self.weighed < len(self.calls):
                 self.charge_weight(self.calls[self.weighed])

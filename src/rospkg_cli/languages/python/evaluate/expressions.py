@@ -43,7 +43,7 @@ DATA: dict[str, Callable[[EvaluationState, Span], Value]] = {
 
 
 class Expressions(EvaluationState):
-    """Evaluates expressions; statements stand in a subclass."""
+    """Evaluates expressions; a subclass executes statements."""
 
     def evaluate(self, node: ast.expr, scope: Namespace) -> Value:
         """Return the value of an expression; raises LimitError."""
@@ -54,14 +54,14 @@ class Expressions(EvaluationState):
         return self.unknown_expression(node)
 
     def on_operands(self, node: ast.expr, *operands: Value) -> None:
-        """Look at what an operator or an f-string is given: nothing here, but a subclass may have something to say."""
+        """Called with the operands of an operator or an f-string; a hook for subclasses."""
 
     def unknown_expression(self, node: ast.expr, *, options: tuple[Value, ...] = ()) -> Unknown:
         span = self.span(node)
         return self.unknown(span, f"{self.quoted(span)} can't be evaluated", options=options)
 
     def or_unknown(self, found: Value | None, node: ast.expr, *operands: Value) -> Value:
-        """Return what was found, or the first reason why it could not be."""
+        """Return what was found, else an Unknown with the first reason among the operands."""
         if found is not None:
             return found
         for each in operands:
@@ -148,15 +148,15 @@ class Expressions(EvaluationState):
         return self.unknown_expression(node, options=tuple(options if value in options else [*options, value]))
 
     def on_Compare(self, node: ast.Compare, scope: Namespace) -> Value:
-        left, told = self.evaluate(node.left, scope), True
+        left, is_known = self.evaluate(node.left, scope), True
         for kind, each in zip(node.ops, node.comparators, strict=True):
             right = self.evaluate(each, scope)
             self.on_operands(node, left, right)
             verdict = compare(type(kind), left, right)
             if verdict is False:
                 return Constant(self.span(node), False)
-            told, left = told and verdict is True, right
-        return Constant(self.span(node), True) if told else self.unknown_expression(node)
+            is_known, left = is_known and verdict is True, right
+        return Constant(self.span(node), True) if is_known else self.unknown_expression(node)
 
     def on_IfExp(self, node: ast.IfExp, scope: Namespace) -> Value:
         verdict = truth(self.evaluate(node.test, scope))

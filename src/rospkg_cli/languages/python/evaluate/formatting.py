@@ -1,4 +1,4 @@
-"""Texts made of values: `%`, `str.format`, f-strings, `str()`. What is not known stays a part of a Joined."""
+"""Texts made of values: `%`, `str.format`, f-strings, `str()`. An unknown value becomes a part of a PartialText."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FIELD = re.compile(r"(?P<name>\w*)(?P<path>.*)", re.DOTALL)
 
 
 def as_text(value: Value, span: Span) -> Value:
-    """Return what str() makes of a value; a value that can't be told stands for itself inside a Joined."""
+    """Return the result of str(); an unknown value becomes a part of a PartialText."""
     match value:
         case Text():
             return replace(value, span=span, path=False) if value.path else value

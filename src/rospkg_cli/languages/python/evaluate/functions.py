@@ -1,4 +1,4 @@
-"""Functions and classes of the file: what they are bound to, and what a call returns."""
+"""Functions and classes of the file: definition, binding of arguments, return value."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Functions(CompoundStatements):
         return self.return_value(function, scope.returns, call.span)
 
     def is_generator(self, node: ast.AST) -> bool:
-        """Return whether a `yield` stands in a function; each is looked through once."""
+        """Return whether a function contains `yield`; the answer is cached."""
         if id(node) not in self.generators:
             self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in ast.walk(node))
         return self.generators[id(node)]
@@ -69,7 +69,7 @@ class Functions(CompoundStatements):
             return self.unknown(span, f"`{function.name}` raises")
         if all(is_equal(returns[0], other) for other in returns[1:]):
             return returns[0]
-        return self.unknown(span, f"what `{function.name}` returns can't be told", options=tuple(returns))
+        return self.unknown(span, f"what `{function.name}` returns is unknown", options=tuple(returns))
 
     def bind(self, function: Function, call: Call, scope: Namespace) -> None:
         """Give the parameters their values."""

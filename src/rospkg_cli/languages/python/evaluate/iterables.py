@@ -1,4 +1,4 @@
-"""Builtins that make lists of what can be iterated: a part that can't be told stays in its place."""
+"""Iteration over values, and functions over plain values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .values import Mapping as MappingValue
 
 
 def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
-    """Return what a loop over a value sees; None where nothing of it is known."""
+    """Return the items of an iterable; None where they are unknown."""
     match value:
         case Sequence():
             spend(len(value.items) * ITEM)
@@ -35,7 +35,7 @@ def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
 
 
 def read_rest(state: EvaluationState, opened: OpenedFile) -> str | None:
-    """Return what was not read yet, and take it as read; None where the file has no text."""
+    """Return the unread rest of a file, and advance to its end; None where the file has no text."""
     try:
         text = state.folder.files.source(opened.path).text
     except UnreadableError:
@@ -50,7 +50,7 @@ def is_many(item: Value) -> bool:
 
 
 def plain_function(function: Callable[..., Any]) -> Intrinsic:
-    """Return the intrinsic of a function over plain values that is cheap for whatever it gets."""
+    """Return the intrinsic of a function over plain values; it must be cheap for all arguments."""
 
     def intrinsic(state: EvaluationState, call: Call) -> Value | None:
         try:

@@ -1,4 +1,4 @@
-"""Builtins that pick, join and ask about the items of what can be iterated."""
+"""Builtins over the items of iterables: zip, map, filter, chain, any, all, len, next, sum."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def as_filter(state: EvaluationState, call: Call) -> Value | None:
         if holds:
             kept.append(item)
         elif holds is None:
-            why = f"whether {state.quoted(call.span)} keeps an item can't be told"
+            why = f"whether {state.quoted(call.span)} keeps an item is unknown"
             kept.append(state.unknown(call.span, why, many=True, options=(item,)))
     return state.computed_list(call.span, kept)
 
@@ -92,9 +92,11 @@ def any_or_all(over: Callable[[list[bool]], bool]) -> Intrinsic:
         if items is None:
             return None
         verdicts = [truth(item) for item in items]
-        told = [verdict for verdict in verdicts if verdict is not None]
-        settled = (over([True, False]) is not over([True]) and False in told) or (over([False, True]) and True in told)
-        return Constant(call.span, over(told)) if len(told) == len(verdicts) or settled else None
+        known = [verdict for verdict in verdicts if verdict is not None]
+        is_decided = (over([True, False]) is not over([True]) and False in known) or (
+            over([False, True]) and True in known
+        )
+        return Constant(call.span, over(known)) if len(known) == len(verdicts) or is_decided else None
 
     return intrinsic
 

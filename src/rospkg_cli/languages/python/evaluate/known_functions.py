@@ -1,4 +1,4 @@
-"""Everything that the evaluator knows of Python's builtins and standard library, by full name."""
+"""The functions of Python's builtins and standard library that are evaluated, by full name."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def is_instance(state: EvaluationState, call: Call) -> Value | None:
 
 
 def bounded_int(value: Any = 0, base: Any = None) -> int:
-    """int(); raises ValueError for texts that no interpreter should be given: the time is quadratic in their length."""
+    """int(); raises ValueError for very long texts: the time is quadratic in their length."""
     if isinstance(value, str | bytes) and len(value) > MAX_DIGITS:
         raise ValueError
     return int(value) if base is None else int(value, base)
@@ -81,7 +81,7 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 
 
 def environment_variable(state: EvaluationState, call: Call) -> Value | None:
-    """os.environ, whichever way it is asked."""
+    """os.environ and os.getenv."""
     name = call.positional[0] if call.positional else None
     text = ENVIRONMENT.get(name.text) if isinstance(name, Text) else None
     if text is None:

@@ -51,7 +51,7 @@ RUNNING: ContextVar[CostMeter | None] = ContextVar("RUNNING", default=None)
 def spend(cost: int) -> None:
     """Charge the evaluation that runs for what is done or built; raises LimitError where that is too much in all.
 
-    Outside of an evaluation nothing is charged: there each operation has its own bound alone.
+    Outside of an evaluation nothing is charged: there only the bounds of each operation hold.
     """
     meter = RUNNING.get()
     if meter is not None:

@@ -1,4 +1,4 @@
-"""Methods of lists and sets, which change them in place: for certain, or perhaps."""
+"""Methods of lists and sets, which change them in place, certainly or possibly."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .values import Call, Constant, Sequence, Value
 
 
 def mark_unknown(state: EvaluationState, value: Value, call: Call) -> Value | None:
-    """Note that a list or dict was changed in a way that can't be followed."""
+    """Mark a list or dict whose change can't be followed as partly unknown."""
     state.mark_unknown(value, call.span, f"{state.quoted(call.span)} can't be followed")
     return None
 
@@ -92,7 +92,7 @@ def copy_list(state: EvaluationState, value: Sequence, call: Call) -> Value | No
 
 
 def reorder(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
-    """sort and reverse: what uses a setup.py or a launch file hardly ever looks at the order."""
+    """sort and reverse: the order hardly ever matters in a setup.py or a launch file."""
     spend(len(value.items))
     if call.callee == "reverse":
         value.items.reverse()

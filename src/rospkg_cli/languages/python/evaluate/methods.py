@@ -19,7 +19,7 @@ from .values import Argument, Call, Constant, OpenedFile, Sequence, Text, Value
 from .values import Mapping as MappingValue
 
 NONE_OF_THEM = frozenset({"zfill", "ljust", "rjust", "center", "expandtabs", "translate", "encode"})
-"""Methods of str whose result may be of any size, or is no text."""
+"""Methods of str whose result may be very large, or is not a text."""
 
 PURE = (
     frozenset(name for name in dir(str) if not name.startswith("_")) - NONE_OF_THEM - {"join", "format", "format_map"}

@@ -1,4 +1,4 @@
-"""Operators over values: each returns None where the answer can't be told or Python would raise."""
+"""Operators over values: each returns None where the result is unknown or Python would raise."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def compute(kind: type, left: Value, right: Value, span: Span) -> Value | None:
 
 
 def is_small(operand: object) -> bool:
-    """Return whether an operator of this cannot make anything large of it: numbers within bounds, and sets."""
+    """Return whether the result of an operator is certainly small: bounded numbers, and sets."""
     return isinstance(operand, set) or (isinstance(operand, int | float) and abs(operand) < LARGE)
 
 
@@ -84,7 +84,7 @@ def concatenate(left: Value, right: Value, span: Span) -> Value | None:
 
 
 def concatenate_sequences(left: Value, right: Value, span: Span) -> Value | None:
-    """Return the items of two sequences in a new one; one that can't be told leaves its mark."""
+    """Return the items of two sequences in a new one; for an unknown one it holds an Unknown."""
     result = Sequence(span, left.kind if isinstance(left, Sequence) else right.kind)  # type: ignore[union-attr]
     for side in (left, right):
         if isinstance(side, Sequence) and side.kind == result.kind:
@@ -121,9 +121,9 @@ def is_path(value: Value) -> bool:
 
 
 def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
-    """Return the parts joined as os.path.join does it; only the first one may be less than a text.
+    """Return the parts joined as os.path.join does it; only the first one may be unknown.
 
-    Of paths that are joined with `/`, a call may stand behind as well.
+    For paths that are joined with `/`, the second part may be a call.
     """
     if path and len(parts) == 2 and isinstance(parts[0], PartialText) and isinstance(parts[1], Call):
         return join_texts([parts[0], Text(span, "/"), parts[1]], span, path=True)

@@ -1,4 +1,4 @@
-"""os.path, os, glob and pathlib over the package's folder. Paths are POSIX paths, whatever runs us."""
+"""os.path, os, glob and pathlib over the package's folder. Paths are POSIX paths on every system."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def relpath(state: EvaluationState, call: Call) -> Value | None:
 
 
 def path_test(test: Callable[[SandboxFilesystem, str], bool]) -> Intrinsic:
-    """Return the intrinsic of a question about one path; what lies outside of the package can't be told."""
+    """Return the intrinsic of a test of one path; the answer is unknown outside of the package."""
 
     def intrinsic(state: EvaluationState, call: Call) -> Value | None:
         text = text_of(call)
@@ -103,7 +103,7 @@ def glob(state: EvaluationState, call: Call) -> Value | None:
 
 
 def record_glob(state: EvaluationState, call: Call, pattern: str, found: list[str], *, path: bool = False) -> Sequence:
-    """Return the matches, and remember what the glob matched."""
+    """Return the matches, and record the glob."""
     try:
         shown = state.folder.inside(pattern, state.cwd)
         matches = tuple(state.folder.inside(each, state.cwd) for each in found)
@@ -116,7 +116,7 @@ def record_glob(state: EvaluationState, call: Call, pattern: str, found: list[st
 
 
 def pathlib_glob(state: EvaluationState, path: str, pattern: str) -> list[str]:
-    """Return what pathlib's glob gives: hidden files fit as well, and a last `**` gives folders alone."""
+    """Return what pathlib's glob gives: hidden files match as well, and a final `**` gives only folders."""
     found = [state.folder.inside(path, state.cwd)]
     for part in [part for part in pattern.split("/") if part]:
         following: list[str] = []

@@ -1,4 +1,4 @@
-"""The package's folder as the evaluated code sees it: a root of its own, and nothing outside of it."""
+"""The package's folder as the evaluated code sees it, below a root path of its own."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ MAX_PATH = 4096
 Kind = Literal["file", "dir", "unknown"]
 
 SEEN_AS: dict[str, Kind] = {"dir": "dir", "linked-dir": "unknown", "linked-package": "unknown"}
-"""How a folder of the tree is seen; the rest are files. A dead link or a FIFO is nothing that setup.py could copy."""
+"""How a folder of the tree is seen; the rest are files. setup.py can't copy a dead link or a FIFO."""
 
 
 class OutsideError(Exception):
-    """A path leads out of the package, or to something that can't be told (a link to a folder)."""
+    """A path that is outside of the package, or behind a link to a folder, where files are unknown."""
 
 
 class SandboxFilesystem:
-    """What lies where, by paths relative to the package ("" for the package itself)."""
+    """Files and folders, by paths relative to the package ("" for the package itself)."""
 
     def __init__(self, files: PackageFiles) -> None:
         self.files = files
@@ -59,7 +59,7 @@ class SandboxFilesystem:
         return whole[len(ROOT) + 1 :]
 
     def kind(self, path: str) -> Kind | None:
-        """Return what stands at a path inside the package; None for nothing; raises OutsideError below a link."""
+        """Return the kind of a path inside the package; None where there is nothing; raises OutsideError below a link."""
         if not path:
             return "dir"
         if len(path) > MAX_PATH:
@@ -75,11 +75,11 @@ class SandboxFilesystem:
         return None
 
     def may_hold_modules(self, path: str) -> bool:
-        """Return whether what is not known at a path may be a package of Python: a link to a folder without is none."""
+        """Return whether an unknown path may be a Python package: a link to a folder without `__init__.py` is none."""
         return self.files.tree.files().get(path) != "linked-dir"
 
     def names(self, path: str) -> list[str]:
-        """Return the names in a folder, sorted; none where there is no such folder; raises OutsideError at a link."""
+        """Return the names in a folder, sorted; an empty list where there is no such folder; raises OutsideError at a link."""
         if self.kind(path) == "unknown":
             raise OutsideError(f"`{path}` is a link to a folder")
         names = self.children.get(path, {})
@@ -136,7 +136,7 @@ class SandboxFilesystem:
 
 
 def glob_matches(name: str, pattern: str) -> bool:
-    """Return whether a name fits a pattern by the rules of glob: hidden ones only where the pattern says so."""
+    """Return whether a name matches a pattern by the rules of glob: hidden names only where the pattern begins with a dot."""
     return (pattern.startswith(".") or not name.startswith(".")) and bool(compile_glob(pattern).match(name))
 
 

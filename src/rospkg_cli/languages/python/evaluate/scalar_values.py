@@ -1,4 +1,4 @@
-"""Values that hold no others: each with the span of the expression that made it."""
+"""Values that contain no others: each with the span of the expression that made it."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ class Text:
     span: Span
     text: str
     literal: Span | None = None
-    """The span between the quotes where the text stands in the file just as it is."""
+    """The span between the quotes, where the file holds the text literally."""
     path: bool = False
     """Whether it is a pathlib.Path."""
 
     def part(self, start: int, end: int) -> Span:
-        """Return the span of some characters of the text; that of the whole where it is no plain literal."""
+        """Return the span of some characters of the text; the whole span where it is not a literal."""
         if self.literal is None:
             return self.span
         return Span(self.literal.start + start, self.literal.start + end)
@@ -46,7 +46,7 @@ class OpenedFile:
     span: Span
     path: str
     at: int = 0
-    """How many characters of it were read."""
+    """How many of its characters were read."""
 
 
 @dataclass(frozen=True, slots=True)

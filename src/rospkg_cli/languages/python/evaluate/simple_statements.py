@@ -1,4 +1,4 @@
-"""Execute statements that hold no others."""
+"""Execute statements that contain no others."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .operators import binary_operation
 from .values import Call, Constant, Namespace, Sequence, Symbol
 
 ALWAYS_THERE = sys.stdlib_module_names | {"setuptools"}
-"""What can be imported wherever a setup.py runs."""
+"""Modules that are importable wherever a setup.py runs."""
 
 EXITS = frozenset({"sys.exit", "exit", "quit", "os._exit"})
 
 
 class SimpleStatements(Calls):
-    """Executes assignments, imports and the like."""
+    """Executes assignments, imports, `return` and other simple statements."""
 
     def do_Expr(self, node: ast.Expr, scope: Namespace) -> Flow | None:
         if isinstance(node.value, ast.Call):

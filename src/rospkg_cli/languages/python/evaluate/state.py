@@ -1,4 +1,4 @@
-"""The state of an evaluation, and what the functions of the library may ask of it."""
+"""The state of an evaluation, as known functions use it."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ class EvaluationState(ABC):
         self.cwd = ROOT
         self.meter = CostMeter()
         self.calls: list[Call] = []
-        """Every call that was left alone, in order."""
+        """Every call of an unknown function, in order."""
         self.globs: list[GlobResult] = []
         self.conditions: list[str] = []
-        """Why it can't be told whether we come here; empty where it is certain."""
+        """Why it is unknown whether the current code runs; empty where it certainly runs."""
         self.unknown_count = 0
-        """How many values could not be told so far: a `try` whose body adds none does not raise."""
+        """How many unknown values there were so far: a `try` whose body adds none does not raise."""
         self.fixed: Span | None = None
         """The span for all nodes inside an f-string, where older parsers count wrongly."""
 
     def tick(self, steps: int = 1) -> None:
-        """Charge for steps; raises LimitError where there were too many."""
+        """Charge for steps; raises LimitError where there are too many."""
         spend(steps * STEP)
 
     @property
@@ -56,7 +56,7 @@ class EvaluationState(ABC):
 
     @contextmanager
     def assuming(self, why: str) -> Iterator[None]:
-        """Evaluate what may not happen at all."""
+        """Evaluate code that may not run at all."""
         self.conditions.append(why)
         try:
             yield
@@ -81,7 +81,7 @@ class EvaluationState(ABC):
         return Sequence(span, "list", items, [span] * len(items), open_conditions=len(self.conditions))
 
     def add_item(self, into: Sequence, item: Value, place: Span) -> None:
-        """Add an item to a list: for certain, or perhaps."""
+        """Add an item to a list, certainly or possibly."""
         self.tick()
         if len(into.items) >= MAX_ITEMS:
             raise LimitError(f"a list of more than {MAX_ITEMS} items")
@@ -90,7 +90,7 @@ class EvaluationState(ABC):
         into.add(item, place)
 
     def mark_unknown(self, value: Value, span: Span, why: str) -> None:
-        """Something was done to a list or dict that can't be followed."""
+        """Mark a list or dict as partly unknown, after a change that can't be followed."""
         if isinstance(value, Sequence):
             value.add(self.unknown(span, why, many=True), span)
         elif isinstance(value, MappingValue):

@@ -1,4 +1,4 @@
-"""What is true, equal or contained: None where that can't be told."""
+"""Truth, equality and containment of values: None where that is unknown."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ COMPARISONS: dict[type, Callable[[Any, Any], Any]] = {
 
 
 def truth(value: Value) -> bool | None:
-    """Return whether a value counts as true; None where that can't be told."""
+    """Return whether a value counts as true; None where that is unknown."""
     match value:
         case Symbol() | Function() | Class() | OpenedFile():
             return True

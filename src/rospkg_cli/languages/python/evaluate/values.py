@@ -22,15 +22,15 @@ Kind = Literal["list", "tuple", "set"]
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """What can't be evaluated."""
+    """A value that can't be evaluated."""
 
     span: Span
     why: str
     """A sentence's part: "`os.environ` depends on the environment"."""
     many: bool = False
-    """Inside a sequence: any number of items that can't be told."""
+    """Inside a sequence: any number of unknown items."""
     options: tuple[Value, ...] = ()
-    """What it may be, as far as that could be followed."""
+    """Possible values, as far as they could be followed."""
 
 
 @dataclass(slots=True, eq=False)
@@ -40,15 +40,15 @@ class Sequence:
     span: Span
     kind: Kind
     items: list[Value] = field(default_factory=list)
-    """An `Unknown` with `many` stands for items that can't be told."""
+    """An `Unknown` with `many` represents any number of unknown items."""
     places: list[Span] = field(default_factory=list)
-    """Where each item was put in: the expression between the commas, or the argument of `append`."""
+    """The span of each item: the expression between the commas, or the argument of `append`."""
     display: bool = False
     """Whether it was written with brackets at its span."""
     origin: GlobResult | None = None
     """The glob that it is the result of."""
     open_conditions: int = 0
-    """How many conditions that can't be told were open when it was made."""
+    """How many unknown conditions were open when it was made."""
 
     @property
     def complete(self) -> bool:
@@ -118,7 +118,7 @@ class Argument:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Call:
-    """A call that the evaluator left alone."""
+    """A call of a function that the evaluator does not know."""
 
     span: Span
     callee: str
@@ -126,7 +126,7 @@ class Call:
     arguments: tuple[Argument, ...] = ()
     receiver: Value | None = None
     certain: bool = True
-    """False under a condition or in a loop that can't be told."""
+    """False under an unknown condition or in a loop over unknown items."""
     rest: Unknown | None = None
     """Why there may be other arguments."""
 
@@ -148,7 +148,7 @@ class Call:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AttributeValue:
-    """An attribute of a value that is only known as a call or the like."""
+    """An attribute of a value that is only known as a call or another unknown value."""
 
     span: Span
     of: Value
@@ -164,7 +164,7 @@ class Namespace:
     outer: dict[str, Namespace] = field(default_factory=dict)
     """Names declared `global` or `nonlocal`, and where they live."""
     returns: list[Value] = field(default_factory=list)
-    """What the function returned so far; more than one where a condition could not be told."""
+    """What the function returned so far; more than one where a condition was unknown."""
     yields: Sequence | None = None
     """What the generator yielded so far."""
 
