@@ -75,11 +75,11 @@ def disorder(manifest: Manifest, official: Official, accepted: bool) -> Iterator
     """Yield a fault where the official schema refuses a document that our schema takes, or finds only out of order."""
     if (
         not accepted
-        and manifest.verdict.valid
+        and manifest.verdict.is_valid
         and not any(quirk in manifest.source.text for quirk in ("compatibility", "condition"))
     ):
         yield "the official schema refuses it"
-    if not manifest.verdict.ordered and not any(v.kind.name == "TEXT" for v in manifest.verdict.violations):
+    if not manifest.verdict.is_ordered and not any(v.kind.name == "TEXT" for v in manifest.verdict.violations):
         yield "it is out of order"
 
 

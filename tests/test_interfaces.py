@@ -42,7 +42,7 @@ def test_places_are_those_of_the_file() -> None:
     assert source.slice(point.type.span) == "Point[<=3]"
     assert source.slice(point.type.base_span) == "Point"
     assert source.slice(point.name_span) == "where"
-    assert (point.type.size, point.type.bounded, point.type.primitive) == (3, True, False)
+    assert (point.type.size, point.type.is_bounded, point.type.is_primitive) == (3, True, False)
     assert source.slice(six.name_span) == "SIX"
     assert six.value_span
     assert source.slice(six.value_span) == "6"

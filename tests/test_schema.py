@@ -29,7 +29,7 @@ def with_line(line: str) -> str:
 
 
 def test_a_good_one_is_valid() -> None:
-    assert read(GOOD).verdict.valid
+    assert read(GOOD).verdict.is_valid
 
 
 @pytest.mark.parametrize(
@@ -65,13 +65,13 @@ def test_one_fault_is_one_violation(text: str, violation: tuple[str, str, str]) 
     ],
 )
 def test_what_the_text_of_rep_149_allows_is_allowed(line: str) -> None:
-    assert read(with_line(line)).verdict.valid
+    assert read(with_line(line)).verdict.is_valid
 
 
 def test_a_wrong_order_alone_is_no_violation() -> None:
     author = "  <author>Bob</author>\n"
     verdict = read(GOOD.replace("  <license>", author + "  <license>")).verdict
-    assert (verdict.valid, verdict.ordered, verdict.violations) == (False, False, ())
+    assert (verdict.is_valid, verdict.is_ordered, verdict.violations) == (False, False, ())
 
 
 def test_three_faults_are_three_findings() -> None:
@@ -91,7 +91,7 @@ def test_every_unknown_tag_is_named_and_nothing_beside() -> None:
 def test_order_and_violation_are_told_apart() -> None:
     text = with_line("<depend>x</depend>\n<bogus/>\n<author>Bob</author>")
     verdict = read(text).verdict
-    assert not verdict.ordered
+    assert not verdict.is_ordered
     assert [(v.kind, v.name) for v in verdict.violations] == [(ViolationKind.CHILD, "bogus")]
 
 

@@ -7,7 +7,7 @@ from fnmatch import fnmatchcase
 from typing import Literal
 
 from ..source import Span
-from .launch.configuration_events import Summary
+from .launch.configuration_events import ConfigurationSummary
 from .launch.launch_signature import LaunchSignature
 from .params.declared_parameter import DeclaredParameter, NodeCode
 
@@ -106,7 +106,7 @@ class PackageFacts:
     """The names in each block of its parameter files."""
     launch_files: tuple[LaunchSignature, ...] = ()
     """What its launch files take from those that include them."""
-    launch_summaries: tuple[Summary, ...] = ()
+    launch_summaries: tuple[ConfigurationSummary, ...] = ()
     """What its launch files, installed or not, set for each other."""
     unknown: frozenset[UnknownField] = frozenset()
     """The fields above that could not be evaluated: nothing may be concluded from what they lack."""

@@ -9,7 +9,7 @@ from ..ros.distros import Distro, Targets
 from ..ros.imports import serving
 from ..ros.names import BUILT_IN, Known, Names
 from ..ros.plugins import LOADED_FROM
-from .launch.workspace_launch_files import LaunchFiles
+from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
 
@@ -18,7 +18,7 @@ from .params.parameter_index import ParameterIndex
 class Workspace:
     packages: tuple[PackageFacts, ...] = ()
     """Of all packages found, sorted by folder."""
-    given: frozenset[str] = frozenset()
+    selected: frozenset[str] = frozenset()
     """The folders of the packages that the user selected."""
     complete: bool = True
     """False where, for example, a `.repos` file lists packages that are not here: then no name is certainly unknown."""
@@ -45,9 +45,9 @@ class Workspace:
         return ParameterIndex(self.packages)
 
     @cached_property
-    def launch(self) -> LaunchFiles:
+    def launch(self) -> WorkspaceLaunchFiles:
         """The launch files of all packages."""
-        return LaunchFiles(each for facts in self.packages for each in facts.launch_summaries)
+        return WorkspaceLaunchFiles(each for facts in self.packages for each in facts.launch_summaries)
 
     @cached_property
     def names(self) -> frozenset[str]:
@@ -60,7 +60,7 @@ class Workspace:
         """Return the facts of the package in a folder; raises KeyError."""
         return self._by_folder[folder]
 
-    def around(self, path: str) -> str:
+    def package_at(self, path: str) -> str:
         """Return the name of the innermost package that contains a path of the run; "" for none."""
         while path:
             path = path.rpartition("/")[0]
@@ -68,7 +68,7 @@ class Workspace:
                 return self._by_folder[path].name
         return ""
 
-    def what(self, name: str, targets: Targets | None = None) -> Known:
+    def kind_of(self, name: str, targets: Targets | None = None) -> Known:
         """Return what a name in package.xml stands for; unknown only where nothing else can add it."""
         if name in self._by_name:
             return Known.PACKAGE
@@ -90,7 +90,7 @@ class Workspace:
         found = {base: {package} for base, package in LOADED_FROM.items()}
         for facts in self.packages:
             for package, base in facts.loaders:
-                if self.is_available(package) or self.what(package) is Known.PACKAGE:
+                if self.is_available(package) or self.kind_of(package) is Known.PACKAGE:
                     found.setdefault(base, set()).add(package)
         return found
 

@@ -21,6 +21,8 @@ DEFAULT_FIELDS = {
 }
 """The fields of what was named without any."""
 
+NOUNS = {"msg": "a message", "srv": "a service", "action": "an action"}
+
 SEPARATOR = re.compile(r"(?:^|(?<=[\s,;]))---+(?=[\s,;]|$)")
 
 
@@ -56,10 +58,12 @@ def interface_of(form: str, asked: str, messages: set[str]) -> RequestedInterfac
     if not INTERFACE_NAME.fullmatch(name):
         better = "".join(word[:1].upper() + word[1:] for word in re.findall(r"[A-Za-z0-9]+", name))
         hint = f"; try `{better}`" if INTERFACE_NAME.fullmatch(better) else ""
-        raise ScaffoldError(f"`{name}` can't be the name of a {form}: letters and digits, a capital first{hint}")
+        raise ScaffoldError(
+            f"`{name}` can't be the name of {NOUNS[form]}: letters and digits, an uppercase letter first{hint}"
+        )
     if keyword.iskeyword(name):
         raise ScaffoldError(
-            f"`{name}` is a keyword of Python: nothing could import a {form} of that name; try `My{name}`"
+            f"`{name}` is a keyword of Python: nothing could import {NOUNS[form]} of that name; try `My{name}`"
         )
     text = text_of(form, name, fields if colon else DEFAULT_FIELDS[form])
     refuse_hidden(form, name, text)
@@ -69,7 +73,7 @@ def interface_of(form: str, asked: str, messages: set[str]) -> RequestedInterfac
         raise ScaffoldError(f"--{form} {name}: {problem.message} (in `{line}`)")
     types = [member.type for section in parsed.sections for member in section.members]
     for type in types:
-        if not type.primitive and not type.package and type.base not in messages:
+        if not type.is_primitive and not type.package and type.base not in messages:
             raise ScaffoldError(f"--{form} {name}: there is no message `{type.base}` here; {whose(type.base)}")
     return RequestedInterface(form, name, text, tuple(dict.fromkeys(type.package for type in types if type.package)))
 
@@ -94,7 +98,7 @@ def text_of(form: str, name: str, fields: str) -> str:
     parts = SEPARATOR.split(fields.replace("\n", ","))
     if len(parts) != SEPARATORS[form] + 1:
         count = {0: "no `---`", 1: "one `---`, between request and response", 2: "two `---`: goal, result, feedback"}
-        raise ScaffoldError(f"--{form} {name}: a {form} has {count[SEPARATORS[form]]}; here are {len(parts) - 1}")
+        raise ScaffoldError(f"--{form} {name}: {NOUNS[form]} has {count[SEPARATORS[form]]}; found {len(parts) - 1}")
     return "---\n".join("".join(f"{line}\n" for line in lines_of(part)) for part in parts)
 
 

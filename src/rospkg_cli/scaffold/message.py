@@ -22,7 +22,7 @@ LONGEST_TOPIC = 40
 """The same for the lines that name the topic."""
 
 TAKEN = frozenset({"ExternalShutdownException", "FloatingPointRange", "Node", "ParameterDescriptor"})
-"""What a node imports beside it."""
+"""What a node imports besides it."""
 
 PYTHON = {"bool": "False", "float": "0.0", "int": "0", "uint": "0", "string": "''"}
 CPP = {"bool": "false", "float": "0.0", "int": "0", "uint": "0", "string": '""'}
@@ -62,7 +62,7 @@ def is_message(word: str) -> bool:
 
 
 def message_of(word: str, package: str, there: WorkspacePackages) -> Message:
-    """Return the message; raises ScaffoldError where there is none, or where it can't be told which."""
+    """Return the message; raises ScaffoldError where there is none, or where it is ambiguous."""
     owner, _, name = word.replace("/msg/", "/").rpartition("/")
     if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)):
         raise ScaffoldError(f"`{word}` can't be a message: PACKAGE/Name, as std_msgs/String")
@@ -107,12 +107,12 @@ def fields(members: tuple[Member, ...]) -> Iterator[MessageField]:
     """Yield the fields that have a plain value, and those that hold the time."""
     for member in members:
         type = member.type
-        if type.array or member.value is not None:
+        if type.is_array or member.value is not None:
             continue
         shown = f"{type.package}/{type.base}" if type.package else type.base
         if shown in ("builtin_interfaces/Time", "std_msgs/Header"):
             path = f"{member.name}.stamp" if type.base == "Header" else member.name
             yield MessageField(path, "builtin_interfaces/Time", "self.get_clock().now().to_msg()", "now()")
         kind = type.base.rstrip("0123456789")
-        if type.primitive and kind in PYTHON:
+        if type.is_primitive and kind in PYTHON:
             yield MessageField(member.name, type.text, PYTHON[kind], CPP[kind])

@@ -30,7 +30,7 @@ class InstalledScripts:
     @cached_property
     def copies(self) -> tuple[Copy, ...]:
         """The files of the package that are copied to lib/<package> itself."""
-        files = self.package.cmake.package
+        files = self.package.cmake.package_files
         home = f"lib/{self.package.facts.name}"
         return tuple(
             copy
@@ -47,7 +47,7 @@ class InstalledScripts:
 
     def broken(self) -> Iterator[BrokenScript]:
         """Yield the scripts that can't be executed where they are installed, each once."""
-        seen = {copy.source for copy in self.copies if copy.runs}
+        seen = {copy.source for copy in self.copies if copy.is_executable}
         for copy in self.copies:
             wrong = self.wrong(copy)
             if wrong is not None and (copy.source not in seen or wrong.startswith("no ")):
@@ -65,8 +65,8 @@ class InstalledScripts:
         if not shebang or not self.is_runnable(copy.source):
             return None
         if copy.rule.kind == "FILES":
-            return None if copy.runs else "files"
-        if copy.runs:
+            return None if copy.is_executable else "files"
+        if copy.is_executable:
             return None
         return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
 
@@ -76,13 +76,13 @@ class InstalledScripts:
 
     def has_shebang(self, path: str) -> bool:
         try:
-            return self.package.cmake.package.tree.entry(path).data.startswith(b"#!")
+            return self.package.cmake.package_files.tree.entry(path).data.startswith(b"#!")
         except OSError:
             return True
 
     def has_bit(self, path: str) -> bool:
         try:
-            return self.package.cmake.package.executable(path)
+            return self.package.cmake.package_files.executable(path)
         except OSError:
             return True
 
@@ -95,13 +95,13 @@ class InstalledScripts:
         named = {path for call in cmake.calls for text in call.texts if (path := path_in_package(text, call.folder))}
         for folder in sorted({posixpath.dirname(path) for path in programs}):
             beside = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
-            for path in cmake.package.paths:
+            for path in cmake.package_files.paths:
                 fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
                 if fits and not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
                     yield path, beside
 
     def is_installed(self, path: str) -> bool:
-        files = self.package.cmake.package
+        files = self.package.cmake.package_files
         return any(path == copy.source for rule in self.package.cmake.installs for copy in copies(rule, files))
 
     def is_script(self, path: str) -> bool:
@@ -117,7 +117,7 @@ class InstalledScripts:
         found = []
         for copy in self.copies:
             try:
-                found.append(self.package.cmake.package.source(copy.source).text)
+                found.append(self.package.cmake.package_files.source(copy.source).text)
             except UnreadableError:
                 continue
         return tuple(found)

@@ -27,11 +27,11 @@ class MisplacedExecutable:
     word: Word
     name: str
     """Of the file that is installed."""
-    place: str
+    destination: str
     rule: InstallRule
-    started: bool
+    is_started: bool
     """Whether a launch file or the README starts it."""
-    ros: bool
+    is_node: bool
     """Whether it is a node, as far as that is known."""
 
 
@@ -60,7 +60,7 @@ class MisplacedExecutables:
             for word in rule.items:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
                 if target is not None and target.is_executable:
-                    place, name = artifacts.place(rule, target), artifacts.file_name(target)
+                    place, name = artifacts.destination(rule, target), artifacts.file_name(target)
                     if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
                         yield MisplacedExecutable(
                             word, name, place or "", rule, self.starts(name), self.uses_ros(target.name)
@@ -69,7 +69,7 @@ class MisplacedExecutables:
                 yield from self.scripts(rule, rule.destination)
 
     def scripts(self, rule: InstallRule, place: str) -> Iterator[MisplacedExecutable]:
-        for copy in copies(rule, self.package.cmake.package):
+        for copy in copies(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
             if self.starts(name) or ros or place == "bin":
@@ -103,7 +103,7 @@ class MisplacedExecutables:
         """The executables that launch files name, or that the README starts."""
         run = re.compile(rf"ros2\s+run\s+{re.escape(self.package.facts.name)}\s+([\w.-]+)")
         found: set[str] = set()
-        for path in self.package.cmake.package.paths:
+        for path in self.package.cmake.package_files.paths:
             name = path.rpartition("/")[2]
             if LAUNCH.fullmatch(name):
                 found |= set(EXECUTABLE.findall(self.text(path)))
@@ -113,6 +113,6 @@ class MisplacedExecutables:
 
     def text(self, path: str) -> str:
         try:
-            return self.package.cmake.package.source(path).text
+            return self.package.cmake.package_files.source(path).text
         except UnreadableError:
             return ""

@@ -31,9 +31,9 @@ class MissingExportDependency:
     package: str
     word: Word
     link: Link
-    as_target: bool
+    is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
-    only_loaded: bool
+    is_only_loaded: bool
     """Whether it is a plug-in or a component, and no package of the workspace builds against this one."""
 
 
@@ -56,7 +56,7 @@ class ExportedDependencies:
         seen: set[str] = set()
         for link in Links(cmake).all:
             package = self.package_of(link)
-            passed = link.exported and link.target in self.libraries and not link.call.maybe and not link.word.maybe
+            passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
             if passed and package in self.needed and package not in self.there | seen:
                 seen.add(package)
                 loaded = (plugins or link.target in components) and not self.is_built_against
@@ -139,7 +139,7 @@ class ExportedDependencies:
         """The packages that are certainly looked for, outside of tests."""
         packages = self.headers.package.cmake.packages
         return frozenset(
-            each.name for each in packages if each.required and not each.call.testing and not each.call.maybe
+            each.name for each in packages if each.is_required and not each.call.testing and not each.call.maybe
         )
 
 

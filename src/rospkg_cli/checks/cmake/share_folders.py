@@ -36,7 +36,7 @@ class RuntimeFolders:
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
-        paths = self.package.cmake.package.below(folder)
+        paths = self.package.cmake.package_files.below(folder)
         meant = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
         return tuple(path for path in meant if path not in self.built_from and "/test/" not in path)
 
@@ -55,7 +55,7 @@ class RuntimeFolders:
         return any(path == folder or path.startswith(f"{folder}/") for call in calls for path in paths_of(call))
 
     @property
-    def place(self) -> EvaluatedCommand | None:
+    def insertion_call(self) -> EvaluatedCommand | None:
         """The call to which the folder should be added: the last rule for share/, else ament_package()."""
         cmake = self.package.cmake
         share = f"share/{cmake.project_name}"
@@ -76,7 +76,7 @@ class RuntimeFolders:
     def texts(self) -> tuple[tuple[str, bool], ...]:
         """The launch files and the README: text, and whether it is a launch file."""
         found = []
-        files = self.package.cmake.package
+        files = self.package.cmake.package_files
         for path in files.paths:
             name = path.rpartition("/")[2]
             code = bool(LAUNCH.fullmatch(name))

@@ -42,7 +42,9 @@ class SourceTargets:
         """Return what a target takes of a folder."""
         assert target.folder is not None
         folder = path_in_package(target.folder.text, target.call.folder)
-        return (frozenset() if folder is None else frozenset(self.cmake.package.below(folder))), folder is not None
+        return (
+            frozenset() if folder is None else frozenset(self.cmake.package_files.below(folder))
+        ), folder is not None
 
     def targets_of(self, path: str) -> frozenset[str]:
         """Return the names of the targets that a file is compiled into, as far as they are known."""

@@ -37,7 +37,7 @@ def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:
         return
     needed = [tag for tag in DEPENDENCY_TAGS if tag not in FOR_TESTS]
     for found in cmake.packages:
-        sure = not found.call.testing and not found.call.maybe and found.required
+        sure = not found.call.testing and not found.call.maybe and found.is_required
         if sure and found.name in TEST_PACKAGES and not manifest.depends_on(found.name, needed):
             yield UnguardedTest(found.call, found.name)
     for call in cmake.calls:

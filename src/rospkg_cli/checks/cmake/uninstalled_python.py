@@ -32,7 +32,7 @@ class PythonPackages:
     @cached_property
     def folders(self) -> frozenset[str]:
         """The folders right below the package that are Python packages."""
-        found = (path.split("/") for path in self.package.cmake.package.paths)
+        found = (path.split("/") for path in self.package.cmake.package_files.paths)
         return frozenset(parts[0] for parts in found if len(parts) == 2 and parts[1] == "__init__.py")
 
     @cached_property
@@ -59,7 +59,7 @@ class PythonPackages:
 
     def is_own(self, what: Import) -> bool:
         """Return whether an import refers to a module of the package, and not to one that rosidl generates."""
-        files, path = self.package.cmake.package, what.module.replace(".", "/")
+        files, path = self.package.cmake.package_files, what.module.replace(".", "/")
         if path == self.package.facts.name and not self.package.cmake.interface_targets:
             return True
         named = ([path] if "/" in path else []) + [f"{path}/{name}" for name in what.names]

@@ -1,4 +1,4 @@
-"""What package.xml declares, asked from the side of a use: is it there, and for what?"""
+"""What package.xml declares: whether a package that is used is declared, directly or through others."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ COMMENTED_DEPENDENCY = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
 @dataclass(frozen=True)
 class DeclaredDependencies:
-    """The dependencies of one package, with those that a metapackage of the workspace stands for."""
+    """The dependencies of one package, with the members of the metapackages that it declares."""
 
     manifest: Manifest
     facts: PackageFacts
@@ -36,16 +36,16 @@ class DeclaredDependencies:
 
     @property
     def is_checked(self) -> bool:
-        """Whether this is a package of ROS 2 in a language that we can follow."""
+        """Whether this is a package of ROS 2 of a build type that rospkg reads."""
         return self.facts.build_type in BUILD_TYPES and self.facts.build_type != "catkin"
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """Every name that is declared, under whatever tag and condition."""
+        """Every name that is declared, under any tag and condition."""
         return frozenset(self.closure(d.name for d in self.manifest.dependencies))
 
     def closure(self, names: Iterable[str]) -> set[str]:
-        """Return some names, and those that the metapackages among them name."""
+        """Return some names, and the members of the metapackages among them."""
         found: set[str] = set()
         waiting = [(name, 0) for name in names]
         while waiting:
@@ -66,10 +66,10 @@ class DeclaredDependencies:
         )
 
     def is_reported_elsewhere(self, name: str) -> bool:
-        """Return whether package.xml names it in a way that is a fault of its own, of which another rule speaks.
+        """Return whether package.xml names it wrongly, which another rule reports.
 
-        The package itself in other letters, a dependency in a tag that there isn't, or one whose name nobody knows and
-        that is near, or is the one of PyPI.
+        It is the package itself in another spelling, a dependency in an unknown tag, or one with an unknown name
+        that is similar, or that is the name on PyPI.
         """
         if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
             return True
@@ -84,21 +84,21 @@ class DeclaredDependencies:
     def unknown_names(self) -> frozenset[str]:
         """The declared names that are no package and no key."""
         known = (Known.PACKAGE, Known.KEY)
-        return frozenset(d.name for d in self.manifest.dependencies if self.workspace.what(d.name) not in known)
+        return frozenset(d.name for d in self.manifest.dependencies if self.workspace.kind_of(d.name) not in known)
 
     @cached_property
     def keys_of_pip_names(self) -> frozenset[str]:
-        """The keys for which the declared names stand elsewhere."""
+        """The rosdep keys of declared names that are names on PyPI."""
         return frozenset(key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
 
     @property
     def transitive_names(self) -> frozenset[str]:
-        """What the declared packages bring with them at build time, as far as that is known."""
+        """What comes with the declared packages at build time, as far as it is known."""
         return self._transitive[0]
 
     @property
     def are_transitive_names_known(self) -> bool:
-        """Whether it can be told of all declared packages what they bring."""
+        """Whether it is known of all declared packages what comes with them."""
         return self._transitive[1]
 
     @cached_property
@@ -106,7 +106,7 @@ class DeclaredDependencies:
         return self.transitive_names_of(self.names)
 
     def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
-        """Return what some packages bring for whoever builds with them, and whether that is known of all of them."""
+        """Return the exported dependencies of some packages, and whether they are known of all of them."""
         found: set[str] = set()
         known, table = True, rows("exported_dependencies.txt")
         waiting = list(names)
@@ -124,12 +124,12 @@ class DeclaredDependencies:
 
     @cached_property
     def commented_out(self) -> frozenset[str]:
-        """The dependencies that stand in comments: somebody thought about them."""
+        """The dependencies in comments: they were left out on purpose."""
         comments = "\n".join(comment.text for comment in self.manifest.document.comments)
         return frozenset(COMMENTED_DEPENDENCY.findall(comments))
 
     def is_needed_by(self, name: str) -> bool:
-        """Return whether a package of the workspace needs this one: to depend on it would close a circle."""
+        """Return whether a package of the workspace depends on this one: a dependency on it would be a cycle."""
         seen: set[str] = set()
         waiting = [name]
         while waiting:
@@ -143,7 +143,7 @@ class DeclaredDependencies:
 
 
 def metapackage_members(name: str, facts: PackageFacts | None) -> Iterable[str]:
-    """Return what a package names if it is a metapackage: one of the workspace, or one that everybody knows."""
+    """Return the members of a metapackage of the workspace or of the table; nothing for any other package."""
     if facts is None:
         return rows("metapackages.txt").get(name, ())
     return [need.name for need in facts.dependencies] if facts.is_metapackage else ()

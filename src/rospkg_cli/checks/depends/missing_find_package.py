@@ -1,4 +1,4 @@
-"""What is built against and declared, and never looked for: find_package is missing."""
+"""Declared packages that CMake uses without a `find_package()` (DEP107)."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ class MissingFindPackage:
     span: Span
     testing: bool
     usage: str
-    """What is done with the package there, as a sentence goes on."""
+    """What is done with the package there, as a clause: `x` is linked with it."""
     may_be_transitive: bool
-    """Whether another package that is found may bring it."""
+    """Whether it may come with another package that is found."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class MissingFindPackages:
     def packages(self) -> Iterator[MissingFindPackage]:
         """Yield each package once: where a target is linked with it, else where its headers are included.
 
-        What comes for certain with a package that is found is left out.
+        What certainly comes with a package that is found is left out.
         """
         if self.declared.is_checked and self.is_complete:
             there, known = self.declared.transitive_names_of(self.found)
@@ -64,7 +64,7 @@ class MissingFindPackages:
 
     @property
     def is_complete(self) -> bool:
-        """Whether all that is looked for is known."""
+        """Whether every `find_package()` is known."""
         cmake = self.includes.cmake
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
         return (
@@ -76,7 +76,7 @@ class MissingFindPackages:
 
     def is_declared(self, each: MissingFindPackage) -> bool:
         tags = BUILDS | {"test_depend"} if each.testing else BUILDS
-        package = self.declared.workspace.what(each.name) is Known.PACKAGE
+        package = self.declared.workspace.kind_of(each.name) is Known.PACKAGE
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
 
     def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:

@@ -1,4 +1,4 @@
-"""find_package against declarations: what CMake needs and package.xml does not name."""
+"""Required `find_package()` calls for packages that package.xml does not declare (DEP104)."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 
 @dataclass(frozen=True, slots=True)
 class UndeclaredFindPackage:
-    """What CMake looks for, and the names of which any serves it; the first is the one to recommend."""
+    """A package that CMake finds, and the names that provide it; the first is the one to recommend."""
 
     found: FoundPackage
     names: tuple[str, ...]
     transitive: Literal["certain", "possible", "no"]
-    """Whether something that is declared brings it for whoever builds with it."""
+    """Whether it comes with something that is declared, at build time."""
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,14 @@ class FindPackageDependencies:
         return "no" if self.declared.are_transitive_names_known else "possible"
 
     def is_needed(self, found: FoundPackage) -> bool:
-        """Return whether the configuration fails for certain where this is not there."""
+        """Return whether the configuration certainly fails without it."""
         certain = found.word.known and not found.word.maybe and not found.call.maybe
-        needed = found.required or found.name in self.needed_names
-        return certain and needed and not found.quiet and not self.is_reported_elsewhere(found.name)
+        needed = found.is_required or found.name in self.needed_names
+        return certain and needed and not found.is_quiet and not self.is_reported_elsewhere(found.name)
 
     @cached_property
     def needed_names(self) -> frozenset[str]:
-        """What a target or an export can't do without, whether find_package says REQUIRED or not."""
+        """What a target or an export requires, with or without REQUIRED in find_package."""
         found: set[str] = set()
         for call in self.cmake.named("ament_target_dependencies", "ament_export_dependencies"):
             found |= {word.text for word in call.words if not word.maybe and not call.maybe}
@@ -76,20 +76,17 @@ class FindPackageDependencies:
         return frozenset(found)
 
     def is_reported_elsewhere(self, name: str) -> bool:
-        """Return whether another rule asks for it: that for build tools, or those for interfaces."""
+        """Return whether another rule reports it: that for build tools, or those for interfaces."""
         generates = name == "rosidl_default_generators" and bool(self.cmake.interface_targets)
         typed = any(each.package == name for interface in self.interfaces for each in interface.types)
         return name in REPORTED_ELSEWHERE or generates or typed
 
     def providers(self, name: str) -> tuple[str, ...]:
-        """Return what serves find_package(name) besides the package itself.
-
-        Nothing where nobody can tell or nothing has to be declared.
-        """
+        """Return the names that provide find_package(name); nothing where they are unknown or need no declaration."""
         listed = keys_for_cmake(name)
         if NOTHING_NEEDED in listed:
             return ()
-        own = (name,) if self.declared.workspace.what(name) in (Known.PACKAGE, Known.KEY) else ()
+        own = (name,) if self.declared.workspace.kind_of(name) in (Known.PACKAGE, Known.KEY) else ()
         itself = self.declared.facts.name
         known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
         return (*known, *self.matching_names(name, self.declared.names)) if known else ()

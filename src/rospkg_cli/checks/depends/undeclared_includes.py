@@ -1,4 +1,4 @@
-"""C++ includes against declarations and find_package."""
+"""C++ includes of packages that package.xml does not declare (DEP105)."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class IncludeUse:
 
 @dataclass(frozen=True, slots=True)
 class IncludedPackage:
-    """What serves some includes: any of the names will do, the first is the one to recommend."""
+    """The provider of some includes: any of the names will do, the first is the one to recommend."""
 
     names: tuple[str, ...]
     cmake: str
@@ -67,7 +67,7 @@ class IncludeDependencies:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
 
     def providers(self, header: str) -> tuple[tuple[str, ...], str]:
-        """Return what serves a header, and its name in CMake; nothing where nobody can tell."""
+        """Return the providers of a header, and its name in CMake; no providers where they are unknown."""
         folder = header.partition("/")[0]
         if folder in LIBRARIES:
             return self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
@@ -75,13 +75,13 @@ class IncludeDependencies:
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
         facts = self.declared.workspace.named(folder)
-        known = self.declared.workspace.what(folder) is Known.PACKAGE and folder not in SHARED
+        known = self.declared.workspace.kind_of(folder) is Known.PACKAGE and folder not in SHARED
         if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder
 
     def is_own(self, header: str) -> bool:
-        """Return whether a header is the package's own: it is there, or may be made beside those that are."""
+        """Return whether a header is the package's own: it exists, or may be generated in a folder that does."""
         folder = header.rpartition("/")[0]
         return (
             header.partition("/")[0] == self.declared.facts.name
@@ -107,5 +107,5 @@ class IncludeDependencies:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
 
     def is_transitive(self, each: IncludedPackage) -> bool:
-        """Return whether something that is declared brings these headers for certain."""
+        """Return whether these headers certainly come with something that is declared."""
         return bool(self.declared.transitive_names.intersection(each.names))

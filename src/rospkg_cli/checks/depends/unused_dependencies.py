@@ -1,4 +1,4 @@
-"""Declarations without a use: what package.xml declares, and nothing in the package names."""
+"""Dependencies that package.xml declares and nothing in the package uses (DEP202)."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class UnusedDependencies:
         """Yield the ROS packages that are declared for the build, or as tools for tests, and that leave no trace."""
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag
-            package = self.declared.workspace.what(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
+            package = self.declared.workspace.kind_of(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
             if not package or self.words.has(name, "test", "docs"):
                 continue
             if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.words.has(name):
@@ -95,7 +95,7 @@ class UnusedDependencies:
                     yield UnusedDependency(dependency, runs)
 
     def is_tool_used(self, name: str) -> bool:
-        """Return whether tests import a tool, or launch_testing, which others of its family bring."""
+        """Return whether tests import a tool, or launch_testing, which comes with others of its family."""
         return self.is_imported(name) or (name.startswith("launch_testing") and self.is_imported("launch_testing"))
 
     @property
@@ -114,7 +114,7 @@ class UnusedDependencies:
     def is_built_with(self, name: str) -> bool:
         """Return whether something that is built may use a package.
 
-        Where its headers stand is known of packages around; those of others stand in folders of their names.
+        The headers of packages of the workspace are known; those of others are in folders of their names.
         """
         if self.words.has(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
             return True
@@ -139,7 +139,7 @@ class UnusedDependencies:
 
     @cached_property
     def import_names(self) -> frozenset[str]:
-        """Every name that may stand behind an import."""
+        """Every name that may provide an import."""
         imports = (each for file in self.python.files for each in file.imports)
         return frozenset(name for each in imports for name in self.providers_of(each))
 

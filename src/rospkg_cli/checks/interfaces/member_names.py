@@ -13,14 +13,14 @@ HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 
 def is_valid(member: Member) -> bool:
     """Return whether rosidl takes the name of a field or a constant."""
-    return (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(member.name) is not None
+    return (CONSTANT_NAME if member.is_constant else FIELD_NAME).fullmatch(member.name) is not None
 
 
 def repeated(section: MessageSection) -> Iterator[tuple[Member, Member]]:
     """Yield each field and constant whose name is used before in the same section, with the first of that name."""
     seen: dict[tuple[bool, str], Member] = {}
     for member in section.members:
-        key = member.constant, member.name
+        key = member.is_constant, member.name
         if key in seen:
             yield member, seen[key]
         else:
@@ -30,14 +30,14 @@ def repeated(section: MessageSection) -> Iterator[tuple[Member, Member]]:
 def suggestion(member: Member) -> str | None:
     """Return the name in the case that rosidl accepts; None where there is none."""
     words = re.sub(r"[-_]+", "_", HUMP.sub("_", member.name)).strip("_")
-    name = words.upper() if member.constant else words.lower()
-    return name if (CONSTANT_NAME if member.constant else FIELD_NAME).fullmatch(name) else None
+    name = words.upper() if member.is_constant else words.lower()
+    return name if (CONSTANT_NAME if member.is_constant else FIELD_NAME).fullmatch(name) else None
 
 
 def language_of(member: Member) -> str | None:
     """Return the language in which a field's name is a keyword, so that its generated code does not work."""
     for words, language in ((PYTHON_KEYWORDS, "Python"), (CPP_KEYWORDS, "C++"), (IDL_KEYWORDS, "OMG IDL")):
-        if member.name in words and not member.constant:
+        if member.name in words and not member.is_constant:
             return language
     return None
 

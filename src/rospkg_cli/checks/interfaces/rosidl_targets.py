@@ -28,7 +28,7 @@ class UnlistedDependency:
     interface: InterfaceFile
     kind: FieldType
     """Its first use."""
-    certain: bool
+    is_certain: bool
     """None of the packages that are listed can pass it on."""
 
 
@@ -65,7 +65,7 @@ class GeneratedInterfaces:
         named = ReferencedPaths(self.cmake)
         for each in self.listed:
             certain = each.word.known and not each.word.maybe and not each.target.call.maybe
-            if certain and each.path and not self.cmake.package.exists(each.path):
+            if certain and each.path and not self.cmake.package_files.exists(each.path):
                 made = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
                 if not made:
                     yield each

@@ -60,8 +60,8 @@ class PluginBases:
             return
         unmade = {entry.plugin.element.span for entry in self.package.without_source()}
         for description in self.package.descriptions:
-            if description.indexed:
-                cpp = [each for each in description.classes if not each.python and each.element.span not in unmade]
+            if description.is_indexed:
+                cpp = [each for each in description.classes if not each.is_python and each.element.span not in unmade]
                 yield description, tuple(cpp)
 
     def misplaced(self) -> Iterator[WrongExport]:
@@ -69,17 +69,17 @@ class PluginBases:
             owners = {each.base.value: self.workspace.loaders_of(each.base.value) for each in classes}
             for exported in description.exported:
                 serves = any(exported.base in packages or not packages for packages in owners.values())
-                if not exported.indexed:
+                if not exported.is_indexed:
                     continue
                 if owners and not serves and self.is_certain(exported.base):
                     base, packages = next(iter(owners.items()))
                     yield WrongExport(description, exported, base, tuple(sorted(packages)))
-                elif self.workspace.what(exported.base) is Known.UNKNOWN:
+                elif self.workspace.kind_of(exported.base) is Known.UNKNOWN:
                     yield WrongExport(description, exported, "", ())
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""
-        if not self.workspace.is_available(package) and self.workspace.what(package) is not Known.PACKAGE:
+        if not self.workspace.is_available(package) and self.workspace.kind_of(package) is not Known.PACKAGE:
             return True
         around = self.workspace.named(package) is not None
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
@@ -103,7 +103,7 @@ class PluginBases:
     def unmatched_loaders(self) -> Iterator[UnmatchedLoader]:
         for loader in self.loaders.loaders if self.facts.is_ament else ():
             package, base = loader.names
-            known = self.workspace.what(package)
+            known = self.workspace.kind_of(package)
             if known is Known.PACKAGE or self.workspace.is_available(package) or package == self.facts.name:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}

@@ -29,7 +29,7 @@ class ExportedClass:
     path: str
     span: Span
     """Of the class, in the macro."""
-    conditional: bool
+    is_conditional: bool
 
 
 def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:

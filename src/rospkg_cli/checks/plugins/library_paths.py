@@ -24,7 +24,7 @@ class WrongLibraryPath:
     fault: LibraryFault
     suggestion: str = ""
     """The path that it should be, as far as there is one; the target that is not installed."""
-    certain: bool = False
+    is_certain: bool = False
     """Whether that is the library which the class is compiled into."""
 
 
@@ -93,7 +93,7 @@ class PluginLibraries:
         made = self.cmake.target(target)
         if made is None or made.call.testing or made.call.maybe or not self.table.knows("library"):
             return False
-        if all(each.testing for each in entry.description.exported if each.indexed):
+        if all(each.testing for each in entry.description.exported if each.is_indexed):
             return False
         if any(f":{target}>" in word.text for rule in self.cmake.installs for word in rule.items):
             return False

@@ -68,9 +68,9 @@ class PluginPackage:
         return tuple(
             DescribedPlugin(description, plugin)
             for description in self.descriptions
-            if description.indexed
+            if description.is_indexed
             for plugin in description.classes
-            if not plugin.python
+            if not plugin.is_python
         )
 
     @cached_property
@@ -133,7 +133,10 @@ class PluginPackage:
         return tuple(
             each
             for each in self.exported
-            if not each.conditional and role_of(each.path) == "run" and is_plain(each.type) and self.libraries_of(each)
+            if not each.is_conditional
+            and role_of(each.path) == "run"
+            and is_plain(each.type)
+            and self.libraries_of(each)
         )
 
     def undescribed(self) -> Iterator[ExportedClass]:
@@ -152,7 +155,7 @@ class PluginPackage:
         seen = set()
         for each in self.compiled_exports:
             descriptions = self._described.get(spaceless(each.type), ())
-            found = any(description.indexed or description.for_rqt for description in descriptions)
+            found = any(description.is_indexed or description.is_for_rqt for description in descriptions)
             for description in () if found else descriptions:
                 if description.file not in seen:
                     seen.add(description.file)

@@ -25,11 +25,11 @@ class RqtPlugins:
         """Yield the descriptions of plug-ins in Python that package.xml lacks, and the tag that they want."""
         if self.facts.build_type == "catkin":
             return
-        exported = {each.type.value for one in self.descriptions if one.for_rqt for each in one.classes}
+        exported = {each.type.value for one in self.descriptions if one.is_for_rqt for each in one.classes}
         for description in self.descriptions:
             python = [each for each in description.classes if each.base.value.startswith(tuple(PYTHON))]
             types = {each.type.value for each in python}
-            if types and not description.for_rqt and not types & exported and role_of(description.file) == "run":
+            if types and not description.is_for_rqt and not types & exported and role_of(description.file) == "run":
                 yield description, PYTHON[python[0].base.value.partition("::")[0] + "::"]
 
     def odd(self) -> Iterator[tuple[PluginDescription, list[PluginDescription]]]:
@@ -37,9 +37,9 @@ class RqtPlugins:
         cpp = [
             each
             for each in self.descriptions
-            if each.indexed and any(found.base.value.startswith(CPP) for found in each.classes)
+            if each.is_indexed and any(found.base.value.startswith(CPP) for found in each.classes)
         ]
-        listed = [each for each in cpp if each.for_rqt]
+        listed = [each for each in cpp if each.is_for_rqt]
         for description in cpp:
-            if listed and not description.for_rqt:
+            if listed and not description.is_for_rqt:
                 yield description, listed

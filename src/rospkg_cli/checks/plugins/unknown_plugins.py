@@ -61,7 +61,7 @@ class PluginReferences:
 
     def is_nowhere(self, package: str) -> bool:
         """Return whether there certainly is no such package."""
-        known = self.workspace.is_available(package) or self.workspace.what(package) in (Known.PACKAGE, Known.KEY)
+        known = self.workspace.is_available(package) or self.workspace.kind_of(package) in (Known.PACKAGE, Known.KEY)
         return self.workspace.complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:

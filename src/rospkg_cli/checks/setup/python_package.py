@@ -62,7 +62,7 @@ class PythonPackage:
         setup = self.setup
         if (
             module.rpartition(".")[2] in setup.generated
-            or setup.makes_files
+            or setup.may_write_files
             or not setup.knows("package_dir")
             or setup.file_of(module)
             or self.may_be_generated(module)
@@ -120,7 +120,7 @@ class PythonPackage:
 
     @cached_property
     def executables(self) -> tuple[EntryPoint, ...]:
-        return tuple(entry for entry in self.setup.entry_points if entry.script)
+        return tuple(entry for entry in self.setup.entry_points if entry.is_script)
 
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
@@ -136,7 +136,7 @@ class PythonPackage:
 
         Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
         """
-        started = {entry.module: entry for entry in self.nodes if entry.within is not None}
+        started = {entry.module: entry for entry in self.nodes if entry.list_value is not None}
         if not started or not self.setup.knows("entry_points") or any(e.fault for e in self.setup.entry_points):
             return ()
         known = {entry.module for entry in self.setup.entry_points}
@@ -158,9 +158,11 @@ class PythonPackage:
     def knows_installed_modules(self) -> bool:
         """Whether it is known which modules are installed."""
         setup = self.setup
-        return not setup.makes_files and all(setup.knows(name) for name in ("packages", "py_modules", "package_dir"))
+        return not setup.may_write_files and all(
+            setup.knows(name) for name in ("packages", "py_modules", "package_dir")
+        )
 
     @property
     def knows_data_files(self) -> bool:
         """Whether it is known which data files are installed."""
-        return not self.setup.makes_files and self.setup.knows("data_files")
+        return not self.setup.may_write_files and self.setup.knows("data_files")

@@ -60,7 +60,7 @@ class ShareFiles:
         return (
             file.source is not None
             and self.package.setup.kind(file.source) is None
-            and not self.package.setup.makes_files
+            and not self.package.setup.may_write_files
         )
 
     @cached_property

@@ -27,7 +27,7 @@ class MissingResource:
     package: str
     path: str
     state: State
-    include: bool
+    is_include: bool
     suggestion: str | None = None
     other_spans: tuple[Span, ...] = ()
     """Other places that refer to it."""

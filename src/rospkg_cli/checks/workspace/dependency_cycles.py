@@ -31,7 +31,7 @@ def dependency_cycles(workspace: Workspace) -> Iterator[tuple[DependencyStep, ..
     """Yield one cycle for each strongly connected component: the shortest through its first selected package."""
     edges = needed(workspace)
     for knot in strongly_connected(edges):
-        given = sorted(name for name in knot if named(workspace, name).folder in workspace.given)
+        given = sorted(name for name in knot if named(workspace, name).folder in workspace.selected)
         if given:
             path = shortest(edges, given[0], knot)
             yield tuple(

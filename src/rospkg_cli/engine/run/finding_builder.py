@@ -86,7 +86,7 @@ class RootFindingBuilder(FindingBuilder):
 
     def package_of(self, path: str) -> str:
         """Return the name of the package whose folder holds a path."""
-        return self.workspace.around(path.lstrip("/"))
+        return self.workspace.package_at(path.lstrip("/"))
 
 
 @cache

@@ -59,7 +59,7 @@ class ProcessPool(Pool):
 
     def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
         found = self.everywhere(check_packages, lambda folder: lost_package(folder, workspace), workspace, codes)
-        return [each for each in found if each.folder in workspace.given]
+        return [each for each in found if each.folder in workspace.selected]
 
     def close(self) -> None:
         for worker in self.workers:

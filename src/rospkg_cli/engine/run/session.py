@@ -124,7 +124,7 @@ class Session:
             tuple(f for f in findings if f.suppressed is None),
             tuple(f for f in findings if f.suppressed is not None),
             tuple(crashes),
-            len(workspace.given),
+            len(workspace.selected),
             sum(each.files for each in checked),
         )
 

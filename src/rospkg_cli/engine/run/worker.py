@@ -66,7 +66,7 @@ class Worker:
         whole = PackageFiles(self.tree)
         found = []
         for folder in self.folders:
-            if folder not in workspace.given:
+            if folder not in workspace.selected:
                 continue
             package = self.packages[folder]
             builder = FindingBuilder(package.files, whole, workspace.at(folder).name)

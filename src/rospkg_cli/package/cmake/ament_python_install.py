@@ -45,7 +45,7 @@ def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[Installe
     for option in cfg.options("options.entry_points"):
         for line in option.value.lines():
             entry = parse_entry_point(option.key, line)
-            if entry.script and entry.name and not entry.fault:
+            if entry.is_script and entry.name and not entry.fault:
                 yield row(folder, entry.name, path, entry.span, entry=f"{entry.module}:{entry.attribute}")
     scripts = cfg.get("options", "scripts")
     for said in items_of(scripts.value) if scripts is not None else ():

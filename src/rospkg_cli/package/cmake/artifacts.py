@@ -18,7 +18,7 @@ PYTHON_MODULES = frozenset({"pybind11_add_module", "nanobind_add_module", "pytho
 class Artifacts:
     cmake: CMake
 
-    def place(self, rule: InstallRule, target: Target) -> str | None:
+    def destination(self, rule: InstallRule, target: Target) -> str | None:
         """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
         given = rule.destinations or {}
         kind = "RUNTIME" if target.is_executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"

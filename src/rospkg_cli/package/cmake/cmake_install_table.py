@@ -63,7 +63,7 @@ class CMakeTableBuilder:
         return "other"
 
     def files(self, rule: InstallRule) -> Iterator[InstalledFile]:
-        for copy in copies(rule, self.cmake.package):
+        for copy in copies(rule, self.cmake.package_files):
             yield self.row(copy.destination, copy.source, copy.item, rule.call)
         if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
             for word in filter(made_by_the_build, rule.items):
@@ -73,7 +73,7 @@ class CMakeTableBuilder:
     def targets(self, rule: InstallRule) -> Iterator[InstalledFile]:
         for word in rule.items:
             target = self.cmake.target(word.text)
-            place = self.artifacts.place(rule, target) if target is not None and target.is_built else None
+            place = self.artifacts.destination(rule, target) if target is not None and target.is_built else None
             if target is not None and place is not None:
                 yield self.row(
                     posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
@@ -89,13 +89,13 @@ class CMakeTableBuilder:
                 elif target.call.name == "ament_auto_add_library" and target.is_built and UNKNOWN not in target.name:
                     yield self.row(f"lib/{self.artifacts.file_name(target)}", "", target.word, target.call)
             scope = f"include/{self.name}" if "USE_SCOPED_HEADER_INSTALL_DIR" in call.texts else "include"
-            for path in self.cmake.package.below("include"):
+            for path in self.cmake.package_files.below("include"):
                 place = posixpath.join(scope, path.removeprefix("include/"))
                 yield InstalledFile("header", place, path, "", call.path, call.command.name_span)
 
     def python_scripts(self) -> Iterator[InstalledFile | UnknownPart]:
         for call in self.cmake.named("ament_python_install_package"):
-            yield from python_scripts(call, self.cmake.package)
+            yield from python_scripts(call, self.cmake.package_files)
 
     # ---- what is unknown
 
@@ -132,7 +132,7 @@ class CMakeTableBuilder:
     def is_link(self, word: Word, rule: InstallRule) -> bool:
         """Return whether a folder is a link, behind which we do not look."""
         path = path_in_package(word.text, rule.call.folder) or ""
-        return self.cmake.package.tree.files().get(path.rstrip("/")) in LINKED
+        return self.cmake.package_files.tree.files().get(path.rstrip("/")) in LINKED
 
     def may_install(self, call: EvaluatedCommand) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions

@@ -29,7 +29,7 @@ from .install_rules import InstallRule
 class CMake:
     """The commands of a package as CMake would run them, in order."""
 
-    package: PackageFiles = field(repr=False)
+    package_files: PackageFiles = field(repr=False)
     files: tuple[CMakeFile, ...]
     calls: tuple[EvaluatedCommand, ...]
     unreachable: tuple[EvaluatedCommand, ...] = ()
@@ -55,7 +55,7 @@ class CMake:
     def _files(self) -> dict[str, CMakeFile]:
         return {file.path: file for file in self.files}
 
-    def place(self, command: CommandInvocation) -> int:
+    def last_index(self, command: CommandInvocation) -> int:
         """Return the index of the last call of a command, -1 where it is never run."""
         return self._places.get(id(command), -1)
 

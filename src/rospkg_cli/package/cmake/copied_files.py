@@ -23,7 +23,7 @@ class Copy:
     item: Word
 
     @property
-    def runs(self) -> bool:
+    def is_executable(self) -> bool:
         """Whether it is executable there, whatever it is here."""
         if self.rule.kind == "PROGRAMS" and not self.rule.permissions:
             return True
@@ -53,8 +53,8 @@ def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFile
     """Yield the files below a folder: `launch` brings its own name with it, `launch/` only what is in it."""
     whole = not item.text or item.text.endswith("/") or not folder
     base = folder if whole else posixpath.dirname(folder)
-    excluding = [pattern for pattern in rule.patterns if pattern.exclude]
-    including = [pattern for pattern in rule.patterns if not pattern.exclude]
+    excluding = [pattern for pattern in rule.patterns if pattern.is_exclude]
+    including = [pattern for pattern in rule.patterns if not pattern.is_exclude]
     for path in files.every if not folder else [p for p in files.every if p.startswith(f"{folder}/")]:
         inside = [p for p in (path, *ancestors(path)) if p == folder or len(p) > len(folder)]
         if any(fits(pattern, each) for pattern in excluding for each in inside):
@@ -73,7 +73,7 @@ def ancestors(path: str) -> Iterator[str]:
 
 def fits(pattern: Pattern, path: str) -> bool:
     """Return whether a pattern fits a file or folder: the last parts of its path, or any piece for REGEX."""
-    if pattern.regex:
+    if pattern.is_regex:
         return search(pattern.text, f"{SOURCE}/{path}") is True
     found = glob_pattern(pattern.text)
     parts = path.split("/")

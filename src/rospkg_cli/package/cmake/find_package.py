@@ -21,8 +21,8 @@ FIND_KEYWORDS = frozenset({
 class FoundPackage:
     word: Word
     """The name."""
-    required: bool
-    quiet: bool
+    is_required: bool
+    is_quiet: bool
     components: tuple[Word, ...]
     call: EvaluatedCommand
 

@@ -31,8 +31,8 @@ class Pattern:
     """`PATTERN "*.hpp"` or `REGEX …` of install(DIRECTORY)."""
 
     text: str
-    regex: bool
-    exclude: bool = False
+    is_regex: bool
+    is_exclude: bool = False
 
 
 @dataclass(frozen=True)

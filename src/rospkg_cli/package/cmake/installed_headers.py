@@ -33,7 +33,7 @@ class PublicHeaders:
     @cached_property
     def offered(self) -> tuple[str, ...]:
         """The headers in include/, relative to the package."""
-        return tuple(path for path in self.package.cmake.package.below("include") if path.endswith(HEADERS))
+        return tuple(path for path in self.package.cmake.package_files.below("include") if path.endswith(HEADERS))
 
     @property
     def installed(self) -> frozenset[str]:

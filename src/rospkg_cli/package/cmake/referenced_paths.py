@@ -69,7 +69,7 @@ class ReferencedPaths:
                 yield ReferencedPath(path, word, use, call)
 
     def is_there(self, named: ReferencedPath) -> bool:
-        files = self.cmake.package
+        files = self.cmake.package_files
         path = named.path
         if not path or files.is_there(path):
             return True

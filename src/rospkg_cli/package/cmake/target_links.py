@@ -29,7 +29,7 @@ class Link:
     call: EvaluatedCommand
 
     @property
-    def exported(self) -> bool:
+    def is_public(self) -> bool:
         return self.scope != "PRIVATE"
 
 

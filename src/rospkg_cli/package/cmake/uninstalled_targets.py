@@ -138,7 +138,7 @@ class UninstalledTargets:
         """Yield the package's targets that a target passes on to whoever links it."""
         static = (target := self.cmake.target(word.text)) is not None and "STATIC" in target.options
         for link in self.links.of(word.text):
-            if (link.exported or static) and not link.package and not link.call.maybe and not link.word.maybe:
+            if (link.is_public or static) and not link.package and not link.call.maybe and not link.word.maybe:
                 yield link.word.text
 
 

@@ -20,13 +20,14 @@ class FieldType:
     base_span: Span
     """Of package and name, without bounds and brackets."""
     package: str = ""
-    """The one that is named; "" where none is."""
-    primitive: bool = False
+    """The package that is named; "" where none is."""
+    is_primitive: bool = False
     string_bound: int | None = None
-    array: bool = False
+    is_array: bool = False
     size: int | None = None
-    """The exact size of an array, or the largest one where it is `bounded`."""
-    bounded: bool = False
+    """The exact size of an array, or the largest one where it is bounded."""
+    is_bounded: bool = False
+    """Written with `<=`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,7 @@ class Member:
     type: FieldType
     name: str
     name_span: Span
-    constant: bool = False
+    is_constant: bool = False
     value: str | None = None
     value_span: Span | None = None
 
@@ -50,11 +51,11 @@ class MessageSection:
 
     @property
     def fields(self) -> tuple[Member, ...]:
-        return tuple(member for member in self.members if not member.constant)
+        return tuple(member for member in self.members if not member.is_constant)
 
     @property
     def constants(self) -> tuple[Member, ...]:
-        return tuple(member for member in self.members if member.constant)
+        return tuple(member for member in self.members if member.is_constant)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,4 +99,4 @@ class InterfaceFile:
     @property
     def types(self) -> Iterator[FieldType]:
         """Every type that is no primitive, in order."""
-        return (member.type for member in self.members if not member.type.primitive)
+        return (member.type for member in self.members if not member.type.is_primitive)

@@ -49,7 +49,7 @@ class SectionReader:
 
     def check_last_comments(self) -> None:
         if self.members:
-            self.check_comments(self.of_last, of_field=not self.members[-1].constant)
+            self.check_comments(self.of_last, of_field=not self.members[-1].is_constant)
 
     def read(self, line: InterfaceLine) -> None:
         text, sign, rest = line.text.partition("#")
@@ -156,7 +156,7 @@ def is_open(value: str) -> bool:
 
 def text_fault(kind: FieldType, value: str) -> str | None:
     """Return why rosidl can't write a string into the .idl file."""
-    if kind.array:
+    if kind.is_array:
         ascii_only = all(ord(char) < 128 or not char.isprintable() for char in value)
         return None if ascii_only else "rosidl can't write default values of string arrays that are not ASCII"
     if escape_fault(string_value(value)):

@@ -12,9 +12,9 @@ QUOTES = ('"', "'")
 
 def value_fault(kind: FieldType, value: str) -> str | None:
     """Return why a value does not fit a type, or None where it does."""
-    if not kind.primitive:
+    if not kind.is_primitive:
         return f"`{kind.text}` can't have a default value: only primitive types can"
-    if not kind.array:
+    if not kind.is_array:
         return primitive_fault(kind, value)
     if not (value.startswith("[") and value.endswith("]")):
         return f"the value of an array stands in brackets: `[{value.strip('[]')}]`"
@@ -22,8 +22,8 @@ def value_fault(kind: FieldType, value: str) -> str | None:
     if elements is None:
         return f"`{value}` can't be split into its elements; quote each string: `['a', 'b']`"
     count = len(elements)
-    if kind.size is not None and (count > kind.size if kind.bounded else count != kind.size):
-        wanted = f"at most {kind.size}" if kind.bounded else f"exactly {kind.size}"
+    if kind.size is not None and (count > kind.size if kind.is_bounded else count != kind.size):
+        wanted = f"at most {kind.size}" if kind.is_bounded else f"exactly {kind.size}"
         return f"`{kind.text}` takes {wanted} elements, not {count}"
     return next((fault for each in elements if (fault := primitive_fault(kind, each.strip()))), None)
 

@@ -28,7 +28,7 @@ class DescriptionExport:
     """CMakeLists.txt, or package.xml."""
     span: Span
     """Of the name of the file."""
-    indexed: bool
+    is_indexed: bool
     """By CMake, so that pluginlib finds it."""
     testing: bool = False
     """Only where tests are built."""
@@ -43,12 +43,12 @@ class PluginClass:
     element: Element
 
     @property
-    def called(self) -> str:
+    def lookup_name(self) -> str:
         """The name by which it is loaded."""
         return self.name.value if self.name is not None else self.type.value
 
     @property
-    def python(self) -> bool:
+    def is_python(self) -> bool:
         """Whether it is loaded by a loader for Python (rqt_gui_py and qt_gui_py name no C++ class)."""
         return "_py::" in self.base.value or ("::" not in self.type.value and "." in self.type.value)
 
@@ -93,14 +93,14 @@ class PluginDescription:
                     yield PluginClass(kind, base, child.attributes.get("name"), library, child)
 
     @property
-    def indexed(self) -> bool:
+    def is_indexed(self) -> bool:
         """Whether pluginlib finds it."""
-        return any(each.indexed for each in self.exported)
+        return any(each.is_indexed for each in self.exported)
 
     @property
-    def for_rqt(self) -> bool:
+    def is_for_rqt(self) -> bool:
         """Whether package.xml exports it to rqt."""
-        return any(not each.indexed and each.base in RQT for each in self.exported)
+        return any(not each.is_indexed and each.base in RQT for each in self.exported)
 
     @property
     def bases(self) -> frozenset[str]:

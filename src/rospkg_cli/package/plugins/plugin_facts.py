@@ -33,7 +33,7 @@ def plugin_facts(reading: ReaderInput) -> PluginFacts:
 def plugins_of(description: PluginDescription) -> list[Plugin]:
     return [
         Plugin(
-            each.called,
+            each.lookup_name,
             each.type.value,
             each.base.value,
             description.bases,

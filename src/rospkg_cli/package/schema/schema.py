@@ -21,8 +21,8 @@ Item = TypeVar("Item")
 
 @dataclass(frozen=True)
 class Verdict:
-    valid: bool
-    ordered: bool = True
+    is_valid: bool
+    is_ordered: bool = True
     """Whether the children stand in the schema's order, whatever else is wrong."""
     violations: tuple[Violation, ...] = ()
     """The violations that sorting the children does not fix, in document order."""

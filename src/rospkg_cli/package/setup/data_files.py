@@ -24,7 +24,7 @@ class DataFile:
     """One source of an entry."""
 
     setup_text: SetupText
-    place: Span
+    position: Span
     """Its position in the list of sources."""
     source: str | None
     """Relative to the package; None where it leads out of it."""
@@ -32,7 +32,7 @@ class DataFile:
     """The path of the installed file, relative to the prefix."""
     entry: int
     """Which entry it is of."""
-    absolute: bool = False
+    is_absolute: bool = False
     """Whether it was written as an absolute path that is not the package's own."""
 
 
@@ -42,7 +42,7 @@ class DataEntry:
 
     path: str
     span: Span
-    place: Span
+    position: Span
     """Its position in the list."""
     destination: SetupText | None
     """None where it is unknown, or where the entry is a bare file name."""

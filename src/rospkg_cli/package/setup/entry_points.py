@@ -40,9 +40,9 @@ class EntryPoint:
     module_span: Span = NOWHERE
     attribute_span: Span = NOWHERE
     fault: EntryPointFault = ""
-    within: Sequence | None = None
+    list_value: Sequence | None = None
     """The list of setup.py that it is an item of."""
-    place: Span = NOWHERE
+    position: Span = NOWHERE
     """Its position in that list."""
 
     @property
@@ -58,7 +58,7 @@ class EntryPoint:
         return self.setup_text.shown
 
     @property
-    def script(self) -> bool:
+    def is_script(self) -> bool:
         """Whether it makes an executable."""
         return self.group in SCRIPTS
 
@@ -71,7 +71,9 @@ def parse_entry_point(
     place = place or said.span
     match = WHOLE.fullmatch(said.text)
     if match is None:
-        return EntryPoint(group, said, loose_name(said.text), fault=fault_of(said.text), within=within, place=place)
+        return EntryPoint(
+            group, said, loose_name(said.text), fault=fault_of(said.text), list_value=within, position=place
+        )
     fault: EntryPointFault = ""
     if match["attribute"] is None and group in SCRIPTS:
         fault = "no-attribute"

@@ -40,7 +40,7 @@ def python_table(setup: SetupPy, name: str) -> InstallTable:
     folder = script_folder(setup)
     if folder is None:
         unknown.append(UnknownPart("executable", "the scripts' folder in setup.cfg is unknown", "setup.cfg", NOWHERE))
-    if setup.makes_files:
+    if setup.may_write_files:
         writes = "setup.py calls what may write files"
         unknown += [UnknownPart(what, writes, setup.path, setup.span) for what in GENERATED]
     if setup.value("include_package_data") and setup.folder.kind("MANIFEST.in"):
@@ -86,7 +86,7 @@ def implied_rows(setup: SetupPy, name: str) -> Iterator[InstalledFile]:
 
 def script_rows(setup: SetupPy, folder: str) -> Iterator[InstalledFile]:
     for entry in setup.entry_points:
-        if entry.script and entry.name and not entry.fault:
+        if entry.is_script and entry.name and not entry.fault:
             destination = posixpath.join(folder, entry.name)
             yield InstalledFile(
                 "executable", destination, "", f"{entry.module}:{entry.attribute}", entry.path, entry.span

@@ -130,7 +130,7 @@ class SetupCfgArguments:
         except OutsideError:
             inside = None
         target = posixpath.normpath(posixpath.join(into.text, posixpath.basename(source)))
-        return DataFile(said, said.span, inside, target, index, absolute=source.startswith("/"))
+        return DataFile(said, said.span, inside, target, index, is_absolute=source.startswith("/"))
 
 
 def items_of(value: SetupText) -> list[SetupText]:

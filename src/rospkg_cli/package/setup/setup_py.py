@@ -43,7 +43,7 @@ class SetupPy(SetupArguments):
         return self.call is None or not self.call.span.start < said.span.start < self.call.span.end
 
     @property
-    def extras_for_tests(self) -> bool:
+    def has_test_extras(self) -> bool:
         """Whether colcon finds the tests' requirements in extras_require, or may find them."""
         if not self.knows("extras_require"):
             return True
@@ -181,6 +181,6 @@ class SetupPy(SetupArguments):
         return tuple(value.text for value in asked if isinstance(value, Text))
 
     @cached_property
-    def makes_files(self) -> bool:
+    def may_write_files(self) -> bool:
         """Whether setup.py may write files that it then installs: by a custom command or a call that isn't known."""
         return bool(self.value("cmdclass")) or any(may_write(call) for call in self.calls if call is not self.call)

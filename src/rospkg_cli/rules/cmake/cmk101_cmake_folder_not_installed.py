@@ -50,7 +50,7 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
     'my_pkg'": only what `install()` names is installed.
     """
-    package, place = folders.package, folders.place
+    package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:
         return
     name = package.facts.name

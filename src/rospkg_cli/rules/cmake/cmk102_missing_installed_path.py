@@ -50,7 +50,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     INSTALL cannot find …"). It is what is left when a file was renamed, or when git did not keep an empty folder.
     """
     for named in ReferencedPaths(package.cmake).missing():
-        near = did_you_mean(named.path, package.cmake.package.paths)
+        near = did_you_mean(named.path, package.cmake.package_files.paths)
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
         perhaps = named.call.maybe or named.word.maybe
         if named.use == "source" or not perhaps:

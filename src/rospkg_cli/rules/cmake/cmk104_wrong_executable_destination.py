@@ -64,7 +64,7 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def wrong_executable_destination(astray: MisplacedExecutables) -> Iterator[Hit]:
+def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hit]:
     """
     ## What it does
     Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
@@ -77,22 +77,24 @@ def wrong_executable_destination(astray: MisplacedExecutables) -> Iterator[Hit]:
     What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
     not safe.
     """
-    name = astray.package.facts.name
-    if not astray.package.is_ament:
+    name = misplaced.package.facts.name
+    if not misplaced.package.is_ament:
         return
-    project = astray.package.cmake.project_name
-    for each in astray.all():
-        if project != name and each.place == f"lib/{project}":
+    project = misplaced.package.cmake.project_name
+    for each in misplaced.all():
+        if project != name and each.destination == f"lib/{project}":
             continue  # the name of the project is at fault: CMK001
-        start = f"`{each.name}` is installed into `{each.place}`, where neither `ros2 run {name} {each.name}` nor a"
+        start = (
+            f"`{each.name}` is installed into `{each.destination}`, where neither `ros2 run {name} {each.name}` nor a"
+        )
         message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
-        edits = to_libexec(astray.package.cmake, each)
+        edits = to_libexec(misplaced.package.cmake, each)
         safety = Safety.SAFE if level(each) is None else Safety.UNSAFE
         fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
         yield Hit(each.word.path, each.word.span, message, level(each), fix=fix)
 
 
-def level(astray: MisplacedExecutable) -> Severity | None:
-    if astray.started or astray.place != "bin":
+def level(misplaced: MisplacedExecutable) -> Severity | None:
+    if misplaced.is_started or misplaced.destination != "bin":
         return None
-    return Severity.WARNING if astray.ros else Severity.INFO
+    return Severity.WARNING if misplaced.is_node else Severity.INFO

@@ -78,12 +78,12 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     if not package.is_ament:
         return
     for number, each in enumerate(exported.missing()):
-        lacks = "a target" if each.as_target else "a header"
+        lacks = "a target" if each.is_target else "a header"
         message = (
             f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
             f"not name: linking it stops because {lacks} of `{each.package}` was not found; export it"
         )
         edit = export_dependency(package.cmake, each.package, first=number == 0)
         fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
-        level = Severity.INFO if each.only_loaded else None
+        level = Severity.INFO if each.is_only_loaded else None
         yield Hit(each.word.path, each.word.span, message, level, fix=only_plain_names(fix, each.package))

@@ -77,13 +77,13 @@ def invalid_field_name(interface: InterfaceFile) -> Iterator[Hit]:
             yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else None)
     for section in interface.sections:
         for member, first in repeated(section):
-            what = "constant" if member.constant else "field"
+            what = "constant" if member.is_constant else "field"
             message = f"the {what} `{member.name}` is here twice: rosidl stops the build"
             yield Hit(path, member.name_span, message, related=(Related(path, first.name_span, "the first one"),))
 
 
 def refusal(member: Member) -> str:
-    if not member.constant:
+    if not member.is_constant:
         return f"rosidl refuses the field `{member.name}`: lowercase letters, digits and single `_`, a letter first"
     message = f"rosidl refuses the constant `{member.name}`: uppercase letters, digits and single `_`"
     return f"{message}; a default value is written without `=`: `{member.type.text} {member.name.lower()} …`"

@@ -62,7 +62,7 @@ def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit
         fix = Fix(f"add `{need.package}` to DEPENDENCIES", (edit, *looked_for)) if edit else None
         message = f"`{need.package}` is not among the DEPENDENCIES of `rosidl_generate_interfaces`"
         call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
-        level = None if need.certain else Severity.WARNING
+        level = None if need.is_certain else Severity.WARNING
         harm = "the generated code does not compile"
         yield Hit(
             need.interface.path,

@@ -44,24 +44,23 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
     """
-    if manifest.verdict.ordered:
+    if manifest.verdict.is_ordered:
         return
     edits = tuple(reorder(manifest, schema_order(manifest)))
     fix = Fix("Put the elements of package.xml in order", edits) if edits else None
     moving = misplaced(manifest.root.children)
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
-    for element in moving:
-        where = neighbour(staying, element)
+    places = [place_of(child.tag) for child in staying]
+    for number, element in enumerate(moving):
+        where = neighbour(staying, bisect_right(places, place_of(element.tag)), element)
         message = f"`<{element.tag}>` must be {where}; `colcon test` fails on it where ament_xmllint is run"
-        yield Hit(manifest.path, element.open if element.children else element.span, message, fix=fix)
+        span = element.open if element.children else element.span
+        yield Hit(manifest.path, span, message, fix=fix if number < MAX_OFFERS else None)
 
 
-def neighbour(staying: list[Element], element: Element) -> str:
-    """Return where an element belongs, by the one that it should come after or before."""
-    place = place_of(element.tag)
-    above = [each for each in staying if place_of(each.tag) <= place]
-    below = [each for each in staying if place_of(each.tag) > place]
-    if above and above[-1].span.start > element.span.start:
-        return f"after `<{above[-1].tag}>`"
-    return f"before `<{below[0].tag}>`" if below else f"after `<{above[-1].tag}>`"
+def neighbour(staying: list[Element], at: int, element: Element) -> str:
+    """Return where an element belongs: before `staying[at]`, said by the one that it should come after or before."""
+    if at and (at == len(staying) or staying[at - 1].span.start > element.span.start):
+        return f"after `<{staying[at - 1].tag}>`"
+    return f"before `<{staying[at].tag}>`"

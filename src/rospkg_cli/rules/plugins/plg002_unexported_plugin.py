@@ -108,14 +108,14 @@ def without_source(package: PluginPackage, entry: DescribedPlugin) -> Hit:
     kind, file, meant = entry.plugin.type, entry.description.file, package.suggestion(entry)
     if meant is None:
         message = (
-            f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.called}` fails; add "
+            f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails; add "
             f"`PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})` to its source, or remove it here"
         )
         return Hit(file, kind.value_span, message)
     safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
     message = (
         f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
-        f"on both sides, so loading `{entry.plugin.called}` fails; write `{meant.type}`"
+        f"on both sides, so loading `{entry.plugin.lookup_name}` fails; write `{meant.type}`"
     )
     fix = only_plain_names(Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety), meant.type)
     return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)

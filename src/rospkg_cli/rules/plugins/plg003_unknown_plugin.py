@@ -75,9 +75,9 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
     for unknown in PluginReferences(workspace).unknown():
-        if unknown.user.folder in workspace.given:
+        if unknown.user.folder in workspace.selected:
             yield at_use(unknown)
-        elif unknown.suggestion is not None and unknown.owner.folder in workspace.given:
+        elif unknown.suggestion is not None and unknown.owner.folder in workspace.selected:
             yield at_description(unknown)
 
 

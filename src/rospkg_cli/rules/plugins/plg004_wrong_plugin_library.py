@@ -91,7 +91,7 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
 
 
 def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
-    path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.called
+    path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.lookup_name
     match wrong.fault:
         case "prefixed":
             return f"`{path}` is found, and pluginlib warns at each start: remove `lib`, and write `{meant}`"
@@ -99,7 +99,7 @@ def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
             return f"`{path}` is a static library, which can't be loaded at run time: make it `SHARED`"
         case "absent":
             return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {meant} …)`"
-    if wrong.certain:
+    if wrong.is_certain:
         return f"no target makes a library `{path}`, `{plugin}` is compiled into `{meant}`: write that"
     known = [each.name for each in libraries.cmake.targets if each.is_library and each.is_built]
     hint = f" (did you mean `{meant}`?)" if meant else did_you_mean(path, known)
@@ -108,7 +108,7 @@ def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
 
 def fixed(libraries: PluginLibraries, wrong: WrongLibraryPath) -> Fix | None:
     if wrong.fault in ("prefixed", "unknown") and wrong.suggestion:
-        safety = Safety.SAFE if wrong.certain else Safety.UNSAFE
+        safety = Safety.SAFE if wrong.is_certain else Safety.UNSAFE
         edit = Edit(wrong.entry.description.file, wrong.path.value_span, wrong.suggestion)
         return Fix(f"write `{wrong.suggestion}`", (edit,), safety)
     root = libraries.cmake.root

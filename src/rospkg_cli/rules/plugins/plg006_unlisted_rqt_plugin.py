@@ -58,7 +58,7 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
         fix = listing(plugins, description, line)
         yield Hit(description.file, description.document.root.open, message, fix=fix)
     for description, others in plugins.odd():
-        at = next(each for each in description.exported if each.indexed)
+        at = next(each for each in description.exported if each.is_indexed)
         files = ", ".join(f"`{each.file}`" for each in others)
         message = f"package.xml lists {files}, and not `{description.file}`, which CMake exports as well"
         line = export_of(description)
@@ -77,5 +77,5 @@ def export_of(description: PluginDescription, tag: str = "rqt_gui") -> str:
 
 
 def listed_in(manifest: Manifest, description: PluginDescription) -> Related:
-    at = next(each for each in description.exported if not each.indexed)
+    at = next(each for each in description.exported if not each.is_indexed)
     return Related(manifest.path, at.span, "its sibling")

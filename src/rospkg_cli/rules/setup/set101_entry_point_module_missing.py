@@ -53,6 +53,6 @@ def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
 
 
 def consequence(package: PythonPackage, entry: EntryPoint) -> str:
-    if not entry.script:
+    if not entry.is_script:
         return f"the build is green, and loading `{entry.name}` ({entry.group}) raises ModuleNotFoundError"
     return f"the build is green, and `ros2 run {package.name} {entry.name}` raises ModuleNotFoundError"

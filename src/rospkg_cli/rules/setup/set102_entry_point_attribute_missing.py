@@ -48,7 +48,7 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
         names = list(file.definitions) if file else []
         near = nearest(entry.attribute.partition(".")[0], names)
         hint = f" (did you mean `{near}`?)" if near else ""
-        start = f"`ros2 run {package.name} {entry.name}`" if entry.script else f"loading `{entry.name}`"
+        start = f"`ros2 run {package.name} {entry.name}`" if entry.is_script else f"loading `{entry.name}`"
         message = (
             f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`{hint}: the build is green, and {start} "
             f"raises ImportError; define it there, or name what is"

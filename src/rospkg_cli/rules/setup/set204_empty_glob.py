@@ -58,7 +58,7 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
     pattern is `*.launch.py`; `launch/*launch.[pxy][yma]*` finds both, and XML and YAML too.
     """
     files, setup = shared.package.files, shared.package.setup
-    for glob in shared.empty_globs if not setup.makes_files else ():
+    for glob in shared.empty_globs if not setup.may_write_files else ():
         folder = folder_of(glob.pattern)
         held = sorted(path for path in files.below(folder) if "/." not in path)
         refers = shared.refers_to(folder)

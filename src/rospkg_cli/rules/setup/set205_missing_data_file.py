@@ -79,7 +79,7 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
 def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:
     """Return what keeps a file from being installed; "" where nothing does."""
     text, package = file.setup_text.text, shared.package
-    if file.absolute:
+    if file.is_absolute:
         return f"`{text}` is an absolute path: colcon stops, `data_files` must be relative to setup.py"
     if file.source is None or file in shared.markers:
         return ""

@@ -47,7 +47,7 @@ def tests_require(package: PythonPackage) -> Iterator[Hit]:
     """
     setup = package.setup
     argument = setup.argument("tests_require")
-    if argument is None or setup.extras_for_tests or not setup.texts("tests_require"):
+    if argument is None or setup.has_test_extras or not setup.texts("tests_require"):
         return
     level = Severity.WARNING if package.targets.named(lambda each: each.setuptools >= GONE) else None
     edits = move_tests_require(setup)

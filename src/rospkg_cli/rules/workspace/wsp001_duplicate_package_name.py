@@ -45,7 +45,7 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
         by_name.setdefault(facts.name, []).append((facts.folder, facts.at("package.xml")))
     for facts in workspace.packages:
         others = [path for folder, path in by_name[facts.name] if folder != facts.folder]
-        if others and facts.folder in workspace.given:
+        if others and facts.folder in workspace.selected:
             first = others[0].lstrip("/")
             message = (
                 f"`{first}` is called `{facts.name}` too: colcon refuses to build a workspace with two packages of one "

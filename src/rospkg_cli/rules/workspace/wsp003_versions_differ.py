@@ -42,7 +42,7 @@ def versions_differ(workspace: Workspace) -> Iterator[Hit]:
     """
     for each in version_mismatches(workspace):
         facts, count = each.package, len(each.others)
-        if facts.folder in workspace.given:
+        if facts.folder in workspace.selected:
             whose = f"`{each.others[0].name}` has" if count == 1 else f"{count} packages of this repository have"
             message = (
                 f"`{facts.name}` is at `{facts.version}`, and {whose} `{each.common}`: bloom releases a repository "
