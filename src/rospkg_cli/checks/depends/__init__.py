@@ -1,1 +1,1 @@
-"""Judgements over dependencies: what is needed, declared, unknown, unused."""
+"""Checks of dependencies: used and undeclared, unknown, unused, of the wrong kind."""

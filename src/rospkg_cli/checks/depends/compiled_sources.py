@@ -14,9 +14,9 @@ HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
 
 
 def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
-    """Return the files that a target is made of, the headers beside them, and what these include of the package.
+    """Return the sources of targets, installed headers, and the files of the package that they include, with roles.
 
-    Those that are there for tests alone are told apart. All files where the sources of a target can't be told.
+    Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown.
     """
     files = {source.path: source for source in sources}
     named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
@@ -73,7 +73,7 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[st
 
 
 def are_sources_known(cmake: CMake) -> bool:
-    """Return whether it can be told what every target is made of."""
+    """Return whether the sources of every target are known."""
     folders = (path_in_package(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
     words = (word.known for target in cmake.targets for word in target.sources)
     return cmake.complete and all(words) and None not in folders

@@ -1,4 +1,4 @@
-"""What dependencies are declared for, against what they are used for."""
+"""Dependencies that are declared, but not for the time when they are used (DEP201)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class WrongKind:
     path: str
     span: Span
     usage: str
-    """What is done with it there, as a sentence goes on."""
+    """What is done with it there, as the rest of a sentence: `is imported here as …`."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class DependencyKinds:
                 yield WrongKind(every[0], wanted, path, span, usage)
 
     def run_uses(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
-        """Yield what is used when the package runs, but for what other dependencies for that time bring."""
+        """Yield what is used at run time, but for what comes with other dependencies for it."""
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
         for place, names in self.imports.uses("run"):
             yield names, "exec_depend", place.path, place.span, f"is imported here as `{place.module}`"

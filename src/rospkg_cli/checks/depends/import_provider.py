@@ -1,4 +1,4 @@
-"""From an import to the dependency that it asks for."""
+"""The dependency that provides an imported Python module."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from ...ros.imports import may_serve
 from .declared_dependencies import DeclaredDependencies
 
 GENERATED = frozenset({"msg", "srv", "action"})
-"""Modules that only rosidl makes: whose import they are is a ROS package for certain."""
+"""Modules that only rosidl generates: the package that has one is certainly a ROS package."""
 
 
 def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | None:
-    """Return what to declare for an import; None where nothing is missing or nobody can tell."""
+    """Return what to declare for an import; None where nothing is missing or the provider is unknown."""
     names = () if what.optional or what.typing else import_providers(declared, what)
     if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
         return None
@@ -19,7 +19,7 @@ def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | N
 
 
 def import_providers(declared: DeclaredDependencies, what: Import) -> tuple[str, ...]:
-    """Return the names of which any serves an import, the one to recommend first."""
+    """Return the names that provide an import, any of them will do; the one to recommend first."""
     found = declared.workspace.providers_of(what.module)
     top, _, rest = what.module.partition(".")
     if not found and rest.partition(".")[0] in GENERATED and any(name[:1].isupper() for name in what.names):

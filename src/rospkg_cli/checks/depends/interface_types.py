@@ -1,4 +1,4 @@
-"""The types of other packages that interfaces are made of, against declarations."""
+"""Types of other packages in interface files that package.xml does not declare (DEP108)."""
 
 from __future__ import annotations
 

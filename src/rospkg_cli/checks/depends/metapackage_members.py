@@ -1,4 +1,4 @@
-"""What a metapackage names, against the packages of its repository."""
+"""Packages of a repository that its metapackage does not name (DEP205)."""
 
 from __future__ import annotations
 

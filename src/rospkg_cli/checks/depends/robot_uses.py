@@ -1,4 +1,4 @@
-"""Robots, layouts and parameters against declarations: the packages whose files and plugins they name."""
+"""Undeclared packages whose files and plugins robots, RViz configs and parameter files name (DEP106)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
 from ...ros.names import Known
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
-from ..launch.package_references import every_use
+from ..launch.package_references import every_reference
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_launch_packages import LaunchDependencies
 
@@ -26,16 +26,16 @@ RUN = frozenset({"depend", "exec_depend"})
 
 @dataclass(frozen=True, slots=True)
 class RobotUse:
-    """A place outside of code that names something of another package."""
+    """A place outside of code that uses a file or a plugin of another package."""
 
     path: str
     span: Span
     usage: str
-    """What is done with the package there, as a sentence goes on."""
+    """What is used there, as the rest of a sentence: `whose files are used here`."""
     consequence: str
-    """What happens where the package is not there."""
+    """What happens where the package is not installed."""
     is_optional: bool = False
-    """Whether somebody else may well choose whether it is needed at all."""
+    """Whether the package may not be needed at all."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class RobotUses:
     table: InstallTable | None
 
     def missing(self) -> dict[str, list[RobotUse]]:
-        """Return each package that is named and not declared, but for those that launch files ask for as well."""
+        """Return each package that is named and not declared, but for those that launch files use as well."""
         found: dict[str, list[RobotUse]] = {}
         if self.declared.is_checked:
             reported = self.launch.missing(tests=False)
@@ -56,16 +56,16 @@ class RobotUses:
         return merged_navigation(found)
 
     def references(self) -> Iterator[tuple[str, RobotUse]]:
-        """Yield the packages whose files a robot or a world names, where that file is of use to anybody."""
+        """Yield the packages whose files a robot or a world names, where that file is installed."""
         for robot in self.robots:
             for each in robot.references if self.is_used(robot.path) else ():
                 yield each.package, reference_use(robot.path, each)
 
     def plugins(self) -> Iterator[tuple[str, RobotUse]]:
-        """Yield the packages of plugins that are named, but for what others bring for that.
+        """Yield the packages of plugins that are named, but for those that come with others.
 
-        A layout is shown and a robot is driven by whatever is there, and parameters in a package that starts nothing
-        are there for nodes that somebody else starts.
+        They are optional in RViz configs and robots, which may be used without them, and in parameters of a package
+        that starts nothing, which are for nodes of other packages.
         """
         for use in self.declared.facts.plugin_uses:
             name = self.package_of(use) if self.is_used(use.path) else None
@@ -93,8 +93,8 @@ class RobotUses:
 
     @cached_property
     def available(self) -> frozenset[str]:
-        """What comes where the package runs, with what is declared or what its launch files name, as far as known."""
-        started = {use.name for file in self.launch.launch_files for use in every_use(file)}
+        """What comes with the declared packages and those of its launch files at run time, as far as it is known."""
+        started = {use.name for file in self.launch.launch_files for use in every_reference(file)}
         waiting = list(self.declared.names | started)
         found = set(implied_by(waiting, IN_PARAMETERS))
         while waiting:
@@ -105,7 +105,7 @@ class RobotUses:
         return frozenset(found)
 
     def is_used(self, path: str) -> bool:
-        """Return whether a file is installed, as far as that can be told."""
+        """Return whether a file is installed, or may be."""
         if self.table is None or not self.table.knows("share") or LAUNCH.search(path):
             return True
         return path in self.sources

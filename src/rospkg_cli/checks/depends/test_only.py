@@ -1,4 +1,4 @@
-"""What only tests use, and package.xml declares for more."""
+"""Dependencies that only tests use and package.xml declares for more (DEP204)."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class TestOnlyDependencies:
         declared = self.unused.declared
         python = declared.facts.build_type == "ament_python"
         cmake = self.unused.cmake
-        told = self.unused.python.complete if python else cmake is not None and self.unused.is_complete(cmake)
-        for each in declared.manifest.dependencies if declared.is_checked and told else ():
+        is_known = self.unused.python.complete if python else cmake is not None and self.unused.is_complete(cmake)
+        for each in declared.manifest.dependencies if declared.is_checked and is_known else ():
             tagged = each.tag in BUILT_IN or (each.tag == "exec_depend" and (python or each.name in TEST_TOOLS))
             if tagged and self.is_tested_with(each.name) and not self.is_used(each.name):
                 yield each
@@ -49,7 +49,7 @@ class TestOnlyDependencies:
 
     @cached_property
     def import_providers(self) -> dict[bool, frozenset[str]]:
-        """What serves the imports of tests, and those of everything else."""
+        """The providers of the imports of tests (True), and of everything else (False)."""
         found: dict[bool, set[str]] = {True: set(), False: set()}
         for file in self.unused.python.files:
             for each in file.imports:

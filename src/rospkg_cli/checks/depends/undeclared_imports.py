@@ -1,4 +1,4 @@
-"""Imports against declarations: what a package imports and does not declare."""
+"""Python imports that package.xml does not declare (DEP101, DEP102)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 
 RUNNERS = frozenset({"python3-pytest", "launch_testing"})
-"""What runs the tests: who brings it is made for that."""
+"""What runs the tests: it is fine if it comes with another dependency."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
@@ -33,9 +33,9 @@ class UndeclaredImport:
     name: str
     places: tuple[ImportUse, ...]
     also_provides: tuple[str, ...] = ()
-    """What is missing as well, and is there with this one."""
+    """What is undeclared as well and comes with this one."""
     provided_by: str = ""
-    """What is declared and brings it."""
+    """The declared dependency that it comes with."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +46,11 @@ class ImportDependencies:
     python: PackageImports
 
     def missing(self) -> list[UndeclaredImport]:
-        """Return what installed modules and scripts import without its being declared, in the order of the files."""
+        """Return what installed modules and scripts import undeclared, in the order of the files."""
         return [UndeclaredImport(name, tuple(places)) for name, places in self.undeclared("run").items()]
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
-        """Return what tests alone import without its being declared, but for what others that are missing bring."""
+        """Return what only tests import undeclared, but for what comes with other undeclared names."""
         installed = self.undeclared("run")
         found = {name: p for name, p in self.undeclared("test").items() if name not in installed}
         result = []
@@ -64,7 +64,7 @@ class ImportDependencies:
         return result
 
     def missing_in_setup(self) -> list[UndeclaredImport]:
-        """Return what setup.py itself imports without its being declared, but for the tools that run it."""
+        """Return what setup.py itself imports undeclared, but for the tools that run it."""
         found: dict[str, list[ImportUse]] = {}
         python = self.declared.facts.build_type == "ament_python"
         for file in self.python.files if python else ():
@@ -77,7 +77,7 @@ class ImportDependencies:
         return [UndeclaredImport(name, tuple(places)) for name, places in found.items()]
 
     def uses(self, role: Role) -> Iterator[tuple[ImportUse, tuple[str, ...]]]:
-        """Yield what files of a role import and can't do without, and what serves it."""
+        """Yield the imports of files of a role that are not optional, with their providers."""
         for file in self.python.files:
             for each in file.imports if file.role == role else ():
                 names = () if each.optional or each.typing else import_providers(self.declared, each)

@@ -1,4 +1,4 @@
-"""Launch files against declarations: the packages that they need and package.xml does not name."""
+"""Packages that launch files use and package.xml does not declare (DEP103)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...package.python.python_imports import OwnModules, PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import Known
-from ..launch.package_references import NAME, PackageUse, package_uses
+from ..launch.package_references import NAME, PackageReference, package_references
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
@@ -37,7 +37,7 @@ class LaunchDependencies:
     python: PackageImports
 
     def role(self, path: str) -> Role:
-        """Return what a launch file is there for; one that lies about and is not installed is for nobody."""
+        """Return the role of a launch file; `aside` if it is in no launch folder and not installed."""
         role = role_of(path)
         if path in self.test_files or role == "test":
             return "test"
@@ -46,9 +46,9 @@ class LaunchDependencies:
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
 
     def is_example(self, path: str) -> bool:
-        """Return whether a launch file calls itself an example: not everybody who installs the package starts it.
+        """Return whether a launch file is called an example, which not all users start.
 
-        MoveIt's `demo.launch.py` is the one that everybody starts.
+        MoveIt's `demo.launch.py` is none: it is the one that all users start.
         """
         name = ENDING.sub("", path.rpartition("/")[2])
         return name != "demo" and EXAMPLE.search(name) is not None
@@ -68,49 +68,49 @@ class LaunchDependencies:
         return self.declared.workspace.names | self.declared.names
 
     def is_unknown_package(self, name: str) -> bool:
-        """Return whether nobody knows a package of that name."""
+        """Return whether no package of that name is known."""
         workspace = self.declared.workspace
         return not workspace.is_available(name) and workspace.kind_of(name) is not Known.PACKAGE
 
-    def missing(self, *, tests: bool) -> dict[str, list[PackageUse]]:
+    def missing(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return each package that is needed and not declared, with the places that need it."""
         if not self.declared.is_checked:
             return {}
         there = implied_by(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
-        found: dict[str, list[PackageUse]] = {}
+        found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
             if not self.declared.has([use.name]) and use.name not in there:
                 found.setdefault(use.name, []).append(use)
         return found
 
-    def nodes_in_code(self) -> dict[str, list[PackageUse]]:
-        """Return each package that installed code describes nodes of, and that is not declared and not missing anyway.
+    def nodes_in_code(self) -> dict[str, list[PackageReference]]:
+        """Return the undeclared packages that only installed code describes nodes of, with the places.
 
-        Such code writes or makes launches for others, who may declare what they start.
+        Such code generates launch files for other packages, which may declare what they start.
         """
-        found: dict[str, list[PackageUse]] = {}
+        found: dict[str, list[PackageReference]] = {}
         if self.declared.is_checked:
             there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
             launches = {file.path for file in self.launch_files if file.nodes}
             for file in self.python.files:
                 for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
                     if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
-                        use = PackageUse(node.package, file.path, node.span, "describes a node of")
+                        use = PackageReference(node.package, file.path, node.span, "describes a node of")
                         found.setdefault(node.package, []).append(use)
             found = {name: uses for name, uses in found.items() if name not in there}
         return found
 
-    def uses(self, *, tests: bool) -> Iterator[PackageUse]:
+    def uses(self, *, tests: bool) -> Iterator[PackageReference]:
         """Yield what launch files need: those of tests, or the others."""
         for file in self.launch_files:
             if self.role(file.path) == ("test" if tests else "launch"):
-                yield from package_uses(file)
+                yield from package_references(file)
                 yield from () if tests else self.import_uses(file)
 
-    def import_uses(self, file: LaunchFile) -> Iterator[PackageUse]:
-        """Yield what a Python launch file imports, by the declared name that serves it or by the one to declare.
+    def import_uses(self, file: LaunchFile) -> Iterator[PackageReference]:
+        """Yield what a Python launch file imports, by the declared provider or by the one to declare.
 
-        One that stands among the modules is held against the manifest as these are.
+        The imports of a launch file among the Python modules are DEP101's.
         """
         if role_of(file.path) == "run":
             return
@@ -122,4 +122,4 @@ class LaunchDependencies:
             declared = next((name for name in names if name in self.declared.names), None)
             if declared or not any(may_serve(name, each.module) for name in self.declared.names):
                 for name in (declared,) if declared else names[:1]:
-                    yield PackageUse(name, file.path, each.span, f"imports `{each.module}` of")
+                    yield PackageReference(name, file.path, each.span, f"imports `{each.module}` of")

@@ -1,4 +1,4 @@
-"""Every word of a package's texts, by what the text is there for: the traces that a use leaves, whatever it is."""
+"""Every word of a package's text files, by the purpose of the file: a use of any kind leaves a word there."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class WordIndex:
         return {purpose: frozenset(words) for purpose, words in found.items()}
 
     def purpose(self, path: str) -> Purpose | None:
-        """Return what a file is there for; None for what is no text, or what CMake's calls tell better."""
+        """Return the purpose of a file; None for what is no text, or is read as calls of CMake."""
         suffix = PurePosixPath(path).suffix
         if path.rpartition("/")[2].upper().startswith("CHANGELOG"):
             return None
@@ -64,5 +64,5 @@ class WordIndex:
         return None
 
     def has(self, name: str, *purposes: Purpose) -> bool:
-        """Return whether texts of one of some purposes have a name; of any where none is given."""
+        """Return whether files of one of some purposes (default: of all) have a name."""
         return any(name in self.by_purpose[purpose] for purpose in purposes or self.by_purpose)

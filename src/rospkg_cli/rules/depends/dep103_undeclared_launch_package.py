@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
-from ...checks.launch.package_references import PackageUse
+from ...checks.launch.package_references import PackageReference
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -85,7 +85,7 @@ def undeclared(
     launch: LaunchDependencies,
     tag: str,
     name: str,
-    uses: list[PackageUse],
+    uses: list[PackageReference],
     who: str = "this launch file",
     *,
     mild: bool = False,
@@ -104,7 +104,7 @@ def undeclared(
     return Hit(first.path, first.span, message, level, related, fix)
 
 
-def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageUse]]) -> Hit:
+def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageReference]]) -> Hit:
     """Ask for ros2launch once, whatever of launch itself is missing."""
     first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
     line = "<exec_depend>ros2launch</exec_depend>"

@@ -38,7 +38,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     A dependency for tests is not installed with a released package, one for running is not there when it is built.
 
     ## Fix safety
-    The missing tag is added, or `exec_depend` becomes `depend`; another split of tags may be meant.
+    The missing tag is added, or `exec_depend` becomes `depend`; another split of tags may be right.
 
     ## References
     - REP-149, Dependencies

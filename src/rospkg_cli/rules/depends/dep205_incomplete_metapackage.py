@@ -61,8 +61,8 @@ def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     for each in metapackage.missing():
         line = f"<{metapackage.tag}>{each.name}</{metapackage.tag}>"
         message = (
-            f"the metapackage `{facts.name}` does not name `{each.name}`, but nearly all other packages of "
-            f"the repository: installing `{facts.name}` does not install it; add {line}"
+            f"`{each.name}` is not named by the metapackage `{facts.name}`, and nearly all other packages of the "
+            f"repository are: installing `{facts.name}` does not install it; add {line}"
         )
         fix = Fix(f"add {line}", (add_dependency(manifest, metapackage.tag, each.name),), Safety.UNSAFE)
         yield Hit(manifest.path, facts.name_span, message, fix=fix)
