@@ -99,7 +99,7 @@ def test_what_cmake_accepts(text: str) -> None:
         ("a([[b]]«c»)\n", "a blank is missing"),
         ("a(#[[b]]«c»)\n", "a blank is missing"),
         ("a()\n«<<<<<<<» HEAD\nb()\n", "merge conflict"),
-        ("«\u00a0a»()\n", "stands where a command should begin"),
+        ("«\u00a0a»()\n", "is where a command should begin"),
     ],
 )
 def test_the_place_of_a_fault(text: str, said: str) -> None:

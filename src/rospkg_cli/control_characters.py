@@ -50,7 +50,7 @@ def is_plain(text: str) -> bool:
 
 
 def without_workflow_commands(text: str) -> str:
-    """Escape lines that begin with `::`, which GitHub's runner takes for commands; for text that is already laid out."""
+    """Escape lines that begin with `::`, commands of GitHub's runner; for text that is already laid out."""
     return re.sub(COMMAND, r"\1\\x3a", text) if "::" in text else text
 
 

@@ -44,6 +44,8 @@ def decode(data: bytes) -> DecodedText:
     Raises UnicodeError where that fails.
     """
     bom, encoding = b"", ""
+    if data.startswith((codecs.BOM_UTF32_LE, codecs.BOM_UTF32_BE)):
+        raise UnicodeError("the file is in UTF-32, which no tool of ROS reads; save it as UTF-8")
     for mark, name in BOMS:
         if data.startswith(mark):
             bom, encoding = mark, name
@@ -65,7 +67,7 @@ def detect_utf16(body: bytes) -> str:
 
 
 def declared_encoding(body: bytes) -> str:
-    """Return the encoding that a header names; raises UnicodeError for an unknown one, and for one that the bytes are not in."""
+    """Return the encoding that a header names; raises UnicodeError for an unknown or a wrong one."""
     found = DECLARED.match(body) or CODING.match(body)
     if found is None:
         return "utf-8"

@@ -1,4 +1,4 @@
-"""What tools write into a working tree and is not the package's source: builds, environments, caches, temporary files."""
+"""What tools leave in a working tree that is not source: builds, environments, caches, temporary files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BUILD_FOLDERS = {
     "install": re.compile(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
     "log": re.compile(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
 }
-"""Output folders of colcon and setuptools, with names that mark one; a folder of that name without them belongs to the package."""
+"""Output folders of colcon and setuptools, with names in them that mark one as output."""
 
 STRAY = re.compile(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""

@@ -23,6 +23,6 @@ def export_dependency(cmake: CMake, name: str, *, first: bool) -> Edit | None:
     if not first:
         return None
     others = exports or [each for each in commands if each.name.startswith("ament_export_")]
-    if beside:
+    if others:
         return add_after(root, others[-1], f"ament_export_dependencies({name})")
     return add_rule(cmake, f"ament_export_dependencies({name})")

@@ -15,7 +15,7 @@ from .cmake_commands import add_argument
 
 
 def add_interface_file(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
-    """Add an interface file among those of its kind, sorted where they are; None where the call lists none of its kind."""
+    """Add an interface file among those of its kind, sorted where they are; None where none is listed."""
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
     like = of_kind or list(generated.listed)

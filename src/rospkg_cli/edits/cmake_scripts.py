@@ -11,7 +11,7 @@ SHEBANG = "#!/usr/bin/env python3\n"
 
 
 def make_executable(scripts: InstalledScripts, script: BrokenScript) -> tuple[Operation, ...]:
-    """Return the operations that make a script executable: PROGRAMS for FILES, a first line, the executable bit, or keeping the bits."""
+    """Return the operations that make a script executable: PROGRAMS for FILES, a first line, or the executable bit."""
     cmake, copy = scripts.package.cmake, script.copy
     match script.wrong:
         case "files":

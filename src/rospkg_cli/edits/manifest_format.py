@@ -43,8 +43,10 @@ def add_schema_line(manifest: Manifest, format: int) -> Edit:
 
 
 def replace_run_depend(manifest: Manifest) -> tuple[Edit, ...]:
-    """Return the edits that replace run_depend: by depend where there is a build_depend too, else by build_export_depend and
-    exec_depend."""
+    """Return the edits that replace run_depend.
+
+    By depend where there is a build_depend too, else by build_export_depend and exec_depend.
+    """
     edits: list[Edit] = []
     builds = {d.key: d for d in manifest.dependencies if d.tag == "build_depend"}
     for each in manifest.dependencies:

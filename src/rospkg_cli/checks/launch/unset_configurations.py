@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Literal
 
 from ...package.file_role import role_of
-from ...package.launch.configuration_events import Event
+from ...package.launch.configuration_events import LaunchEvent
 from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.workspace import Workspace
 from ...source import Span
@@ -23,7 +23,7 @@ OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeo
 
 
 @dataclass(frozen=True, slots=True)
-class Unset:
+class UnsetConfiguration:
     name: str
     span: Span
     state: State
@@ -34,7 +34,7 @@ class Unset:
 
 
 @dataclass(frozen=True)
-class Configurations:
+class LaunchConfigurations:
     workspace: Workspace
     file: LaunchFile
 
@@ -54,7 +54,7 @@ class Configurations:
         named = "include" in self.file.path.rpartition("launch/")[2]
         return named or self.file_name in self.workspace.launch.included
 
-    def unset(self) -> Iterator[Unset]:
+    def unset(self) -> Iterator[UnsetConfiguration]:
         """Yield each name once, where it is first asked for."""
         if not self.started:
             return
@@ -69,9 +69,9 @@ class Configurations:
                 seen.add(event.name)
                 state = self.state(event.name, events, index)
                 if state is not None:
-                    yield Unset(event.name, event.span, state, declared, event.passed_as == event.name)
+                    yield UnsetConfiguration(event.name, event.span, state, declared, event.passed_as == event.name)
 
-    def state(self, name: str, events: tuple[Event, ...], index: int) -> State | None:
+    def state(self, name: str, events: tuple[LaunchEvent, ...], index: int) -> State | None:
         """Return why a name is not set at an event; None where it is, for all that can be told, set in some scope."""
         if any(each.kind == "open" for each in events):
             return "late" if any(each.kind == "declare" and each.name == name for each in events[index:]) else None
@@ -82,7 +82,7 @@ class Configurations:
             return None
         return "not added" if name in self.file.set_somewhere else "undeclared"
 
-    def missing(self, events: tuple[Event, ...], known: frozenset[str]) -> Iterator[tuple[int, Event]]:
+    def missing(self, events: tuple[LaunchEvent, ...], known: frozenset[str]) -> Iterator[tuple[int, LaunchEvent]]:
         """Yield the uses of what nothing has set by then."""
         names, open_ = set(known), False
         stack: list[tuple[set[str], bool]] = []

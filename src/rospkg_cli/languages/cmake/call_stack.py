@@ -26,7 +26,7 @@ INSTALL_DIRS = {
 """What GNUInstallDirs sets, below any prefix but /usr."""
 
 PYTHON = "lib/python"
-"""A placeholder for the folder of Python packages, whose name depends on the Python version: `lib/python3.12/site-packages`."""
+"""A placeholder for `lib/python3.12/site-packages`, whose name depends on the version of Python."""
 
 CONSTANTS = {
     "CMAKE_INSTALL_PREFIX": PREFIX,

@@ -56,7 +56,7 @@ class InterpreterContext:
                 return None
 
     def is_made(self, target: str) -> Truth:
-        """Return whether a target is there; for one that is only made for tests, that is known only where tests are built."""
+        """Return whether a target exists; for a test's target that is known only where tests are built."""
         for_tests = self.interpreter.targets.get(target)
         if for_tests is None or (for_tests and not self.interpreter.frame.testing and self.interpreter.assume != "ON"):
             return None

@@ -89,7 +89,7 @@ class InterpreterState:
         self.spend(self.scope.unite(ends))
 
     def value(self, name: str) -> Value:
-        """Return the value of `${name}`: empty where only the package sets it, later; UNKNOWN for other variables that are not set."""
+        """Return the value of `${name}`; without one, empty if only the package sets it, else UNKNOWN."""
         found = self.value_if_set(name)
         if found is not None:
             return found

@@ -53,7 +53,7 @@ class CMakeToken:
 def tokens(text: str, at: int = 0) -> Iterator[CMakeToken]:
     """Yield the tokens of a text from an offset on.
 
-    A string or a bracket that is never closed is one `bad` token up to the end; an unexpected character is a `bad` token too.
+    A string or a bracket that is never closed is one `bad` token up to the end; so is an unexpected character.
     """
     while at < len(text):
         token = next_token(text, at)

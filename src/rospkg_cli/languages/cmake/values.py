@@ -160,7 +160,7 @@ def limited(value: Value) -> Value:
 def merge_branches(values: Sequence[Value]) -> Value:
     """Return what a variable holds after branches that ended with these values.
 
-    Elements that only some branches have become `maybe`; where none of the values contains all the others, the result is UNKNOWN.
+    Elements that only some branches have become `maybe`; UNKNOWN where no value contains all the others.
     """
     first = values[0]
     if all(texts(value) == texts(first) for value in values):

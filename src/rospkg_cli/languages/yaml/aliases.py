@@ -16,7 +16,10 @@ ResolvedNode = ScalarNode | SequenceNode | MappingNode
 
 
 def read_resolved(source: Source) -> ResolvedNode | None:
-    """Return the one document of a file, None where there is none; raises UnreadableError for several documents and for invalid YAML."""
+    """Return the one document of a file, None for an empty file.
+
+    Raises UnreadableError for several documents and for invalid YAML.
+    """
     roots = documents(source)
     if len(roots) > 1:
         at = first_character(roots[1])

@@ -11,11 +11,11 @@ from ...files import ReaderInput
 from ...languages.python.file import Import, PythonFile
 from ...languages.syntax_problem import SyntaxProblem
 from ...source import Source, Span
-from .configuration_events import Event, Summary, summary
+from .configuration_events import ConfigurationSummary, LaunchEvent, summary
 from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import guarded_in
-from .file_references import NamedPath
+from .file_references import FileReference
 from .text import LaunchText, Substitution
 
 Frontend = Literal["python", "xml", "yaml"]
@@ -23,7 +23,7 @@ NodeKind = Literal["node", "lifecycle_node", "node_container", "composable_node"
 
 
 @dataclass(frozen=True)
-class Parameters:
+class NodeParameters:
     """One entry of a node's parameters: a file, or values by name."""
 
     span: Span
@@ -45,7 +45,7 @@ class LaunchedNode:
     """The class of a component."""
     name: LaunchText | None = None
     namespace: LaunchText | None = None
-    parameters: tuple[Parameters, ...] = ()
+    parameters: tuple[NodeParameters, ...] = ()
     remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
     arguments: tuple[LaunchText, ...] = ()
     certain: bool = True
@@ -93,7 +93,7 @@ class LaunchFile:
     """Every substitution, also those inside of others."""
     assigned: tuple[LaunchText, ...] = ()
     """Names of launch configurations that the file sets itself."""
-    paths: tuple[NamedPath, ...] = ()
+    paths: tuple[FileReference, ...] = ()
     """The files that it names."""
     complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
@@ -101,7 +101,7 @@ class LaunchFile:
     """Whether it is written for ROS 1."""
     entry: bool = True
     """Whether it has what launch asks of it: in Python, `generate_launch_description`."""
-    events: tuple[Event, ...] | None = None
+    events: tuple[LaunchEvent, ...] | None = None
     """What happens to launch configurations, in order; None where that is unknown."""
     evaluated: EvaluatedLaunch | None = None
     """Of a Python file: every call that it makes. What a check needs to know besides the fields above comes from it."""
@@ -161,7 +161,7 @@ def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     return frozenset((package, executable) for file in files for package, executable, _ in file.programs())
 
 
-def launch_summaries(reading: ReaderInput) -> tuple[Summary, ...]:
+def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:
     """Return what other launch files may know of those of a package."""
     files = [file for file in reading.parts(LaunchFile).good if not file.ros1]
     return tuple(

@@ -59,7 +59,7 @@ class SandboxFilesystem:
         return whole[len(ROOT) + 1 :]
 
     def kind(self, path: str) -> Kind | None:
-        """Return the kind of a path inside the package; None where there is nothing; raises OutsideError below a link."""
+        """Return the kind of a path in the package, None where there is nothing; raises OutsideError below a link."""
         if not path:
             return "dir"
         if len(path) > MAX_PATH:
@@ -79,7 +79,7 @@ class SandboxFilesystem:
         return self.files.tree.files().get(path) != "linked-dir"
 
     def names(self, path: str) -> list[str]:
-        """Return the names in a folder, sorted; an empty list where there is no such folder; raises OutsideError at a link."""
+        """Return the names in a folder, sorted; [] where there is no folder; raises OutsideError at a link."""
         if self.kind(path) == "unknown":
             raise OutsideError(f"`{path}` is a link to a folder")
         names = self.children.get(path, {})
@@ -136,7 +136,7 @@ class SandboxFilesystem:
 
 
 def glob_matches(name: str, pattern: str) -> bool:
-    """Return whether a name matches a pattern by the rules of glob: hidden names only where the pattern begins with a dot."""
+    """Return whether glob matches a name: a hidden one only where the pattern begins with a dot."""
     return (pattern.startswith(".") or not name.startswith(".")) and bool(compile_glob(pattern).match(name))
 
 
