@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.missing_references import LaunchScope
+from rospkg_cli.checks.launch.missing_references import LaunchContext
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.xml.parser import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
-from rospkg_cli.package.launch.configuration_events import Summary
+from rospkg_cli.package.launch.configuration_events import ConfigurationSummary
 from rospkg_cli.package.launch.launch_evaluator import LaunchEvaluator
 from rospkg_cli.package.launch.python_events import MAX_VISITS, ExecutionOrder
 from rospkg_cli.package.launch.read_python import read_python_launch
-from rospkg_cli.package.launch.workspace_launch_files import LaunchFiles
+from rospkg_cli.package.launch.workspace_launch_files import WorkspaceLaunchFiles
 from rospkg_cli.package.setup.setup_cfg import parse_setup_cfg
 from rospkg_cli.source import Source
 from rospkg_cli.tree import MemoryTree
@@ -74,7 +74,9 @@ def test_an_option_of_blanks_is_skipped() -> None:
 
 def test_files_that_include_each_other_are_followed_once() -> None:
     names = [f"{i}.launch.xml" for i in range(200)]
-    files = LaunchFiles(Summary(name, frozenset({name}), frozenset(names), False) for name in names)
+    files = WorkspaceLaunchFiles(
+        ConfigurationSummary(name, frozenset({name}), frozenset(names), False) for name in names
+    )
     first = files.defined_by(names[0])
     assert first == frozenset(names)
     assert all(files.defined_by(names[0]) is first for _ in range(100_000))
@@ -86,6 +88,6 @@ def test_files_that_include_each_other_are_followed_once() -> None:
 def test_a_manifest_that_is_no_text_breaks_no_launch_rule() -> None:
     """LCH006 asks package.xml whether the package is one for ROS 1 too."""
     tree = MemoryTree.of({"launch/a.launch": "<launch><node pkg='a' type='b' name='c'/></launch>\n"})
-    scope = LaunchScope(*[None] * 6)  # type: ignore[arg-type]
+    scope = LaunchContext(*[None] * 6)  # type: ignore[arg-type]
     object.__setattr__(scope, "files", PackageFiles(tree))
     assert scope.left_over is False

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...package.launch.file_references import paths_in
+from ...package.launch.file_references import references_in
 from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
 from ...source import Span
 from ...suggest import nearest
-from .missing_references import LaunchScope
+from .missing_references import LaunchContext
 
 Key = tuple[str, str]
 """The folder of a package, and the source of a launch file in it."""
 
 
 @dataclass(frozen=True, slots=True)
-class Mismatch:
+class ArgumentMismatch:
     span: Span
     file: str
     """The name of the included file."""
@@ -29,10 +29,10 @@ class Mismatch:
 
 
 @dataclass(frozen=True)
-class Including:
-    scope: LaunchScope
+class IncludeArguments:
+    scope: LaunchContext
 
-    def mismatches(self) -> Iterator[Mismatch]:
+    def mismatches(self) -> Iterator[ArgumentMismatch]:
         """Yield the arguments that includes give in vain, and those that they lack, as far as that can be told."""
         for include in self.scope.file.includes if not (self.scope.file.ros1 or self.scope.idle) else ():
             target = self.target(include)
@@ -42,7 +42,7 @@ class Including:
 
     def target(self, include: Include) -> tuple[str, LaunchSignature] | None:
         folder = self.scope.file.path.rpartition("/")[0]
-        named = next(paths_in(include.file, folder, "include"), None)
+        named = next(references_in(include.file, folder, "include"), None)
         return self.find(self.scope.package.name, named.package, named.path) if named is not None else None
 
     def find(self, own: str, package: str, path: str) -> tuple[str, LaunchSignature] | None:
@@ -53,17 +53,17 @@ class Including:
                 return facts.name, each
         return None
 
-    def judge(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[Mismatch]:
+    def judge(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[ArgumentMismatch]:
         name = signature.source.rpartition("/")[2]
         given = {text.literal: text for text, _ in include.arguments}
         takes = self.takes(package, signature, set())
         for argument, text in given.items():
             if argument and takes is not None and argument not in takes:
                 free = signature.declared - given.keys()
-                yield Mismatch(text.span, name, package, argument, False, nearest(argument, free))
+                yield ArgumentMismatch(text.span, name, package, argument, False, nearest(argument, free))
         for argument in sorted(signature.required - given.keys()):
             if include.complete and None not in given:
-                yield Mismatch(include.span, name, package, argument, True)
+                yield ArgumentMismatch(include.span, name, package, argument, True)
 
     def takes(self, package: str, signature: LaunchSignature, seen: set[Key]) -> frozenset[str] | None:
         """Return all that a file and what it includes declare or use; None where that can't be told."""

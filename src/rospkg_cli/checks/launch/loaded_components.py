@@ -32,7 +32,7 @@ class UnknownComponent:
 
 
 @dataclass(frozen=True)
-class Loaded:
+class LoadedComponents:
     workspace: Workspace
     file: LaunchFile
 

@@ -12,7 +12,7 @@ from ...files import PackageFiles
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
-from ...package.launch.file_references import NamedPath, Use
+from ...package.launch.file_references import FileReference, ReferenceKind
 from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -24,7 +24,7 @@ State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
 
 @dataclass(frozen=True, slots=True)
-class Missing:
+class MissingReference:
     """A file that is named and won't be there."""
 
     span: Span
@@ -32,7 +32,7 @@ class Missing:
     path: str
     """Relative to the share directory of the package."""
     state: State
-    use: Use
+    use: ReferenceKind
     meant: str | None = None
     """The file that was probably meant, or where the file goes that stands at the path in the source."""
     again: tuple[Span, ...] = ()
@@ -40,7 +40,7 @@ class Missing:
 
 
 @dataclass(frozen=True)
-class LaunchScope:
+class LaunchContext:
     file: LaunchFile
     files: PackageFiles
     package: PackageFacts
@@ -71,9 +71,9 @@ class LaunchScope:
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
         return self.file.ros1 and bool(self.places) and alone
 
-    def missing(self) -> Iterator[Missing]:
+    def missing(self) -> Iterator[MissingReference]:
         """Yield each file that is named and is not there, once, as far as that can be told."""
-        found: dict[tuple[str, str], list[Missing]] = {}
+        found: dict[tuple[str, str], list[MissingReference]] = {}
         for named in self.file.paths if not (self.file.ros1 or self.idle) else ():
             missing = self.judge(named) if not self.file.reckons_with(named.span) else None
             if missing is not None:
@@ -81,7 +81,7 @@ class LaunchScope:
         for first, *others in found.values():
             yield replace(first, again=tuple(other.span for other in others if other.span != first.span))
 
-    def judge(self, named: NamedPath) -> Missing | None:
+    def judge(self, named: FileReference) -> MissingReference | None:
         if not named.package:
             return self.beside(named)
         own = named.package == self.package.name
@@ -90,11 +90,11 @@ class LaunchScope:
             return None
         there = named.path in facts.share_files
         if not named.parted:
-            return Missing(named.span, facts.name, named.path, "no slash", named.use) if there else None
+            return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
         if there:
             return None
         state, meant = self.state(facts, named.path)
-        return Missing(named.span, facts.name, named.path, state, named.use, meant)
+        return MissingReference(named.span, facts.name, named.path, state, named.use, meant)
 
     def state(self, facts: PackageFacts, path: str) -> tuple[State, str | None]:
         if facts is self.package and self.files.is_there(path):
@@ -109,7 +109,7 @@ class LaunchScope:
         rows = self.table.rows if self.table is not None else ()
         return next((row.destination for row in rows if row.source == path), None)
 
-    def beside(self, named: NamedPath) -> Missing | None:
+    def beside(self, named: FileReference) -> MissingReference | None:
         """Judge a file that is reckoned from the launch file: from where it stands, and from where it is installed."""
         if self.files.is_there(named.path) or self.package.may_write(named.path):
             return None
@@ -120,4 +120,4 @@ class LaunchScope:
             if posixpath.normpath(posixpath.join(posixpath.dirname(place), away)) in self.package.share_files:
                 return None
         meant = closest_path(named.path, self.files.paths)
-        return Missing(named.span, self.package.name, named.path, "absent", named.use, meant)
+        return MissingReference(named.span, self.package.name, named.path, "absent", named.use, meant)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...source import Span
 from ...suggest import nearest
-from .missing_references import LaunchScope
+from .missing_references import LaunchContext
 
 
 @dataclass(frozen=True, slots=True)
-class StartedNode:
+class ExecutableUse:
     """A node whose package is one of the workspace and whose executable is literal."""
 
     path: str
@@ -36,19 +36,19 @@ class StartedNode:
 
 
 @dataclass(frozen=True)
-class Started:
-    scope: LaunchScope
+class NodeExecutables:
+    scope: LaunchContext
 
-    def nodes(self) -> Iterator[StartedNode]:
+    def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
         file = self.scope.file
         for package, executable, span in file.programs():
             facts = self.scope.workspace.named(package)
             if facts is not None:
                 plain = file.source.slice(span) == executable
-                yield StartedNode(file.path, span, executable, plain, facts)
+                yield ExecutableUse(file.path, span, executable, plain, facts)
 
-    def unknown_executables(self) -> Iterator[StartedNode]:
+    def unknown_executables(self) -> Iterator[ExecutableUse]:
         """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere.
 
         Launch files of tests that CMake does not run are left alone.

@@ -17,7 +17,7 @@ PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 
 
 @dataclass(frozen=True, slots=True)
-class PackageUse:
+class PackageReference:
     """A package that a launch file needs, and where it says so."""
 
     name: str
@@ -27,17 +27,17 @@ class PackageUse:
     """What the file does with it, as a sentence goes on: "starts a node of"."""
 
 
-def package_uses(file: LaunchFile) -> Iterator[PackageUse]:
+def package_references(file: LaunchFile) -> Iterator[PackageReference]:
     """Yield the packages that are named for certain, in the order of the text; none of a file for ROS 1."""
     if file.ros1:
         return
-    found = {(use.name, use.span): use for use in every_use(file)}
+    found = {(use.name, use.span): use for use in every_reference(file)}
     for use in sorted(found.values(), key=lambda each: each.span):
         if not any(guard.start <= use.span.start < guard.end for guard in file.guarded):
             yield use
 
 
-def every_use(file: LaunchFile) -> Iterator[PackageUse]:
+def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
     for node in file.nodes:
         does = "loads a component of" if node.kind == "composable_node" else "starts a node of"
         yield from named(file, node.package, does)
@@ -47,13 +47,13 @@ def every_use(file: LaunchFile) -> Iterator[PackageUse]:
         yield from run_by(file, list(command.words))
 
 
-def named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageUse]:
+def named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:
     name = text.literal if text is not None else None
     if text is not None and name and NAME.fullmatch(name):
-        yield PackageUse(name, file.path, text.span, does)
+        yield PackageReference(name, file.path, text.span, does)
 
 
-def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageUse]:
+def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageReference]:
     match each:
         case Substitution(name="find-pkg-share" | "find-pkg-prefix", arguments=(package, *_)):
             yield from named(file, package, "looks for files of")
@@ -65,7 +65,7 @@ def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageUse]:
             yield from run_by(file, [command])
 
 
-def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageUse]:
+def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReference]:
     """Yield what a command needs: the package of its program, and of `ros2 run` and `ros2 launch`."""
     first = next((word.parts[0] for word in words if word.parts), None)
     if isinstance(first, Literal):
@@ -77,13 +77,13 @@ def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageUse]:
                 if first.span.end - first.span.start == len(first.text)
                 else first.span
             )
-            yield PackageUse(PROGRAMS[program], file.path, span, f"runs `{program}` of")
+            yield PackageReference(PROGRAMS[program], file.path, span, f"runs `{program}` of")
     literals = [word.literal for word in words]
     if literals[:1] == ["ros2"] and literals[1:2] in (["run"], ["launch"]):
         yield from named(file, words[2] if len(words) > 2 else None, "runs a program of")
 
 
-def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageUse]:
+def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageReference]:
     name = program.literal
     if name in PROGRAMS:
-        yield PackageUse(PROGRAMS[name], file.path, program.span, f"runs `{name}` of")
+        yield PackageReference(PROGRAMS[name], file.path, program.span, f"runs `{name}` of")

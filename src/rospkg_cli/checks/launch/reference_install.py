@@ -10,12 +10,12 @@ from ...package.cmake.cmake_project import CMake
 from ...package.setup.setup_py import SetupPy
 from ..cmake.share_folders import RuntimeFolders
 from ..setup.share_files import ShareFiles, folder_of
-from .missing_references import LaunchScope, Missing
+from .missing_references import LaunchContext, MissingReference
 
 
 @dataclass(frozen=True)
-class LaunchedFiles:
-    scope: LaunchScope
+class ReferenceInstall:
+    scope: LaunchContext
     shared: ShareFiles | None
     folders: RuntimeFolders | None
 
@@ -31,13 +31,13 @@ class LaunchedFiles:
     def setup(self) -> SetupPy | None:
         return self.shared.package.setup if self.shared is not None and self.cmake is None else None
 
-    def missing(self) -> Iterator[Missing]:
+    def missing(self) -> Iterator[MissingReference]:
         """Yield what is named, is there, and is not installed, and of which nothing else speaks."""
         for each in self.scope.missing():
             if each.state in ("not installed", "elsewhere") and not self.is_said(each):
                 yield each
 
-    def is_said(self, missing: Missing) -> bool:
+    def is_said(self, missing: MissingReference) -> bool:
         """Return whether a finding at the install rules says so.
 
         CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.

@@ -19,7 +19,7 @@ FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
 
 @dataclass(frozen=True, slots=True)
-class Unbound:
+class UndefinedName:
     """A use of a name that has no meaning where it stands."""
 
     name: str
@@ -28,21 +28,21 @@ class Unbound:
     """The names that do have one there, without Python's own."""
 
 
-def undefined_names(file: PythonFile) -> Iterator[Unbound]:
+def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
     """Yield uses of names that no scope around them binds; none where a file may have names that it does not show."""
     if file.stars or file.dynamic or any("*" in each.names for each in file.imports):
         return
     top = set(file.definitions)
     if any(isinstance(node, ast.Name) and node.id in ("exec", "eval", "locals") for node in ast.walk(file.tree)):
         return
-    for name in Names(frozenset(top)).in_body(file.tree.body, frozenset(top)):
-        yield Unbound(name[0].id, file.span(name[0]), name[1])
+    for name in NameVisitor(frozenset(top)).in_body(file.tree.body, frozenset(top)):
+        yield UndefinedName(name[0].id, file.span(name[0]), name[1])
 
 
 Found = tuple[ast.Name, frozenset[str]]
 
 
-class Names:
+class NameVisitor:
     """Walks scopes with the names that each of them sees."""
 
     def __init__(self, top: frozenset[str]) -> None:

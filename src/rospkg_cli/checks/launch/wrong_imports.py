@@ -16,7 +16,7 @@ OPEN = frozenset({"launch_ros.parameter_descriptions", "ament_index_python.packa
 
 
 @dataclass(frozen=True, slots=True)
-class Misimport:
+class WrongImport:
     """A name that the module does not export; it is exported by `home`, or `near` was meant."""
 
     name: str
@@ -26,7 +26,7 @@ class Misimport:
     near: str = ""
 
 
-def misimports(file: PythonFile) -> Iterator[Misimport]:
+def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
     """Yield imports of names that another module of launch has, or that are misspelt."""
     optional = {each.module for each in file.imports if each.optional}
     for node in ast.walk(file.tree):
@@ -43,4 +43,4 @@ def misimports(file: PythonFile) -> Iterator[Misimport]:
             home = exporting_module(alias.name)
             near = "" if home or alias.name.islower() else nearest(alias.name, EXPORTS[module], 1) or ""
             if home or near:
-                yield Misimport(alias.name, module, span, home, near)
+                yield WrongImport(alias.name, module, span, home, near)

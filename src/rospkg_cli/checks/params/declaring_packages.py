@@ -30,7 +30,7 @@ MOST = 0.7
 
 
 @dataclass(frozen=True)
-class Group:
+class ParameterGroup:
     """Parameters of a block that belong together: those without a prefix, or all of one prefix, and their owners."""
 
     file: ParameterFile
@@ -76,7 +76,7 @@ class UnknownRead:
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOut:
+class IncompleteBlock:
     file: ParameterFile
     block: NodeBlock
     facts: PackageFacts
@@ -86,7 +86,7 @@ class LeftOut:
 
 
 @dataclass(frozen=True)
-class PackageParameters:
+class ParameterContext:
     """The parameter files of a package, its code, and the code of its neighbours."""
 
     files: tuple[ParameterFile, ...]
@@ -94,12 +94,12 @@ class PackageParameters:
     package: PackageFacts
     workspace: Workspace
 
-    def groups(self) -> Iterator[Group]:
+    def groups(self) -> Iterator[ParameterGroup]:
         """Yield the groups of parameters whose owners can be told."""
         for file in self.files:
             yield from self.groups_of(file)
 
-    def groups_of(self, file: ParameterFile) -> Iterator[Group]:
+    def groups_of(self, file: ParameterFile) -> Iterator[ParameterGroup]:
         index = self.workspace.parameters
         for block in file.blocks:
             parts: dict[str, list[Parameter]] = {}
@@ -109,9 +109,9 @@ class PackageParameters:
             for prefix, parameters in parts.items():
                 owners = self.owners(index, frozenset(each.name for each in parameters))
                 if owners:
-                    yield Group(file, block, prefix, tuple(parameters), tuple(owners))
+                    yield ParameterGroup(file, block, prefix, tuple(parameters), tuple(owners))
 
-    def left_out(self) -> Iterator[LeftOut]:
+    def left_out(self) -> Iterator[IncompleteBlock]:
         """Yield the blocks that are copies of one that the declaring package ships, and lack what that one has.
 
         That is what a source file declares without a default, and what the copy does give is most of it.
@@ -131,7 +131,7 @@ class PackageParameters:
                         missing = needed.intersection(*shipped) - names if shipped else set()
                         enough = len(given) >= max(3, MOST * len(needed))
                         if enough and missing and facts.folder != self.package.folder:
-                            yield LeftOut(file, block, facts, path, tuple(sorted(missing)))
+                            yield IncompleteBlock(file, block, facts, path, tuple(sorted(missing)))
 
     def unknown_reads(self) -> Iterator[UnknownRead]:
         """Yield what a C++ file gets and nobody declares, where the same file declares something that nobody gets.

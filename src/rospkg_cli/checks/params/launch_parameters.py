@@ -22,7 +22,7 @@ SHARE = "\0share"
 
 
 @dataclass(frozen=True)
-class Given:
+class NodeArguments:
     """A node that a launch file starts, and the parameter files of this package that it may be given."""
 
     launch: LaunchFile
@@ -49,7 +49,7 @@ class Given:
 
 
 @dataclass(frozen=True)
-class LaunchedParameters:
+class LaunchParameters:
     files: tuple[ParameterFile, ...]
     launches: tuple[LaunchFile, ...]
     table: InstallTable | None
@@ -57,14 +57,14 @@ class LaunchedParameters:
     workspace: Workspace
 
     @cached_property
-    def given(self) -> tuple[Given, ...]:
+    def given(self) -> tuple[NodeArguments, ...]:
         return tuple(self.of(launch, node) for launch in self.launches if not launch.ros1 for node in launch.nodes)
 
     def is_read_by_python(self, file: ParameterFile) -> bool:
         """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
         return any(each.node.kind == "composable_node" and file in each.files for each in self.given)
 
-    def of(self, launch: LaunchFile, node: LaunchedNode) -> Given:
+    def of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
         found: list[ParameterFile] = []
         complete = node.complete and node.certain
         for entry in node.parameters:
@@ -73,7 +73,7 @@ class LaunchedParameters:
                 files = list(self.files_at(entry.file, launch))
                 complete = complete and len(files) == 1
                 found += files
-        return Given(launch, node, tuple(found), complete)
+        return NodeArguments(launch, node, tuple(found), complete)
 
     def files_at(self, text: LaunchText, launch: LaunchFile) -> Iterator[ParameterFile]:
         """Yield the files of this package that a path may mean; what is unknown in it may be any name."""
@@ -105,7 +105,7 @@ class LaunchedParameters:
         rows = self.table.below(f"share/{self.package.name}") if self.table else ()
         return [path for path, row in rows if row.source == file.path] or [file.path]
 
-    def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, Given]]:
+    def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
         """Yield the blocks that no node reads, where a node that gets the file and has none has a near name."""
         started = {each.name for each in self.given}
         for file in self.files:
@@ -119,7 +119,7 @@ class LaunchedParameters:
                     if found and len({each.name for each in found}) == 1:
                         yield file, block, found[0]
 
-    def missing(self) -> Iterator[tuple[Given, list[DeclaredParameter]]]:
+    def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
         """Yield each node that is not given all that its code declares without a default, and what is missing."""
         for each in self.given:
             package = each.node.package.literal if each.node.package else None

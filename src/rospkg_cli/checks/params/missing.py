@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .declaring_packages import PackageParameters
-from .launch_parameters import LaunchedParameters
+from .declaring_packages import ParameterContext
+from .launch_parameters import LaunchParameters
 
 
 @dataclass(frozen=True)
 class MissingParameters:
-    launched: LaunchedParameters
-    code: PackageParameters
+    launched: LaunchParameters
+    code: ParameterContext

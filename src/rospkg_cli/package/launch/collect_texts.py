@@ -7,7 +7,7 @@ from collections.abc import Mapping as ByName
 
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
 from ...source import Span
-from .file_references import NamedPath, Use, paths_in
+from .file_references import FileReference, ReferenceKind, references_in
 from .launch_classes import class_of
 from .python_to_text import NAMED, text_of
 from .text import LaunchText
@@ -24,28 +24,31 @@ NO_TEXT = frozenset({
 """What takes actions, makes of its texts a path that something else uses, or only shows them."""
 
 READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xacro.process", "xacro.parse"})
-ASKS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
-ASKING_METHODS = frozenset({"exists", "is_file", "write_text", "touch", "open"})
+PATH_TESTS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
+PATH_METHODS = frozenset({"exists", "is_file", "write_text", "touch", "open"})
 INCLUDING = ("LaunchDescriptionSource", "IncludeLaunchDescription")
 MAX_DEPTH = 20
 
 
-def named_paths(
+def file_references(
     calls: list[Call], folder: str, guarded: tuple[Span, ...], defaults: ByName[str, str]
-) -> Iterator[NamedPath]:
+) -> Iterator[FileReference]:
     """Yield the files that a launch file in `folder` names, but for those that it asks for first or writes.
 
     Whatever is read where a missing file is caught, as `guarded` says, is left out as well.
     """
     bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
     found = [
-        path for call in bare for text in texts_of(call) for path in paths_in(text, folder, use_of(call), defaults)
+        path
+        for call in bare
+        for text in texts_of(call)
+        for path in references_in(text, folder, kind_of(call), defaults)
     ]
-    asked = {(path.package, path.path) for call in calls for path in asked_in(call, folder)}
+    asked = {(path.package, path.path) for call in calls for path in tested_paths(call, folder)}
     return (path for path in dict.fromkeys(found) if (path.package, path.path) not in asked)
 
 
-def use_of(call: Call) -> Use:
+def kind_of(call: Call) -> ReferenceKind:
     name = class_of(call)
     return "default" if name == "DeclareLaunchArgument" else "include" if name.endswith(INCLUDING) else "file"
 
@@ -84,10 +87,10 @@ def writes(call: Call) -> bool:
     return isinstance(mode, Text) and not set(mode.text).isdisjoint("wax+")
 
 
-def asked_in(call: Call, folder: str) -> Iterator[NamedPath]:
+def tested_paths(call: Call, folder: str) -> Iterator[FileReference]:
     """Yield the paths of which a call asks whether they are there, or which it makes."""
-    if call.callee in ASKS or writes(call):
+    if call.callee in PATH_TESTS or writes(call):
         for value in call.positional[:1]:
-            yield from paths_in(text_of(value), folder)
-    elif call.receiver is not None and call.callee in ASKING_METHODS:
-        yield from paths_in(text_of(call.receiver), folder)
+            yield from references_in(text_of(value), folder)
+    elif call.receiver is not None and call.callee in PATH_METHODS:
+        yield from references_in(text_of(call.receiver), folder)

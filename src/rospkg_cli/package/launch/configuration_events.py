@@ -17,7 +17,7 @@ of its own; `later`: what follows happens some time, when an event or a timer co
 
 
 @dataclass(frozen=True, slots=True)
-class Event:
+class LaunchEvent:
     kind: Kind
     name: str = ""
     """Of the configuration; of the included file, without its folders; "" where that can't be told."""
@@ -28,17 +28,17 @@ class Event:
     """Of a use: the argument of an include that is all that it becomes."""
 
 
-def uses_of(*texts: LaunchText | None) -> Iterator[Event]:
+def uses_of(*texts: LaunchText | None) -> Iterator[LaunchEvent]:
     """Yield the uses of launch configurations in some texts."""
     for text in texts:
         for found in text.substitutions("var") if text is not None else ():
             if found.arguments:
                 name = found.arguments[0]
                 span = name.span if name.literal else found.span
-                yield Event("use", name.literal or "", span, optional=len(found.arguments) > 1)
+                yield LaunchEvent("use", name.literal or "", span, optional=len(found.arguments) > 1)
 
 
-def passing(uses: Iterable[Event], name: str) -> Iterator[Event]:
+def passed_uses(uses: Iterable[LaunchEvent], name: str) -> Iterator[LaunchEvent]:
     """Yield the uses in what an include passes as an argument."""
     yield from (replace(event, passed_as=name) for event in uses)
 
@@ -54,7 +54,7 @@ def file_name(text: LaunchText) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Summary:
+class ConfigurationSummary:
     """What other launch files may know of one."""
 
     name: str
@@ -69,14 +69,14 @@ class Summary:
     """Whether it asks for what it does not define itself: then something beyond sets it."""
 
 
-def summary(name: str, events: Iterable[Event], complete: bool) -> Summary:
+def summary(name: str, events: Iterable[LaunchEvent], complete: bool) -> ConfigurationSummary:
     events = tuple(events)
     defined = [event for event in events if event.kind in ("declare", "define", "pass")]
     included = [event for event in events if event.kind == "include"]
     names = {event.name for event in defined}
     inherits = any(e.kind == "use" and e.name and not e.optional and e.name not in names for e in events)
     unknown = any(not event.name for event in (*defined, *included)) or any(event.kind == "open" for event in events)
-    return Summary(
+    return ConfigurationSummary(
         name,
         frozenset(event.name for event in defined if event.name),
         frozenset(event.name for event in included if event.name),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.located_text import LocatedText
 from ...ros.launch_entities import ACTIONS
-from .configuration_events import Event, file_name, passing, uses_of
+from .configuration_events import LaunchEvent, file_name, passed_uses, uses_of
 from .entity import Entity
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, unknown_text
@@ -14,27 +14,29 @@ from .text import LaunchText, unknown_text
 LATER = frozenset({"timer", "ros_timer"})
 
 
-def xml_events(root: Entity) -> tuple[Event, ...]:
+def xml_events(root: Entity) -> tuple[LaunchEvent, ...]:
     """Return the events of a launch file; what timers start comes last."""
-    deferred: list[Event] = []
-    return (*events_of(root, deferred), Event("later"), *deferred)
+    deferred: list[LaunchEvent] = []
+    return (*events_of(root, deferred), LaunchEvent("later"), *deferred)
 
 
-def events_of(entity: Entity, deferred: list[Event]) -> Iterator[Event]:
+def events_of(entity: Entity, deferred: list[LaunchEvent]) -> Iterator[LaunchEvent]:
     """Yield the events of an action, and of what stands inside of it."""
     name = entity.name
     if name == "arg":
         yield from uses_of(*texts(entity, "default", "if", "unless"))
-        yield Event("declare", plain(entity, "name"), entity.name_span, optional="default" not in entity.attributes)
+        yield LaunchEvent(
+            "declare", plain(entity, "name"), entity.name_span, optional="default" not in entity.attributes
+        )
     elif name == "let":
         yield from uses_of(*texts(entity))
-        yield Event("define", plain(entity, "name"), entity.name_span)
+        yield LaunchEvent("define", plain(entity, "name"), entity.name_span)
     elif name == "include":
         yield from include(entity)
     elif name == "group":
         yield from group(entity, deferred)
     elif name == "reset":
-        yield Event("open")
+        yield LaunchEvent("open")
     else:
         yield from uses_of(*texts(entity))
         kind = ACTIONS.get(name)
@@ -44,40 +46,40 @@ def events_of(entity: Entity, deferred: list[Event]) -> Iterator[Event]:
             else:
                 yield from events_of(child, deferred) if kind is not None and kind.actions else parts(child)
         if kind is None:
-            yield Event("open")
+            yield LaunchEvent("open")
 
 
-def parts(entity: Entity) -> Iterator[Event]:
+def parts(entity: Entity) -> Iterator[LaunchEvent]:
     """Yield what stands inside of an action that takes no actions: all of it is used."""
     for each in entity.walk():
         yield from uses_of(*texts(each))
 
 
-def include(entity: Entity) -> Iterator[Event]:
+def include(entity: Entity) -> Iterator[LaunchEvent]:
     given = entity.named("arg", "let")
     yield from uses_of(*texts(entity))
     for each in given:
         name = plain(each, "name")
-        yield from passing(uses_of(*texts(each)), name)
-        yield Event("pass", name, each.name_span)
+        yield from passed_uses(uses_of(*texts(each)), name)
+        yield LaunchEvent("pass", name, each.name_span)
     file = read(entity.attributes["file"]) if "file" in entity.attributes else None
-    yield Event("include", file_name(file) if file is not None else "", entity.name_span)
+    yield LaunchEvent("include", file_name(file) if file is not None else "", entity.name_span)
 
 
-def group(entity: Entity, deferred: list[Event]) -> Iterator[Event]:
+def group(entity: Entity, deferred: list[LaunchEvent]) -> Iterator[LaunchEvent]:
     yield from uses_of(*texts(entity))
     scoped = entity.attributes.get("scoped")
     alone = scoped is None or scoped.text.strip().lower() in ("true", "1")
     if alone:
-        yield Event("push")
+        yield LaunchEvent("push")
     for child in entity.children:
         if child.name == "keep":
             yield from uses_of(*texts(child))
-            yield Event("define", plain(child, "name"), child.name_span)
+            yield LaunchEvent("define", plain(child, "name"), child.name_span)
         else:
             yield from events_of(child, deferred)
     if alone:
-        yield Event("pop")
+        yield LaunchEvent("pop")
 
 
 def texts(entity: Entity, *names: str) -> list[LaunchText]:

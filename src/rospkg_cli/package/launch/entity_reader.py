@@ -13,7 +13,7 @@ from ...source import Source, Span
 from .argument_defaults import literal_defaults
 from .entity import Entity
 from .entity_events import xml_events
-from .file_references import NamedPath, Use, paths_in
+from .file_references import FileReference, ReferenceKind, references_in
 from .launch_file import (
     Command,
     DeclaredArgument,
@@ -22,7 +22,7 @@ from .launch_file import (
     LaunchedNode,
     LaunchFile,
     NodeKind,
-    Parameters,
+    NodeParameters,
 )
 from .ros1 import is_ros1
 from .substitution import SubstitutionError, parse_text
@@ -59,13 +59,13 @@ class EntityVisitor:
         self.texts.append(found)
         return found
 
-    def paths(self, folder: str) -> Iterator[NamedPath]:
+    def paths(self, folder: str) -> Iterator[FileReference]:
         """Yield the files that the texts of a file in `folder` name."""
-        uses: dict[Span, Use] = {include.file.span: "include" for include in self.includes}
+        uses: dict[Span, ReferenceKind] = {include.file.span: "include" for include in self.includes}
         uses |= {each.default.span: "default" for each in self.arguments if each.default is not None}
         defaults = literal_defaults(self.arguments, self.assigned)
         for text in self.texts:
-            yield from paths_in(text, folder, uses.get(text.span, "file"), defaults)
+            yield from references_in(text, folder, uses.get(text.span, "file"), defaults)
 
     def get(self, entity: Entity, name: str) -> LaunchText | None:
         written = entity.attributes.get(name)
@@ -124,11 +124,11 @@ class EntityVisitor:
             certain=certain,
         )
 
-    def parameters(self, entity: Entity) -> Parameters:
+    def parameters(self, entity: Entity) -> NodeParameters:
         file = self.get(entity, "from")
         if file is not None:
-            return Parameters(entity.span, file)
-        return Parameters(entity.span, None, tuple(self.values(entity, ())))
+            return NodeParameters(entity.span, file)
+        return NodeParameters(entity.span, None, tuple(self.values(entity, ())))
 
     def values(self, entity: Entity, above: tuple[LaunchText, ...]) -> list[tuple[LaunchText, LaunchText]]:
         """Return the parameters that an entity gives, nested ones by their dotted name."""

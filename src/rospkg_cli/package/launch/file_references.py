@@ -13,17 +13,17 @@ from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
 
-Use = OneOf["include", "default", "file"]
+ReferenceKind = OneOf["include", "default", "file"]
 """Included by the launch file; the default of an argument; anything else."""
 
 NAME = re.compile(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
 END = re.compile(r"[\s'\",;:|&()`]")
 """Where a path ends that stands inside of a longer text."""
-OPEN = re.compile(r"[*?\[\]{}<>$%]")
+PATTERN = re.compile(r"[*?\[\]{}<>$%]")
 """What stands in patterns and templates, not in names of files."""
 
-WRITTEN = re.compile(
+OUTPUT_FILE = re.compile(
     r"(^|.*[/_.-])(logs?|out|output|save|saved|record|recorded|results?|tmp|cache)([/_.-].*|$)"
     r"|.*\.(log|csv|bag|db3|mcap|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
 )
@@ -31,20 +31,20 @@ WRITTEN = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class NamedPath:
+class FileReference:
     span: Span
     """Of the path as it is written, as far as it stands in one place."""
     package: str
     """Whose share directory it is in; "" where it is reckoned from the launch file."""
     path: str
     """Relative to that share directory, or to the folder of package.xml."""
-    use: Use = "file"
+    use: ReferenceKind = "file"
     parted: bool = True
     """Whether a slash stands between the share directory and the path."""
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class JoinedPath:
     """A path as it is written behind its base."""
 
     text: str
@@ -56,9 +56,9 @@ class Written:
 NO_DEFAULTS: Mapping[str, str] = {}
 
 
-def paths_in(
-    text: LaunchText, folder: str, use: Use = "file", defaults: Mapping[str, str] = NO_DEFAULTS
-) -> Iterator[NamedPath]:
+def references_in(
+    text: LaunchText, folder: str, use: ReferenceKind = "file", defaults: Mapping[str, str] = NO_DEFAULTS
+) -> Iterator[FileReference]:
     """Yield the files that a text of a launch file in `folder` names, as far as they are told.
 
     `defaults` are those of the arguments by their names.
@@ -66,50 +66,54 @@ def paths_in(
     for at, part in enumerate(text.parts):
         if isinstance(part, Literal):
             if part.text.startswith(f"{ROOT}/"):
-                yield from beside(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
+                yield from local_reference(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
             continue
         for argument in part.arguments:
-            yield from paths_in(argument, folder, use if part.name != "command" else "file", defaults)
+            yield from references_in(argument, folder, use if part.name != "command" else "file", defaults)
         if part.name in BASES:
             written = literal_of(text.parts[at + 1 :], defaults)
             if part.name == "dirname":
-                yield from beside(written, folder, use)
+                yield from local_reference(written, folder, use)
             elif written is not None and part.arguments:
-                yield from in_package(part, literal_of(part.arguments[0].parts, defaults), written, use)
+                yield from package_reference(part, literal_of(part.arguments[0].parts, defaults), written, use)
 
 
-def in_package(base: Substitution, package: Written | None, written: Written, use: Use) -> Iterator[NamedPath]:
+def package_reference(
+    base: Substitution, package: JoinedPath | None, written: JoinedPath, use: ReferenceKind
+) -> Iterator[FileReference]:
     if package is None or not NAME.fullmatch(package.text):
         return
-    path = clean(written.text)
+    path = normal_path(written.text)
     if base.name == "find-pkg-prefix":
         share = f"share/{package.text}/"
         path = path[len(share) :] if path.startswith(share) else ""
     if is_file(path):
         use = "default" if written.by_default or package.by_default else use
-        yield NamedPath(written.span, package.text, path, use, written.text.startswith("/"))
+        yield FileReference(written.span, package.text, path, use, written.text.startswith("/"))
 
 
-def beside(written: Written | None, folder: str, use: Use, skip: int = 0) -> Iterator[NamedPath]:
+def local_reference(
+    written: JoinedPath | None, folder: str, use: ReferenceKind, skip: int = 0
+) -> Iterator[FileReference]:
     if written is not None and written.text.startswith("/"):
-        path = clean(f"{folder}/{written.text[skip:].lstrip('/')}")
+        path = normal_path(f"{folder}/{written.text[skip:].lstrip('/')}")
         if is_file(path):
-            yield NamedPath(written.span, "", path, "default" if written.by_default else use)
+            yield FileReference(written.span, "", path, "default" if written.by_default else use)
 
 
-def clean(text: str) -> str:
+def normal_path(text: str) -> str:
     return posixpath.normpath(text.lstrip("/")) if text.strip("/") else ""
 
 
 def is_file(path: str) -> bool:
     """Return whether a path means a file of the folder it is reckoned from: one with a suffix, not above it."""
     name = posixpath.basename(path)
-    if len(path) > MAX_PATH or WRITTEN.fullmatch(path):
+    if len(path) > MAX_PATH or OUTPUT_FILE.fullmatch(path):
         return False
-    return "." in name.strip(".") and not path.startswith("..") and not OPEN.search(path)
+    return "." in name.strip(".") and not path.startswith("..") and not PATTERN.search(path)
 
 
-def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> Written | None:
+def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> JoinedPath | None:
     """Return the path that some parts begin with, and where it stands; None where a piece of it is not told."""
     found, spans, by_default = "", [], False
     for part in parts:
@@ -128,7 +132,7 @@ def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, s
         return None
     wide = Span(spans[0].start, spans[-1].end)
     in_order = all(a.end <= b.start or a == b for a, b in pairwise(spans))
-    return Written(found, wide if in_order and wide.start <= wide.end else spans[-1], by_default)
+    return JoinedPath(found, wide if in_order and wide.start <= wide.end else spans[-1], by_default)
 
 
 def default_of(part: Substitution, defaults: Mapping[str, str]) -> str | None:

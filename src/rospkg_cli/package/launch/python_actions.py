@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
-from .launch_file import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, Parameters
+from .launch_file import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
 from .python_to_text import text_of
 from .text import LaunchText, unknown_text
 
@@ -67,15 +67,15 @@ def items_of(value: Value | None) -> Iterator[Value]:
         yield value
 
 
-def parameters_of(value: Value | None) -> Iterator[Parameters]:
+def parameters_of(value: Value | None) -> Iterator[NodeParameters]:
     for item in items_of(value):
         if isinstance(item, Mapping):
             values = tuple((text_of(key), text_of(given)) for key, given in item.items.values())
-            yield Parameters(item.span, None, values, not item.rest)
+            yield NodeParameters(item.span, None, values, not item.rest)
         elif isinstance(item, Unknown):
-            yield Parameters(item.span, None, (), False)
+            yield NodeParameters(item.span, None, (), False)
         else:
-            yield Parameters(item.span, text_of(item))
+            yield NodeParameters(item.span, text_of(item))
 
 
 def pairs_of(value: Value | None) -> Iterator[tuple[LaunchText, LaunchText]]:

@@ -19,7 +19,7 @@ from ...languages.python.evaluate.values import (
 )
 from ...ros.launch_calls import ACTIONS, SIGNATURES
 from ...source import Span
-from .configuration_events import Event, file_name, passing, uses_of
+from .configuration_events import LaunchEvent, file_name, passed_uses, uses_of
 from .launch_classes import class_of, named_arguments
 from .launch_evaluator import ENTRIES, LaunchEvaluator
 from .python_to_text import substitution, text_of
@@ -35,21 +35,21 @@ MAX_VISITS = 50_000
 """Of actions: a function that launch calls may hand itself back, several times."""
 
 
-def python_events(evaluator: LaunchEvaluator) -> tuple[Event, ...] | None:
+def python_events(evaluator: LaunchEvaluator) -> tuple[LaunchEvent, ...] | None:
     """Return the events of a file; None where the description that it returns can't be told."""
     for function, value in evaluator.results.values():
         if function.name in ENTRIES and function.scope is evaluator.scope:
             described = value.items[0] if isinstance(value, Sequence) and value.items else value
             if isinstance(described, Call) and class_of(described) == "LaunchDescription":
                 order = ExecutionOrder(evaluator)
-                return (*order.description(described, 0), Event("later"), *order.deferred)
+                return (*order.description(described, 0), LaunchEvent("later"), *order.deferred)
     return None
 
 
 class ExecutionOrder:
     def __init__(self, evaluator: LaunchEvaluator) -> None:
         self.evaluator = evaluator
-        self.deferred: list[Event] = []
+        self.deferred: list[LaunchEvent] = []
         """What timers and event handlers do."""
         self.visits = 0
         self.performed = [call for call in evaluator.calls if call.certain and call.callee in PERFORMS]
@@ -58,30 +58,30 @@ class ExecutionOrder:
             if call.callee in ADDS and call.receiver is not None and call.arguments:
                 self.added.setdefault(id(call.receiver), []).append(call.arguments[0].value)
 
-    def description(self, call: Call, depth: int) -> Iterator[Event]:
+    def description(self, call: Call, depth: int) -> Iterator[LaunchEvent]:
         first = call.get("initial_entities", 0)
         if first is not None:
             yield from self.several(first, depth)
         for each in self.added.get(id(call), ()):
             yield from self.visit(each, depth + 1)
 
-    def several(self, value: Value, depth: int) -> Iterator[Event]:
+    def several(self, value: Value, depth: int) -> Iterator[LaunchEvent]:
         if isinstance(value, Sequence):
             for item in value.items if self.visits <= MAX_VISITS else ():
                 yield from self.visit(item, depth + 1)
         else:
             yield from self.visit(value, depth + 1)
 
-    def visit(self, value: Value, depth: int) -> Iterator[Event]:
+    def visit(self, value: Value, depth: int) -> Iterator[LaunchEvent]:
         """Yield the events of an action."""
         self.visits += 1
         if depth > MAX_DEPTH or self.visits > MAX_VISITS:
-            yield Event("open")
+            yield LaunchEvent("open")
         elif isinstance(value, Unknown):
             for option in value.options:
                 yield from self.visit(option, depth + 1)
             if not value.options:
-                yield Event("open")
+                yield LaunchEvent("open")
         elif isinstance(value, Sequence):
             yield from self.several(value, depth)
         elif isinstance(value, Call) and class_of(value) in ACTIONS:
@@ -91,9 +91,9 @@ class ExecutionOrder:
         elif not isinstance(value, Constant | Text):
             yield from used(value, 0)
             if not (isinstance(value, Call) and value.callee.partition(".")[0] in HARMLESS):
-                yield Event("open")
+                yield LaunchEvent("open")
 
-    def action(self, call: Call, name: str, depth: int) -> Iterator[Event]:
+    def action(self, call: Call, name: str, depth: int) -> Iterator[LaunchEvent]:
         if name == "GroupAction":
             yield from self.group(call, depth)
         elif name == "OpaqueFunction":
@@ -108,7 +108,7 @@ class ExecutionOrder:
             yield from uses_in(call)
             yield from defined_by(call, name)
 
-    def handled(self, value: Value | None, depth: int) -> Iterator[Event]:
+    def handled(self, value: Value | None, depth: int) -> Iterator[LaunchEvent]:
         if isinstance(value, Call) and class_of(value).startswith("On"):
             for argument in value.arguments:
                 if argument.name != "target_action":
@@ -116,27 +116,27 @@ class ExecutionOrder:
         elif value is not None:
             yield from self.several(value, depth)
 
-    def group(self, call: Call, depth: int) -> Iterator[Event]:
+    def group(self, call: Call, depth: int) -> Iterator[LaunchEvent]:
         yield from uses_in(call, but=("actions",))
         scoped = call.get("scoped")
         alone = not (isinstance(scoped, Constant) and scoped.value is False)
         if alone:
-            yield Event("push")
+            yield LaunchEvent("push")
         given = call.get("launch_configurations")
         for key, _ in given.items.values() if isinstance(given, Mapping) else ():
-            yield Event("define", text_of(key).literal or "", key.span)
+            yield LaunchEvent("define", text_of(key).literal or "", key.span)
         actions = call.get("actions", 0)
         if actions is not None:
             yield from self.several(actions, depth)
         if alone:
-            yield Event("pop")
+            yield LaunchEvent("pop")
 
-    def opaque(self, call: Call, depth: int) -> Iterator[Event]:
+    def opaque(self, call: Call, depth: int) -> Iterator[LaunchEvent]:
         """Yield what a function does that launch calls: all that stands in it, and what it returns."""
         yield from uses_in(call, but=("function",))
         function = call.get("function", 0)
         if not isinstance(function, Function):
-            yield Event("open")
+            yield LaunchEvent("open")
             return
         for each in self.performed if self.visits <= MAX_VISITS else ():
             if inside(each.span, function.span):
@@ -145,27 +145,29 @@ class ExecutionOrder:
         if value is not None:
             yield from self.visit(value, depth + 1)
         if "launch_configurations" in self.evaluator.file.source.text:
-            yield Event("open")
+            yield LaunchEvent("open")
 
 
 def inside(span: Span, around: Span) -> bool:
     return around.start <= span.start and span.end <= around.end
 
 
-def defined_by(call: Call, name: str) -> Iterator[Event]:
+def defined_by(call: Call, name: str) -> Iterator[LaunchEvent]:
     if name == "DeclareLaunchArgument":
         default = call.get("default_value")
         none = default is None or (isinstance(default, Constant) and default.value is None)
         name_given = call.get("name", 0)
-        yield Event("declare", (text_of(name_given).literal or "") if name_given is not None else "", call.span, none)
+        yield LaunchEvent(
+            "declare", (text_of(name_given).literal or "") if name_given is not None else "", call.span, none
+        )
     elif name == "SetLaunchConfiguration":
         given = call.get("name", 0)
-        yield Event("define", (text_of(given).literal or "") if given is not None else "", call.span)
+        yield LaunchEvent("define", (text_of(given).literal or "") if given is not None else "", call.span)
     elif name == "UnsetLaunchConfiguration":
-        yield Event("open")
+        yield LaunchEvent("open")
 
 
-def included(call: Call) -> Iterator[Event]:
+def included(call: Call) -> Iterator[LaunchEvent]:
     """Yield the events of an include: what it passes is set one after the other, then the file is visited."""
     yield from uses_in(call, but=("launch_arguments",))
     given = call.get("launch_arguments", 1)
@@ -175,21 +177,21 @@ def included(call: Call) -> Iterator[Event]:
     elif isinstance(given, Sequence):
         for item in given.items:
             pair = item.items if isinstance(item, Sequence) and len(item.items) == 2 else None
-            yield from passed(pair[0], pair[1]) if pair else [Event("pass")]
+            yield from passed(pair[0], pair[1]) if pair else [LaunchEvent("pass")]
     elif given is not None and not isinstance(given, Constant):
-        yield Event("pass")
+        yield LaunchEvent("pass")
     source = call.get("launch_description_source", 0)
-    yield Event("include", file_name(text_of(source)) if source is not None else "", call.span)
+    yield LaunchEvent("include", file_name(text_of(source)) if source is not None else "", call.span)
 
 
-def passed(name: Value, value: Value) -> Iterator[Event]:
+def passed(name: Value, value: Value) -> Iterator[LaunchEvent]:
     text = text_of(name).literal or ""
     yield from used(name, 0)
-    yield from passing(used(value, 0), text)
-    yield Event("pass", text, name.span)
+    yield from passed_uses(used(value, 0), text)
+    yield LaunchEvent("pass", text, name.span)
 
 
-def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[Event]:
+def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[LaunchEvent]:
     """Yield what the arguments of a call ask for, but for some of them."""
     named = SIGNATURES.get(class_of(call))
     for name, argument in named_arguments(call, named) if named is not None else ():
@@ -197,7 +199,7 @@ def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[Event]:
             yield from used(argument.value, 0)
 
 
-def used(value: Value, depth: int) -> Iterator[Event]:
+def used(value: Value, depth: int) -> Iterator[LaunchEvent]:
     """Yield the launch configurations that a value asks for when it is performed."""
     if depth > MAX_DEPTH:
         return

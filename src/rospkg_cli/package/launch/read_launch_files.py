@@ -24,7 +24,7 @@ def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]
     """Read every launch file; those of tests are left out where they are broken."""
     modules = reading.parts(Modules).only
     assert modules is not None
-    reader = Reader(reading.files, modules)
+    reader = LaunchReader(reading.files, modules)
     for path in reading.files.paths:
         role = role_of(path)
         if role == "aside" or path == "package.xml":
@@ -39,7 +39,7 @@ def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]
             yield found
 
 
-class Reader:
+class LaunchReader:
     def __init__(self, files: PackageFiles, modules: Modules) -> None:
         self.files, self.modules = files, modules
         self.folder: SandboxFilesystem | None = None

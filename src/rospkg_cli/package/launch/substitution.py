@@ -40,10 +40,10 @@ class SubstitutionError(ValueError):
 
 def parse_text(written: LocatedText) -> LaunchText:
     """Parse a value; raises SubstitutionError."""
-    return Parser(written).template("", 0)
+    return SubstitutionParser(written).template("", 0)
 
 
-class Parser:
+class SubstitutionParser:
     def __init__(self, written: LocatedText) -> None:
         self.written, self.text, self.at = written, written.text, 0
 

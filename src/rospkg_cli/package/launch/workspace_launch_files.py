@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cached_property
 
-from .configuration_events import Summary
+from .configuration_events import ConfigurationSummary
 
 
-class LaunchFiles:
+class WorkspaceLaunchFiles:
     """Launch files by their name: what one defines for those that it includes, and for the one that includes it."""
 
-    def __init__(self, summaries: Iterable[Summary]) -> None:
-        self.by_name: dict[str, list[Summary]] = {}
+    def __init__(self, summaries: Iterable[ConfigurationSummary]) -> None:
+        self.by_name: dict[str, list[ConfigurationSummary]] = {}
         self.told: dict[tuple[str, str], frozenset[str] | None] = {}
         """What was asked before: every file may include every other."""
         for each in summaries:
             self.by_name.setdefault(each.name, []).append(each)
 
     @cached_property
-    def included(self) -> dict[str, list[Summary]]:
+    def included(self) -> dict[str, list[ConfigurationSummary]]:
         """The files that include one of a name."""
-        found: dict[str, list[Summary]] = {}
+        found: dict[str, list[ConfigurationSummary]] = {}
         for each in (summary for several in self.by_name.values() for summary in several):
             for name in each.includes:
                 found.setdefault(name, []).append(each)

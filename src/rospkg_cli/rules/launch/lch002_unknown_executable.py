@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.node_executables import Started, StartedNode
+from ...checks.launch.node_executables import ExecutableUse, NodeExecutables
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -28,7 +28,7 @@ FILES = {
 @rule(
     "LCH002",
     "unknown-executable",
-    over=Started,
+    over=NodeExecutables,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -38,7 +38,7 @@ FILES = {
         ),
     ),
 )
-def unknown_executable(started: Started) -> Iterator[Hit]:
+def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     """
     ## What it does
     Finds nodes in launch files whose executable nothing installs.
@@ -63,7 +63,7 @@ def unknown_executable(started: Started) -> Iterator[Hit]:
         yield Hit(node.path, node.span, message, fix=rename(node, meant))
 
 
-def rename(node: StartedNode, meant: str | None) -> Fix | None:
+def rename(node: ExecutableUse, meant: str | None) -> Fix | None:
     if meant is None or not node.plain:
         return None
     return Fix(f"start `{meant}`", (Edit(node.path, node.span, meant),), Safety.UNSAFE)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.missing_references import LaunchScope, Missing
+from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.launch.file_references import Use
+from ...package.launch.file_references import ReferenceKind
 from ...rule import rule
 
 LAUNCH = """\
@@ -38,7 +38,7 @@ NODE = {
     "my_pkg/talker.py": "def main():\n    pass\n",
     "config/robot.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n",
 }
-HARM: dict[Use, str] = {
+HARM: dict[ReferenceKind, str] = {
     "include": "the launch stops there, as the file can't be opened",
     "default": "the launch does not work unless another one is given",
     "file": "what opens it finds nothing there",
@@ -48,7 +48,7 @@ HARM: dict[Use, str] = {
 @rule(
     "LCH003",
     "missing-launch-reference",
-    over=LaunchScope,
+    over=LaunchContext,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
     examples=(
@@ -66,7 +66,7 @@ HARM: dict[Use, str] = {
         ),
     ),
 )
-def missing_launch_reference(scope: LaunchScope) -> Iterator[Hit]:
+def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that a launch file names and that do not exist.
@@ -85,7 +85,7 @@ def missing_launch_reference(scope: LaunchScope) -> Iterator[Hit]:
             yield Hit(scope.file.path, each.span, message(each), level, again)
 
 
-def message(missing: Missing) -> str:
+def message(missing: MissingReference) -> str:
     if missing.state == "no slash":
         return (
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "

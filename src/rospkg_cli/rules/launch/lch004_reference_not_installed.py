@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.missing_references import Missing
-from ...checks.launch.reference_install import LaunchedFiles
+from ...checks.launch.missing_references import MissingReference
+from ...checks.launch.reference_install import ReferenceInstall
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -26,7 +26,7 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
 @rule(
     "LCH004",
     "reference-not-installed",
-    over=LaunchedFiles,
+    over=ReferenceInstall,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
     examples=(
@@ -43,7 +43,7 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
         ),
     ),
 )
-def reference_not_installed(files: LaunchedFiles) -> Iterator[Hit]:
+def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that a launch file names in a share directory and that are not installed there.
@@ -61,7 +61,7 @@ def reference_not_installed(files: LaunchedFiles) -> Iterator[Hit]:
         yield Hit(files.scope.file.path, missing.span, message(missing), level, again, fix)
 
 
-def repair(files: LaunchedFiles, missing: Missing) -> tuple[Edit, ...]:
+def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ...]:
     if missing.package != files.name:
         return ()
     if files.cmake is not None:
@@ -69,7 +69,7 @@ def repair(files: LaunchedFiles, missing: Missing) -> tuple[Edit, ...]:
     return install_for_setup(files.setup, files.name, missing.path) if files.setup is not None else ()
 
 
-def message(missing: Missing) -> str:
+def message(missing: MissingReference) -> str:
     if missing.state == "elsewhere":
         return (
             f"`{missing.path}` of `{missing.package}` goes to `{missing.meant}`, not to where it is looked for: the "

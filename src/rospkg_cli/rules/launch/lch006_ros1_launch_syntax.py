@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.missing_references import LaunchScope
+from ...checks.launch.missing_references import LaunchContext
 from ...checks.launch.ros1_syntax import ros1_syntax
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
@@ -37,7 +37,7 @@ FILES = {
 @rule(
     "LCH006",
     "ros1-launch-syntax",
-    over=LaunchScope,
+    over=LaunchContext,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the whole file is one for ROS 1"},
     examples=(
@@ -58,7 +58,7 @@ FILES = {
         ),
     ),
 )
-def ros1_launch_syntax(scope: LaunchScope) -> Iterator[Hit]:
+def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds ROS 1 syntax in XML and YAML launch files.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import Configurations
+from ...checks.launch.unset_configurations import LaunchConfigurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -34,7 +34,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 @rule(
     "LCH008",
     "undeclared-launch-argument",
-    over=Configurations,
+    over=LaunchConfigurations,
     severity=Severity.WARNING,
     levels={Severity.INFO: "the file is included by others, or uses so many that it probably is"},
     examples=(
@@ -48,7 +48,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
         ),
     ),
 )
-def undeclared_launch_argument(configurations: Configurations) -> Iterator[Hit]:
+def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch configurations that are used without a default and that nothing sets.

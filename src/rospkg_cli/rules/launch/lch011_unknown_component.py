@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.loaded_components import Loaded, UnknownComponent
+from ...checks.launch.loaded_components import LoadedComponents, UnknownComponent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -42,7 +42,7 @@ FILES = {
 @rule(
     "LCH011",
     "unknown-component",
-    over=Loaded,
+    over=LoadedComponents,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -53,7 +53,7 @@ FILES = {
         ),
     ),
 )
-def unknown_component(loaded: Loaded) -> Iterator[Hit]:
+def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     """
     ## What it does
     Finds components in launch files that the CMakeLists.txt of their package does not register.
@@ -85,7 +85,7 @@ def told(each: UnknownComponent) -> str:
     return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it; {hint}"
 
 
-def rename(loaded: Loaded, each: UnknownComponent) -> Fix | None:
+def rename(loaded: LoadedComponents, each: UnknownComponent) -> Fix | None:
     span = each.plugin.span
     if each.meant is None or loaded.file.source.slice(span) != each.name:
         return None

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.undefined_names import Unbound, undefined_names
-from ...checks.launch.wrong_imports import misimports
+from ...checks.launch.undefined_names import UndefinedName, undefined_names
+from ...checks.launch.wrong_imports import wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.launch.launch_file import LaunchFile
@@ -74,13 +74,13 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
             told.add(unbound.name)
             message = f"`{unbound.name}` is defined nowhere: the launch stops with NameError{hint(unbound)}"
             yield Hit(file.path, unbound.span, message)
-    for each in misimports(file.python):
+    for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"
         yield Hit(file.path, each.span, message)
 
 
-def hint(unbound: Unbound) -> str:
+def hint(unbound: UndefinedName) -> str:
     home = exporting_module(unbound.name)
     if home:
         return f"; add `from {home} import {unbound.name}`"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.include_arguments import Including, Mismatch
+from ...checks.launch.include_arguments import ArgumentMismatch, IncludeArguments
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -33,14 +33,14 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value
 @rule(
     "LCH015",
     "include-argument-mismatch",
-    over=Including,
+    over=IncludeArguments,
     severity=Severity.WARNING,
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
         Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
     ),
 )
-def include_argument_mismatch(including: Including) -> Iterator[Hit]:
+def include_argument_mismatch(including: IncludeArguments) -> Iterator[Hit]:
     """
     ## What it does
     Finds arguments of an included launch file that it does not declare, or that are missing.
@@ -55,7 +55,7 @@ def include_argument_mismatch(including: Including) -> Iterator[Hit]:
         yield Hit(including.scope.file.path, each.span, message(each))
 
 
-def message(mismatch: Mismatch) -> str:
+def message(mismatch: ArgumentMismatch) -> str:
     of = "" if not mismatch.package else f" of `{mismatch.package}`"
     if mismatch.lacks:
         return (

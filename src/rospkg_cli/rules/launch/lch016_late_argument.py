@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import Configurations
+from ...checks.launch.unset_configurations import LaunchConfigurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -26,7 +26,7 @@ GOOD = """\
 @rule(
     "LCH016",
     "late-argument",
-    over=Configurations,
+    over=LaunchConfigurations,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -38,7 +38,7 @@ GOOD = """\
         ),
     ),
 )
-def late_argument(configurations: Configurations) -> Iterator[Hit]:
+def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch arguments that an action uses before they are declared in the launch description.

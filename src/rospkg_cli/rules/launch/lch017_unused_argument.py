@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import Configurations
+from ...checks.launch.unset_configurations import LaunchConfigurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule
@@ -21,7 +21,7 @@ BAD = """\
 @rule(
     "LCH017",
     "unused-argument",
-    over=Configurations,
+    over=LaunchConfigurations,
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
@@ -34,7 +34,7 @@ BAD = """\
         ),
     ),
 )
-def unused_argument(configurations: Configurations) -> Iterator[Hit]:
+def unused_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch arguments that a file declares and never uses.

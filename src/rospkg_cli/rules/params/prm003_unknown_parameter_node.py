@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.launch_parameters import LaunchedParameters
+from ...checks.params.launch_parameters import LaunchParameters
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -28,7 +28,7 @@ sim_node:
 @rule(
     "PRM003",
     "unknown-parameter-node",
-    over=LaunchedParameters,
+    over=LaunchParameters,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -44,7 +44,7 @@ sim_node:
         ),
     ),
 )
-def unknown_parameter_node(launched: LaunchedParameters) -> Iterator[Hit]:
+def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameters for a node that no launch file starts, where a similar node lacks them.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.launch_parameters import LaunchedParameters
 from ...checks.params.ambiguous_numbers import number_faults
+from ...checks.params.launch_parameters import LaunchParameters
 from ...edits.fault_hits import hits
 from ...example import Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 GOOD = """\
@@ -22,7 +22,7 @@ filter:
 @rule(
     "PRM005",
     "ambiguous-number",
-    over=LaunchedParameters,
+    over=LaunchParameters,
     severity=Severity.WARNING,
     levels={Severity.INFO: "rcl alone reads the file, and reads the number correctly"},
     examples=(
@@ -45,7 +45,7 @@ filter:
         ),
     ),
 )
-def ambiguous_number(launched: LaunchedParameters) -> Iterator[Hit]:
+def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     """
     ## What it does
     Finds numbers that rcl and YAML 1.1 read differently.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import PackageParameters, given_type
+from ...checks.params.declaring_packages import ParameterContext, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
@@ -39,14 +39,14 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
 @rule(
     "PRM006",
     "parameter-type-mismatch",
-    over=PackageParameters,
+    over=ParameterContext,
     severity=Severity.WARNING,
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
         example("frames: «odom»", "frames: [odom]"),
     ),
 )
-def parameter_type_mismatch(scope: PackageParameters) -> Iterator[Hit]:
+def parameter_type_mismatch(scope: ParameterContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds values in a parameter file whose type differs from the declared type.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import PackageParameters
+from ...checks.params.declaring_packages import ParameterContext
 from ...edits.plain_names import only_plain_names
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -34,7 +34,7 @@ talker:
 @rule(
     "PRM007",
     "unknown-parameter",
-    over=PackageParameters,
+    over=ParameterContext,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -53,7 +53,7 @@ talker:
         ),
     ),
 )
-def unknown_parameter(scope: PackageParameters) -> Iterator[Hit]:
+def unknown_parameter(scope: ParameterContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
