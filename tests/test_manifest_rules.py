@@ -311,3 +311,12 @@ def test_export_for_ros_1_may_name_what_is_not_there() -> None:
     text = manifest(build_type="ament_cmake")
     line = '<rqt_gui condition="$ROS_VERSION == 1" plugin="${prefix}/plugin.xml"/>'
     assert cmake(text=text.replace("  </export>", f"    {line}\n  </export>")) == []
+
+
+def test_thousands_of_misplaced_elements_are_placed_by_halving(clean) -> None:
+    """Each finding offers the one fix of all, so only the first hundred do."""
+    pairs = "  <license>MIT</license>\n  <depend>std_msgs</depend>\n" * 3_000
+    text = clean["package.xml"].replace("  <license>Apache-2.0</license>\n", pairs)
+    findings = lint_files({**clean, "package.xml": text}, ["XML002"]).findings
+    assert len(findings) == 2_001
+    assert sum(finding.fix is not None for finding in findings) == 100

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from rospkg_cli.languages.xml.parser import MAX_DEPTH, Document, read_xml
 from rospkg_cli.source import Source, Span
+from rospkg_cli.testing import lint_files
 from rospkg_cli.unreadable import Unreadable, UnreadableError
 
 NAME = st.from_regex(r"[a-z][a-z_]{0,6}", fullmatch=True)
@@ -165,3 +166,12 @@ def test_wide_documents_are_read_in_linear_time() -> None:
 def test_declared_prefixes_are_bound_below() -> None:
     assert read('<a xmlns:x="u"><x:b x:c="1"/></a>').root.children[0].tag == "x:b"
     assert "declared nowhere" in complaint('<a><b xmlns:x="u"/><x:c/></a>')[1]
+
+
+@pytest.mark.parametrize("encoding", ["utf-32", "utf-32-le", "utf-32-be"])
+def test_utf_32_is_one_sentence(encoding: str) -> None:
+    data = '<?xml version="1.0"?>\n<?a b?>\n<!-- c --><package/>\n'.encode(encoding)
+    results = lint_files({"package.xml": data}, ["RPK001"])
+    assert not results.crashes
+    assert [f.code for f in results.findings] == ["RPK001"]
+    assert "save it as UTF-8" in results.findings[0].message

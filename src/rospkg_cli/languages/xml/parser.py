@@ -53,6 +53,8 @@ class XmlParser:
         self.comments: list[XmlComment] = []
 
     def read(self) -> Document:
+        if (at := self.source.text.find("\0")) >= 0:  # expat would guess another encoding from it
+            self.fail(at, f"`{self.source.path}` is not well-formed XML: it holds a NUL character; save it as UTF-8")
         parser = self.parser
         parser.buffer_text = True
         parser.StartElementHandler, parser.EndElementHandler = self.start, self.end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 
 from ...edits.reorder import reorder, schema_order
@@ -12,6 +13,9 @@ from ...package.manifest import Manifest
 from ...package.schema.schema import misplaced
 from ...ros.manifest import place_of
 from ...rule import rule
+
+MAX_OFFERS = 100
+"""Each finding offers the one fix of them all; of more findings than these, only the first do."""
 
 GOOD = manifest().replace(
     "</license>\n", "</license>\n  <url>https://example.org</url>\n  <!-- she began it -->\n  <author>Bob</author>\n"
