@@ -11,8 +11,8 @@ from ..suggest import nearest
 def closest_path(path: str, known: Collection[str]) -> str | None:
     """Return the only similar path: a similar name in the same folder, or the same name in another one."""
     folder, name = posixpath.split(path)
-    beside = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
-    if near := nearest(name, beside):
+    neighbours = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
+    if near := nearest(name, neighbours):
         return posixpath.join(folder, near)
     same = {each for each in known if posixpath.basename(each) == name and each != path}
     return same.pop() if len(same) == 1 else None

@@ -18,12 +18,12 @@ REACH = 200
 
 def references_folder(text: str, package: str, folder: str) -> bool:
     """Return whether a text joins a folder to the share directory of a package, or of an unknown one."""
-    spoken = [match.start() for match in re.finditer(rf"""["'/]{re.escape(folder)}["'/]""", text)]
-    if not spoken:
+    folder_offsets = [match.start() for match in re.finditer(rf"""["'/]{re.escape(folder)}["'/]""", text)]
+    if not folder_offsets:
         return False
-    said = sorted(share_directories(text))
-    for at in spoken:
-        before = [name for place, name in said if at - REACH <= place <= at]
+    references = sorted(share_directories(text))
+    for at in folder_offsets:
+        before = [name for place, name in references if at - REACH <= place <= at]
         if before and before[-1] in (package, ""):
             return True
     return False
@@ -31,13 +31,13 @@ def references_folder(text: str, package: str, folder: str) -> bool:
 
 def share_directories(text: str) -> Iterator[tuple[int, str]]:
     """Yield the offsets of references to share directories, with the package's name; "" where it is in a variable."""
-    held: dict[str, str] = {}
+    variables: dict[str, str] = {}
     for match in SHARE.finditer(text):
         name = match[1] or match[2] or ""
         yield match.start(), name
         line = text.rfind("\n", 0, match.start()) + 1
         if assigned := ASSIGNED.match(text, line, match.start()):
-            held[assigned[1]] = name
-    for match in re.finditer(r"\w+", text) if held else ():
-        if match[0] in held:
-            yield match.start(), held[match[0]]
+            variables[assigned[1]] = name
+    for match in re.finditer(r"\w+", text) if variables else ():
+        if match[0] in variables:
+            yield match.start(), variables[match[0]]

@@ -16,8 +16,8 @@ from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
-from .params.node_sources import node_code
 from .params.collect_declared import declared_parameters, given_parameters
+from .params.node_sources import node_code
 from .plugins.plugin_facts import plugin_facts
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import traceback
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
 from ..files import PackageFiles, ReadModels
 from ..source import Span
 from ..unreadable import Unreadable, UnreadableError
-from .readers import READERS
+from .readers import READERS, readers_of
 
 T = TypeVar("T")
 
@@ -49,10 +50,13 @@ class Package:
             return ReadModels((), (Unreadable("package.xml", Span(0, 0), f"the reader of {kind.__name__} failed"),))
         return ReadModels(tuple(good), tuple(broken))
 
-    def unreadable(self) -> list[Unreadable]:
-        """Read everything, and return what can't be read: once a file, the first complaint of each."""
+    def unreadable(self, paths: Iterable[str] = ()) -> list[Unreadable]:
+        """Read everything, and return what can't be read: once a file, the first complaint of each.
+
+        Where `paths` are given, only what may read one of them is read.
+        """
         found: dict[str, Unreadable] = {}
-        for kind in READERS:
+        for kind in readers_of(paths):
             parts: ReadModels[Any] = self.parts(kind)
             for each in parts.broken if kind.__name__ not in self.crashes else ():
                 found.setdefault(each.path, each)

@@ -52,14 +52,14 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
         frozenset(path for path, _ in table.below(f"lib/{name}")),
         frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
         - {path for path, _ in table.below(f"lib/{name}")}
-        | forgotten(reading),
+        | uninstalled_executables(reading),
         frozenset(path for path, _ in table.below(f"share/{name}")),
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),
     )
 
 
-def forgotten(reading: ReaderInput) -> frozenset[str]:
+def uninstalled_executables(reading: ReaderInput) -> frozenset[str]:
     """Return the executables that CMake builds and does not install; CMK103 reports them at their target."""
     found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
     return frozenset(each.target.name for each in found if each.target.is_executable)

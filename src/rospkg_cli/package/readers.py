@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from pathlib import PurePosixPath
 from typing import Any
 
 from ..files import ReaderInput
@@ -55,3 +56,27 @@ READERS: dict[type, Callable[[ReaderInput], Iterable[Any | Unreadable]]] = {
     LaunchFile: read_launch_files,
 }
 """A reader yields models and Unreadables; it may raise UnreadableError where it reads a single file."""
+
+ONLY_READ_BY: dict[str, tuple[type, ...]] = {
+    "package.xml": (Manifest,),
+    "setup.cfg": (SetupCfg,),
+    "CMakeLists.txt": (CMake, CMakeFile),
+    ".cmake": (CMake, CMakeFile),
+    ".msg": (InterfaceFile,),
+    ".srv": (InterfaceFile,),
+    ".action": (InterfaceFile,),
+    ".yaml": (ParameterFile, LaunchFile),
+}
+"""The models in which a file of that name or suffix can be found unreadable; any model where it is not listed."""
+
+
+def readers_of(paths: Iterable[str]) -> Iterable[type]:
+    """Return the models to read in order to know whether some files can be read; all where no path is given."""
+    found: dict[type, None] = {}
+    for path in paths:
+        name = PurePosixPath(path).name
+        kinds = ONLY_READ_BY.get(name) or ONLY_READ_BY.get(PurePosixPath(name).suffix)
+        if kinds is None:
+            return READERS
+        found |= dict.fromkeys(kinds)
+    return found or READERS

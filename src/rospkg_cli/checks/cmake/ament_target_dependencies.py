@@ -71,10 +71,10 @@ class AmentTargetDependencies:
         distribution first."""
         cmake = self.package.cmake
         runs: dict[tuple[str, int], list[EvaluatedCommand]] = {}
-        idle = [call for call in cmake.unreachable if call.name == REMOVED]
+        unreached = [call for call in cmake.unreachable if call.name == REMOVED]
         for call in cmake.named(REMOVED):
             runs.setdefault((call.path, call.command.span.start), []).append(call)
-        for call in idle:
+        for call in unreached:
             runs.setdefault((call.path, call.command.span.start), [call])
         for file in cmake.files:
             elsewhere = {id(command) for command in guarded_commands(file.body)}

@@ -46,8 +46,8 @@ class ComponentRegistration:
     def macros(self) -> bool:
         """Whether a macro of the package's own registers classes: then it is unknown which."""
         bodies = [define.body for file in self.sources for define in file.defines]
-        hidden = any(MACRO in body or "CLASS_LOADER_REGISTER" in body for body in bodies)
-        return hidden or any(True for file in self.sources for _ in file.calls_to("CLASS_LOADER_REGISTER_CLASS"))
+        is_in_macro = any(MACRO in body or "CLASS_LOADER_REGISTER" in body for body in bodies)
+        return is_in_macro or any(True for file in self.sources for _ in file.calls_to("CLASS_LOADER_REGISTER_CLASS"))
 
     @property
     def generated(self) -> bool:
@@ -89,10 +89,10 @@ class ComponentRegistration:
         if not cmake.complete or cmake.reads_unknown_files or any(not c.plugin.known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
-        there = [each.name for each in self.in_sources]
-        meant = {nearest(component.plugin.text, there) for component in self.without_source()}
+        registered = [each.name for each in self.in_sources]
+        misspelt = {nearest(component.plugin.text, registered) for component in self.without_source()}
         for each in self.in_sources:
-            if each.name not in names | meant and each.path in self.in_libraries:
+            if each.name not in names | misspelt and each.path in self.in_libraries:
                 yield each
 
     @cached_property

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from ...languages.cmake.command_blocks import Block
 from ...languages.cmake.syntax import CommandInvocation
 
-ASKS = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
+DISTRO_TEST = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
 """What a condition contains that tests for it."""
 
 
@@ -21,6 +21,6 @@ def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = F
             if inside:
                 yield each
         else:
-            asked = (argument.text for branch in each.branches for argument in branch.command.arguments)
-            asks = each.command.name == "if" and any(ASKS.search(text) for text in asked)
-            waiting += [(below, inside or asks) for branch in each.branches for below in branch.body]
+            conditions = (argument.text for branch in each.branches for argument in branch.command.arguments)
+            is_guard = each.command.name == "if" and any(DISTRO_TEST.search(text) for text in conditions)
+            waiting += [(below, inside or is_guard) for branch in each.branches for below in branch.body]

@@ -24,15 +24,15 @@ class DuplicateTarget:
 
 def duplicate_targets(cmake: CMake) -> Iterator[DuplicateTarget]:
     """Yield each target that is added twice, at the second position."""
-    made: dict[str, tuple[Word, str]] = {}
+    first: dict[str, tuple[Word, str]] = {}
     for target in cmake.targets:
         if not is_sure(target):
             continue
         name, command = target.name, target.call.name
-        if name in made:
-            yield DuplicateTarget(made[name][0], target.word, made[name][1], command)
+        if name in first:
+            yield DuplicateTarget(first[name][0], target.word, first[name][1], command)
         else:
-            made[name] = (target.word, command)
+            first[name] = (target.word, command)
     yield from duplicate_python_packages(cmake)
 
 

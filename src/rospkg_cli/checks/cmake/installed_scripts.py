@@ -94,11 +94,11 @@ class InstalledScripts:
         programs = {copy.source: copy for copy in self.copies if copy.rule.kind == "PROGRAMS"}
         named = {path for call in cmake.calls for text in call.texts if (path := path_in_package(text, call.folder))}
         for folder in sorted({posixpath.dirname(path) for path in programs}):
-            beside = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
+            installed = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
             for path in cmake.package_files.paths:
                 fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
                 if fits and not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
-                    yield path, beside
+                    yield path, installed
 
     def is_installed(self, path: str) -> bool:
         files = self.package.cmake.package_files
@@ -106,8 +106,8 @@ class InstalledScripts:
 
     def is_script(self, path: str) -> bool:
         """Return whether a file is a program that a user may want to run."""
-        hidden = posixpath.basename(path).startswith((".", "_", "test_"))
-        if hidden or not self.is_runnable(path) or not self.has_shebang(path):
+        is_private = posixpath.basename(path).startswith((".", "_", "test_"))
+        if is_private or not self.is_runnable(path) or not self.has_shebang(path):
             return False
         return self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts)
 

@@ -37,8 +37,8 @@ class RuntimeFolders:
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
         paths = self.package.cmake.package_files.below(folder)
-        meant = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
-        return tuple(path for path in meant if path not in self.built_from and "/test/" not in path)
+        useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
+        return tuple(path for path in useful if path not in self.built_from and "/test/" not in path)
 
     @cached_property
     def built_from(self) -> frozenset[str]:

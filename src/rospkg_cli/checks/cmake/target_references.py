@@ -88,9 +88,9 @@ class TargetReferences:
     @cached_property
     def names(self) -> frozenset[str]:
         """All names that may be targets; UNKNOWN among them where a target's name is unknown."""
-        made = (UNKNOWN if UNKNOWN in target.name else target.name for target in self.cmake.targets)
+        own = (UNKNOWN if UNKNOWN in target.name else target.name for target in self.cmake.targets)
         foreign = (UNKNOWN if UNKNOWN in text else text for call in self.foreign for text in call.texts)
-        return frozenset([*made, *foreign])
+        return frozenset([*own, *foreign])
 
     @cached_property
     def foreign(self) -> list[EvaluatedCommand]:

@@ -66,8 +66,8 @@ class GeneratedInterfaces:
         for each in self.listed:
             certain = each.word.known and not each.word.maybe and not each.target.call.maybe
             if certain and each.path and not self.cmake.package_files.exists(each.path):
-                made = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
-                if not made:
+                is_written = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
+                if not is_written:
                     yield each
 
     def repeated(self) -> Iterator[tuple[ListedInterface, ListedInterface]]:

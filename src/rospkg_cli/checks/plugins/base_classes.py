@@ -58,10 +58,14 @@ class PluginBases:
         """Yield the descriptions that CMake exports, with the classes that a source exports."""
         if self.package is None:
             return
-        unmade = {entry.plugin.element.span for entry in self.package.without_source()}
+        without_source = {entry.plugin.element.span for entry in self.package.without_source()}
         for description in self.package.descriptions:
             if description.is_indexed:
-                cpp = [each for each in description.classes if not each.is_python and each.element.span not in unmade]
+                cpp = [
+                    each
+                    for each in description.classes
+                    if not each.is_python and each.element.span not in without_source
+                ]
                 yield description, tuple(cpp)
 
     def misplaced(self) -> Iterator[WrongExport]:
@@ -90,9 +94,9 @@ class PluginBases:
             known = {base for package in description.bases for base in self.workspace.bases_loaded_from(package)}
             for plugin in classes:
                 if not self.workspace.loaders_of(plugin.base.value):
-                    meant = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
-                    if meant is not None:
-                        yield WrongBaseClass(description, plugin, meant)
+                    suggestion = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
+                    if suggestion is not None:
+                        yield WrongBaseClass(description, plugin, suggestion)
 
     def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
         """Return the base class in the export macro, where that one is loaded."""
@@ -108,8 +112,8 @@ class PluginBases:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
             if package not in served and (served or known is Known.UNKNOWN):
-                meant = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
-                yield UnmatchedLoader(loader, meant)
+                suggestion = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
+                yield UnmatchedLoader(loader, suggestion)
 
 
 def misspelt(base: str, known: set[str]) -> str | None:

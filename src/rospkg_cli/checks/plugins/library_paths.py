@@ -39,11 +39,11 @@ class PluginLibraries:
 
     def wrong(self) -> Iterator[WrongLibraryPath]:
         """Yield each wrong library once, without those of classes that no source exports."""
-        unmade = {entry.plugin.element.span for entry in self.package.without_source()}
+        without_source = {entry.plugin.element.span for entry in self.package.without_source()}
         seen = set()
         for entry in self.package.entries:
             key = (entry.description.file, entry.plugin.library.span)
-            if key not in seen and entry.plugin.element.span not in unmade and entry.plugin.path is not None:
+            if key not in seen and entry.plugin.element.span not in without_source and entry.plugin.path is not None:
                 seen.add(key)
                 yield from self.problems_of(entry, entry.plugin.path)
 
@@ -70,8 +70,8 @@ class PluginLibraries:
         return self.cmake.target(name) is not None or name in self.cmake.output_names.values()
 
     def is_static(self, target: str) -> bool:
-        made = self.cmake.target(target)
-        return made is not None and "STATIC" in made.options
+        library = self.cmake.target(target)
+        return library is not None and "STATIC" in library.options
 
     def suggestion(self, entry: DescribedPlugin, name: str) -> tuple[str, bool]:
         """Return the library that holds the class, else the one whose name is hidden in a path or a file name."""
@@ -90,8 +90,8 @@ class PluginLibraries:
 
     def is_uninstalled(self, entry: DescribedPlugin, target: str) -> bool:
         """Return whether a library that is not only there for tests is certainly not installed."""
-        made = self.cmake.target(target)
-        if made is None or made.call.testing or made.call.maybe or not self.table.knows("library"):
+        library = self.cmake.target(target)
+        if library is None or library.call.testing or library.call.maybe or not self.table.knows("library"):
             return False
         if all(each.testing for each in entry.description.exported if each.is_indexed):
             return False

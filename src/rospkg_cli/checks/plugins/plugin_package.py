@@ -142,12 +142,12 @@ class PluginPackage:
     def undescribed(self) -> Iterator[ExportedClass]:
         """Yield the exported classes that no description names, of libraries that are there for plug-ins."""
         libraries = {self.library(entry.library) for entry in self.entries}
-        meant = {found.type for entry in self.without_source() if (found := self.suggestion(entry)) is not None}
+        suggested = {found.type for entry in self.without_source() if (found := self.suggestion(entry)) is not None}
         for each in self.compiled_exports:
             for_plugins = not self.entries or libraries.intersection(self.libraries_of(each))
             if each.base in COMPONENTS:
                 continue
-            if for_plugins and spaceless(each.type) not in self._described and each.type not in meant:
+            if for_plugins and spaceless(each.type) not in self._described and each.type not in suggested:
                 yield each
 
     def unexported(self) -> Iterator[tuple[PluginDescription, ExportedClass]]:

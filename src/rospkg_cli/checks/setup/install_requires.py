@@ -19,11 +19,11 @@ class InstallRequires:
     def ros_requirements(self) -> tuple[tuple[SetupText, str], ...]:
         """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
         found = []
-        for said in self.package.setup.texts("install_requires"):
-            match = REQUIREMENT.match(said.text)
+        for requirement in self.package.setup.texts("install_requires"):
+            match = REQUIREMENT.match(requirement.text)
             name = match.group() if match else ""
             facts = self.package.workspace.named(name)
             built = facts is not None and facts.build_type in ("ament_cmake", "cmake") and facts.knows("modules")
             if name.endswith("_msgs") or (facts is not None and built and not facts.modules):
-                found.append((said, name))
+                found.append((requirement, name))
         return tuple(found)

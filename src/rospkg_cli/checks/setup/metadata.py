@@ -35,37 +35,37 @@ class Metadata:
 
     def description(self) -> Iterator[Difference]:
         """Two descriptions may well be worded differently; one that a template left may not."""
-        said, element = self.setup.setup_text("description"), self.manifest.first("description")
-        if said is None or element is None or element.children or not element.text or TODO.fullmatch(element.text):
+        argument, element = self.setup.setup_text("description"), self.manifest.first("description")
+        if argument is None or element is None or element.children or not element.text or TODO.fullmatch(element.text):
             return
-        if TODO.fullmatch(said.text.strip()) or not said.text.strip():
-            yield "description", said, " ".join(element.text.split()), element
+        if TODO.fullmatch(argument.text.strip()) or not argument.text.strip():
+            yield "description", argument, " ".join(element.text.split()), element
 
     def license(self) -> Iterator[Difference]:
-        said, elements = self.setup.setup_text("license"), self.manifest.all("license")
+        argument, elements = self.setup.setup_text("license"), self.manifest.all("license")
         texts = [element.text for element in elements]
-        if said is None or not texts or any(TODO.fullmatch(text) or not text for text in texts):
+        if argument is None or not texts or any(TODO.fullmatch(text) or not text for text in texts):
             return
         known = {spdx(text) for text in texts}
-        if spdx(said.text) not in known and not {spdx(part) for part in SEVERAL.split(said.text)} <= known:
-            yield "license", said, texts[0] if len(texts) == 1 else "", elements[0]
+        if spdx(argument.text) not in known and not {spdx(part) for part in SEVERAL.split(argument.text)} <= known:
+            yield "license", argument, texts[0] if len(texts) == 1 else "", elements[0]
 
     def maintainer(self) -> Iterator[Difference]:
-        said, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")
-        if said is None or not elements:
+        argument, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")
+        if argument is None or not elements:
             return
-        ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(said.text)}
+        ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(argument.text)}
         theirs = {folded(element.text) for element in elements}
-        if not ours <= theirs and folded(said.text) not in theirs:
-            yield "maintainer", said, elements[0].text if len(elements) == 1 else "", elements[0]
+        if not ours <= theirs and folded(argument.text) not in theirs:
+            yield "maintainer", argument, elements[0].text if len(elements) == 1 else "", elements[0]
 
     def email(self) -> Iterator[Difference]:
-        said, elements = self.setup.setup_text("maintainer_email"), self.manifest.all("maintainer")
+        argument, elements = self.setup.setup_text("maintainer_email"), self.manifest.all("maintainer")
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
-        if said is None or not addresses or not all(map(REAL.fullmatch, addresses)):
+        if argument is None or not addresses or not all(map(REAL.fullmatch, addresses)):
             return
-        if not {folded(part) for part in SEVERAL.split(said.text)} <= {folded(address) for address in addresses}:
-            yield "maintainer_email", said, addresses[0] if len(addresses) == 1 else "", elements[0]
+        if not {folded(part) for part in SEVERAL.split(argument.text)} <= {folded(address) for address in addresses}:
+            yield "maintainer_email", argument, addresses[0] if len(addresses) == 1 else "", elements[0]
 
 
 def folded(text: str) -> str:

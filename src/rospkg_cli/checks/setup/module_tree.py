@@ -33,7 +33,9 @@ class ModuleTree:
             if not search.namespace:
                 for folder in (search.where, *[posixpath.join(search.where, *p.split(".")) for p in search.found]):
                     found |= dict.fromkeys(self.without_init(folder, top=folder == search.where))
-        listed = {} if self.setup.searches else {self.setup.folder_of(said.text): None for said in self.setup.packages}
+        listed = (
+            {} if self.setup.searches else {self.setup.folder_of(package.text): None for package in self.setup.packages}
+        )
         for folder in listed:
             found |= {folder: None} if self.lacks_init(folder) else {}
             found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
@@ -79,7 +81,7 @@ class ModuleTree:
     @cached_property
     def unlisted(self) -> tuple[str, ...]:
         """The Python packages below listed ones that `packages` leaves out, without those of entry points."""
-        listed = {said.text for said in self.setup.packages}
+        listed = {package.text for package in self.setup.packages}
         started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
         found: dict[str, None] = {}
         for name in sorted(

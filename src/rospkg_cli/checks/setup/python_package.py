@@ -39,7 +39,7 @@ class PythonPackage:
     @cached_property
     def on_disk(self) -> dict[str, str]:
         """Every module below a folder with `__init__.py`, whether it is installed or not: dotted name to file."""
-        listed = {said.text.partition(".")[0] for said in self.setup.packages}
+        listed = {item.text.partition(".")[0] for item in self.setup.packages}
         base = self.setup.package_dir.get("", "")
         found: dict[str, str] = {}
         for path in self.files.below(base):
@@ -54,7 +54,7 @@ class PythonPackage:
     @cached_property
     def roots(self) -> frozenset[str]:
         """The first parts of the names of its own modules."""
-        own = {said.text.partition(".")[0] for said in (*self.setup.packages, *self.setup.py_modules)}
+        own = {item.text.partition(".")[0] for item in (*self.setup.packages, *self.setup.py_modules)}
         return frozenset(own | {module.partition(".")[0] for module in self.on_disk} | {self.name})
 
     def is_missing(self, module: str) -> bool:
@@ -143,9 +143,9 @@ class PythonPackage:
         found: list[tuple[str, str, Span, EntryPoint]] = []
         for folder, like in {module.rpartition(".")[0]: entry for module, entry in started.items()}.items():
             inside = [m for m in self.setup.modules if m.rpartition(".")[0] == folder and m not in known]
-            idle = [(m, main) for m in inside if (main := self.main_of_node(m)) is not None]
-            if len(idle) == 1:
-                module, main = idle[0]
+            unregistered = [(m, main) for m in inside if (main := self.main_of_node(m)) is not None]
+            if len(unregistered) == 1:
+                module, main = unregistered[0]
                 found.append((module, self.setup.modules[module], main, like))
         return tuple(found)
 

@@ -38,7 +38,7 @@ class ScriptDir:
         A value that is no folder below lib/ is taken to be intended; so is the package name of setup.py.
         """
         found: list[tuple[str, str, SetupText | None]] = []
-        own = {self.package.name, said.text if (said := self.package.setup.setup_text("name")) else ""}
+        own = {self.package.name, name.text if (name := self.package.setup.setup_text("name")) else ""}
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             match = ELSEWHERE.fullmatch(option.value.text) if option else None

@@ -37,8 +37,8 @@ class ShareFiles:
     @property
     def names(self) -> frozenset[str]:
         """The name in package.xml, and the one in setup.py, which may differ."""
-        said = self.package.setup.setup_text("name")
-        return frozenset({self.package.name, *([said.text] if said else [])})
+        name = self.package.setup.setup_text("name")
+        return frozenset({self.package.name, *([name.text] if name else [])})
 
     @property
     def installs_marker(self) -> bool:
@@ -98,7 +98,7 @@ class ShareFiles:
         """Folders for run time of which nothing is installed and that no glob names."""
         globbed = {folder_of(glob.pattern).partition("/")[0] for glob in self.package.setup.globs}
         globbed |= {self.suggestion(folder) or folder for folder in globbed}
-        modules = {said.text.partition(".")[0] for said in self.package.setup.packages}
+        modules = {name.text.partition(".")[0] for name in self.package.setup.packages}
         return tuple(
             folder
             for folder in FOLDERS

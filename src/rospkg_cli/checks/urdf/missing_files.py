@@ -53,10 +53,10 @@ class RobotInWorkspace:
             facts = self.facts_of(reference)
             if facts is not None and reference.path and not reference.path.startswith(".."):
                 state = self.state(facts, reference.path)
-                meant = self.suggestion(facts, reference.path)
-                if state is not None and (facts.knows("share_files") or meant):
+                suggestion = self.suggestion(facts, reference.path)
+                if state is not None and (facts.knows("share_files") or suggestion):
                     include = reference.use == "include"
-                    yield MissingResource(reference.path_span, facts.name, reference.path, state, include, meant)
+                    yield MissingResource(reference.path_span, facts.name, reference.path, state, include, suggestion)
         for local in self.robot.includes:
             if not self.files.exists(local.path) and not local.path.startswith(".."):
                 near = nearest(posixpath.basename(local.path), self.neighbours(local.path))

@@ -9,7 +9,7 @@ import warnings
 TOKEN = re.compile(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$[^{($]+|\$$")
 COMMANDS = {"find": (1, 1), "env": (1, 1), "optenv": (1, 99), "dirname": (0, 0), "arg": (1, 1), "cwd": (0, 0)}
 """Each command with how many words may follow it; `eval` takes everything."""
-MEANT = {"find-pkg-share": "find", "find-pkg-prefix": "find", "var": "arg", "arg_": "arg", "finds": "find"}
+SUGGESTIONS = {"find-pkg-share": "find", "find-pkg-prefix": "find", "var": "arg", "arg_": "arg", "finds": "find"}
 
 
 def substitution_fault(text: str) -> tuple[int, int, str] | None:
@@ -48,8 +48,12 @@ def command_fault(token: str) -> str | None:
     if not words:
         return "`$()` is empty"
     if words[0] not in COMMANDS:
-        meant = MEANT.get(words[0])
-        hint = f": write `$({meant} {' '.join(words[1:])})`" if meant else f"; it knows {', '.join(COMMANDS)} and eval"
+        suggestion = SUGGESTIONS.get(words[0])
+        hint = (
+            f": write `$({suggestion} {' '.join(words[1:])})`"
+            if suggestion
+            else f"; it knows {', '.join(COMMANDS)} and eval"
+        )
         return f"xacro knows no `$({words[0]} …)`{hint}"
     least, most = COMMANDS[words[0]]
     if not least <= len(words) - 1 <= most:

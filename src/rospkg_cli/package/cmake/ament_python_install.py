@@ -26,11 +26,13 @@ def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[Inst
     """
     _, values, _ = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
     for place in values.get("SCRIPTS_DESTINATION", [])[:1]:
-        given = next(iter(values.get("SETUP_CFG", [])), None)
-        path = path_in_package(given.text if given else "setup.cfg", call.folder)
+        setup_cfg = next(iter(values.get("SETUP_CFG", [])), None)
+        path = path_in_package(setup_cfg.text if setup_cfg else "setup.cfg", call.folder)
         folder = below_prefix(place.text)
-        if path is None or folder is None or (given and not files.exists(path)):
-            yield unknown(place if folder is None else given or place, "the scripts of setup.cfg can't be determined")
+        if path is None or folder is None or (setup_cfg and not files.exists(path)):
+            yield unknown(
+                place if folder is None else setup_cfg or place, "the scripts of setup.cfg can't be determined"
+            )
         elif files.exists(path):
             try:
                 for script in scripts_of(path, folder, files):
@@ -48,9 +50,9 @@ def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[Installe
             if entry.is_script and entry.name and not entry.fault:
                 yield row(folder, entry.name, path, entry.span, entry=f"{entry.module}:{entry.attribute}")
     scripts = cfg.get("options", "scripts")
-    for said in items_of(scripts.value) if scripts is not None else ():
-        source = posixpath.normpath(posixpath.join(posixpath.dirname(path), said.text))
-        yield row(folder, posixpath.basename(said.text), path, said.shown, source=source)
+    for script_text in items_of(scripts.value) if scripts is not None else ():
+        source = posixpath.normpath(posixpath.join(posixpath.dirname(path), script_text.text))
+        yield row(folder, posixpath.basename(script_text.text), path, script_text.shown, source=source)
 
 
 def row(folder: str, name: str, path: str, span: Span, source: str = "", entry: str = "") -> InstalledFile:

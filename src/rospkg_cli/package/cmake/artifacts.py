@@ -20,10 +20,10 @@ class Artifacts:
 
     def destination(self, rule: InstallRule, target: Target) -> str | None:
         """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
-        given = rule.destinations or {}
+        destinations = rule.destinations or {}
         kind = "RUNTIME" if target.is_executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
-        if kind in given or "" in given:
-            return given.get(kind, given.get(""))
+        if kind in destinations or "" in destinations:
+            return destinations.get(kind, destinations.get(""))
         return "bin" if target.is_executable else "lib"
 
     def file_name(self, target: Target) -> str:

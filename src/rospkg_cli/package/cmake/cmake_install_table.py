@@ -113,13 +113,13 @@ class CMakeTableBuilder:
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
-        dim = rule.kind == "CODE" or None in places
+        is_unclear = rule.kind == "CODE" or None in places
         items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
         if rule.kind == "DIRECTORY":
             items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
-        if not dim and not items:
+        if not is_unclear and not items:
             return
-        whats = {self.what(f"{place}/x") for place in places if place is not None} if not dim else set(ALL)
+        whats = {self.what(f"{place}/x") for place in places if place is not None} if not is_unclear else set(ALL)
         where = items[0] if items else rule.destination_word
         span = where.span if where is not None else rule.call.command.span
         for what in sorted(whats):

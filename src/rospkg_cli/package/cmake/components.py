@@ -49,6 +49,6 @@ def interface_targets_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Interfac
     for call in calls:
         if call.name == "rosidl_generate_interfaces" and call.words:
             words = as_value(call.words[1:])  # a macro: what is quoted is split at `;` once more
-            given, values, files = flags_and_values(words, flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
+            used_flags, values, files = flags_and_values(words, flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
             needs = tuple(values.get("DEPENDENCIES", []))
-            yield InterfaceTarget(call.words[0], tuple(files), needs, "SKIP_INSTALL" in given, call)
+            yield InterfaceTarget(call.words[0], tuple(files), needs, "SKIP_INSTALL" in used_flags, call)

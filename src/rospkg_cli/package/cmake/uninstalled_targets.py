@@ -115,7 +115,7 @@ class UninstalledTargets:
         """Yield what an exported target is linked with, and what no export holds: `install(EXPORT)` refuses that."""
         exports = {text for call in self.cmake.exports for text in call.texts}
         rules = [rule for rule in self.cmake.installs if rule.export is not None]
-        held = {word.text for rule in rules for word in rule.items}
+        exported = {word.text for rule in rules for word in rule.items}
         seen: set[str] = set()
         for rule in rules:
             if rule.export is None or rule.export.text not in exports or rule.call.maybe:
@@ -123,16 +123,20 @@ class UninstalledTargets:
             for word in rule.items:
                 for name in self.interface_of(word):
                     target = self.cmake.target(name)
-                    if target is not None and name not in held and name not in seen and is_refused(target):
+                    if target is not None and name not in exported and name not in seen and is_refused(target):
                         seen.add(name)
                         yield UninstalledTarget(target, f"the exported target `{word.text}`", stops=True)
 
     def parameters(self) -> Iterator[UninstalledTarget]:
         """Yield parameter libraries that nothing is linked with, where all their like are installed."""
-        made = [target for target in self.cmake.targets if target.call.name == "generate_parameter_library"]
-        idle = [target for target in made if target.name not in self.links.installed and not target.call.maybe]
-        if len(idle) == 1 and len(made) > 2 and not any(link.word.text == idle[0].name for link in self.links.all):
-            yield UninstalledTarget(idle[0], "who links it, as the other parameter libraries can be,")
+        libraries = [target for target in self.cmake.targets if target.call.name == "generate_parameter_library"]
+        unused = [target for target in libraries if target.name not in self.links.installed and not target.call.maybe]
+        if (
+            len(unused) == 1
+            and len(libraries) > 2
+            and not any(link.word.text == unused[0].name for link in self.links.all)
+        ):
+            yield UninstalledTarget(unused[0], "who links it, as the other parameter libraries can be,")
 
     def interface_of(self, word: Word) -> Iterator[str]:
         """Yield the package's targets that a target passes on to whoever links it."""

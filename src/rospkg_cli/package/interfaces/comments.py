@@ -46,8 +46,8 @@ def backslash(comment: InterfaceComment) -> GrammarProblem:
         f"rosidl copies comments into the .idl file and decodes `{escape}` there as an escape: "
         "the build stops with a UnicodeDecodeError or a syntax error; double the backslash, or do without it"
     )
-    mended = comment.text[:start] + "\\" + comment.text[start:]
-    left = escape_fault(mended)
+    repaired = comment.text[:start] + "\\" + comment.text[start:]
+    left = escape_fault(repaired)
     if left is None or left[0] > end:
         return GrammarProblem(span, message, "\\" + escape, span, "double the backslash")
     return GrammarProblem(span, message)

@@ -38,5 +38,5 @@ def all_are_own(reading: ReaderInput) -> bool:
     cmake = reading.parts(CMake).only
     if cmake is None or not cmake.complete:
         return False
-    given = [(word, target) for target in cmake.interface_targets for word in target.files]
-    return all(listed_path(word, target) is not None for word, target in given)
+    listed = [(word, target) for target in cmake.interface_targets for word in target.files]
+    return all(listed_path(word, target) is not None for word, target in listed)

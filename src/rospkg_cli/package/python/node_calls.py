@@ -27,10 +27,10 @@ def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
         return
     for node in ast.walk(file.tree):
         if isinstance(node, ast.Call) and called(node.func) in CLASSES:
-            given = {keyword.arg: keyword.value for keyword in node.keywords}
-            package = given.get("package")
+            arguments = {keyword.arg: keyword.value for keyword in node.keywords}
+            package = arguments.get("package")
             literal = isinstance(package, ast.Constant) and isinstance(package.value, str)
-            if isinstance(package, ast.Constant) and literal and WHAT & given.keys():
+            if isinstance(package, ast.Constant) and literal and WHAT & arguments.keys():
                 yield DescribedNode(str(package.value), file.span(package))
 
 

@@ -70,8 +70,8 @@ def from_value(path: str, value: Value, folder: SandboxFilesystem, cwd: str = RO
         if isinstance(item, Sequence):
             yield entry(path, item, place, index, folder, cwd)
         elif isinstance(item, Text):
-            said = SetupText.of(path, item)
-            file = DataFile(said, place, inside(item.text, folder, cwd), posixpath.basename(item.text), index)
+            source_text = SetupText.of(path, item)
+            file = DataFile(source_text, place, inside(item.text, folder, cwd), posixpath.basename(item.text), index)
             yield DataEntry(path, item.span, place, None, None, (file,))
         else:
             yield item if isinstance(item, Unknown) else Unknown(item.span, "it can't be evaluated")

@@ -64,15 +64,20 @@ class EntryPoint:
 
 
 def parse_entry_point(
-    group: str, said: SetupText, within: Sequence | None = None, place: Span | None = None
+    group: str, setup_text: SetupText, list_value: Sequence | None = None, position: Span | None = None
 ) -> EntryPoint:
     """Parse one entry point; what does not fit the grammar gets a `fault`."""
-    said = said.stripped()
-    place = place or said.span
-    match = WHOLE.fullmatch(said.text)
+    setup_text = setup_text.stripped()
+    position = position or setup_text.span
+    match = WHOLE.fullmatch(setup_text.text)
     if match is None:
         return EntryPoint(
-            group, said, loose_name(said.text), fault=fault_of(said.text), list_value=within, position=place
+            group,
+            setup_text,
+            loose_name(setup_text.text),
+            fault=fault_of(setup_text.text),
+            list_value=list_value,
+            position=position,
         )
     fault: EntryPointFault = ""
     if match["attribute"] is None and group in SCRIPTS:
@@ -81,16 +86,16 @@ def parse_entry_point(
         fault = "file-name"
     return EntryPoint(
         group,
-        said,
+        setup_text,
         match["name"],
         match["module"],
         match["attribute"] or "",
-        said.part(*match.span("name")).shown,
-        said.part(*match.span("module")).shown,
-        said.part(*match.span("attribute")).shown if match["attribute"] else said.shown,
+        setup_text.part(*match.span("name")).shown,
+        setup_text.part(*match.span("module")).shown,
+        setup_text.part(*match.span("attribute")).shown if match["attribute"] else setup_text.shown,
         fault,
-        within,
-        place,
+        list_value,
+        position,
     )
 
 
@@ -127,17 +132,17 @@ def from_group(path: str, group: str, entries: Value) -> Iterator[EntryPoint | U
     if not isinstance(entries, Sequence):
         yield entries if isinstance(entries, Unknown) else Unknown(entries.span, "it can't be evaluated")
         return
-    for item, place in zip(entries.items, entries.places, strict=True):
+    for item, position in zip(entries.items, entries.places, strict=True):
         if isinstance(item, Text):
-            yield from (parse_entry_point(group, line, entries, place) for line in SetupText.of(path, item).lines())
+            yield from (parse_entry_point(group, line, entries, position) for line in SetupText.of(path, item).lines())
         else:
             yield from from_group(path, group, item)
 
 
-def from_ini(said: SetupText) -> Iterator[EntryPoint]:
+def from_ini(setup_text: SetupText) -> Iterator[EntryPoint]:
     """Yield the entry points of a text with `[group]` lines."""
     group = ""
-    for line in said.lines():
+    for line in setup_text.lines():
         if (match := GROUP.fullmatch(line.text)) is not None:
             group = match["name"].strip()
         elif group:

@@ -78,9 +78,9 @@ def data_rows(setup: SetupPy) -> Iterator[InstalledFile]:
 def implied_rows(setup: SetupPy, name: str) -> Iterator[InstalledFile]:
     """What colcon installs, with a warning, where data_files does not."""
     wanted = {f"{MARKERS}/{name}": "", f"share/{name}/package.xml": "package.xml"}
-    there = {file.destination for file in setup.data_files}
+    installed = {file.destination for file in setup.data_files}
     for destination, source in wanted.items():
-        if destination not in there and setup.knows("data_files"):
+        if destination not in installed and setup.knows("data_files"):
             yield InstalledFile("share", destination, source, "", setup.path, setup.span)
 
 
@@ -106,7 +106,7 @@ def module_rows(setup: SetupPy, package: str) -> Iterator[InstalledFile]:
     for name in setup.generated:
         yield InstalledFile("module", posixpath.join(PYTHON, package, f"{name}.py"), "", "", setup.path, at)
     for key, patterns in setup.package_data.items():
-        for each in [said.text for said in setup.packages] if key in ("", "*") else [key]:
+        for each in [item.text for item in setup.packages] if key in ("", "*") else [key]:
             yield from package_data(setup, each, patterns, at)
 
 

@@ -27,12 +27,12 @@ def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
     evaluator = Evaluator(file, folder, knows(searches))
     evaluator.run_file()
     cfg = reading.parts(SetupCfg)
-    call, doubt = setup_call(evaluator)
+    call, call_unknown = setup_call(evaluator)
     yield SetupPy(
         file=file,
         folder=folder,
         call=call,
-        call_unknown=doubt,
+        call_unknown=call_unknown,
         cfg=cfg.only,
         cfg_broken=bool(cfg.broken) or has_project_table(reading),
         calls=tuple(evaluator.calls),

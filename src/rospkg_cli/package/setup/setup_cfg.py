@@ -164,8 +164,8 @@ def strip(source: Source, span: Span) -> Span:
 def add(source: Source, section: CfgSection, key: tuple[str, Span], lines: list[Span]) -> None:
     """Put an option into its section; the value is taken as it stands, from its first line to its last."""
     name, span = key
-    held = [line for line in lines if line.start < line.end] or lines[:1]
-    whole = Span(held[0].start, held[-1].end)
+    filled = [line for line in lines if line.start < line.end] or lines[:1]
+    whole = Span(filled[0].start, filled[-1].end)
     value = SetupText(source.path, source.slice(whole), whole, whole)
     option = CfgOption(name, span, value, Span(span.start, max(lines[-1].end, span.end)))
     section.options[option.key] = option

@@ -74,10 +74,12 @@ class SetupCfgArguments:
         packages = self.option("packages")
         if packages is None or self.cfg is None:
             return None
-        asked = {option.name: option for option in self.cfg.options("options.packages.find")}
-        where = asked["where"].value.text if "where" in asked else "."
-        include = [said.text for said in items_of(asked["include"].value)] if "include" in asked else ["*"]
-        exclude = [said.text for said in items_of(asked["exclude"].value)] if "exclude" in asked else []
+        find_options = {option.name: option for option in self.cfg.options("options.packages.find")}
+        where = find_options["where"].value.text if "where" in find_options else "."
+        include = (
+            [text.text for text in items_of(find_options["include"].value)] if "include" in find_options else ["*"]
+        )
+        exclude = [text.text for text in items_of(find_options["exclude"].value)] if "exclude" in find_options else []
         try:
             inside = self.folder.inside(where)
             namespace = FIND[packages.value.text.strip()]
@@ -88,13 +90,13 @@ class SetupCfgArguments:
     @cached_property
     def package_dir(self) -> Mapping[str, str]:
         option = self.option("package_dir")
-        pairs = [said.text.partition("=") for said in items_of(option.value)] if option else []
+        pairs = [text.text.partition("=") for text in items_of(option.value)] if option else []
         return {key.strip(): value.strip() for key, sign, value in pairs if sign}
 
     @cached_property
     def package_data(self) -> Mapping[str, tuple[str, ...]]:
         options = self.cfg.options("options.package_data") if self.cfg else ()
-        return {option.key: tuple(said.text for said in items_of(option.value)) for option in options}
+        return {option.key: tuple(text.text for text in items_of(option.value)) for option in options}
 
     @property
     def extras(self) -> set[str]:
@@ -114,23 +116,23 @@ class SetupCfgArguments:
     def data_entry(self, option: CfgOption, index: int) -> DataEntry:
         into = SetupText("setup.cfg", option.key, option.key_span, option.key_span)
         files = [
-            self.data_file(said, source, into, index) for said in items_of(option.value) for source in self.glob(said)
+            self.data_file(text, source, into, index) for text in items_of(option.value) for source in self.glob(text)
         ]
         return DataEntry("setup.cfg", option.span, option.span, into, None, tuple(files))
 
-    def glob(self, said: SetupText) -> list[str]:
+    def glob(self, text: SetupText) -> list[str]:
         try:
-            return self.folder.glob(said.text, recursive=True) if MAGIC.search(said.text) else [said.text]
+            return self.folder.glob(text.text, recursive=True) if MAGIC.search(text.text) else [text.text]
         except OutsideError:
             return []
 
-    def data_file(self, said: SetupText, source: str, into: SetupText, index: int) -> DataFile:
+    def data_file(self, text: SetupText, source: str, into: SetupText, index: int) -> DataFile:
         try:
             inside: str | None = self.folder.inside(source)
         except OutsideError:
             inside = None
         target = posixpath.normpath(posixpath.join(into.text, posixpath.basename(source)))
-        return DataFile(said, said.span, inside, target, index, is_absolute=source.startswith("/"))
+        return DataFile(text, text.span, inside, target, index, is_absolute=source.startswith("/"))
 
 
 def items_of(value: SetupText) -> list[SetupText]:

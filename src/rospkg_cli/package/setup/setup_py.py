@@ -38,9 +38,9 @@ class SetupPy(SetupArguments):
     cwd: str
     """The folder that relative paths start from, when setup() is called."""
 
-    def used_elsewhere(self, said: SetupText) -> bool:
+    def used_elsewhere(self, setup_text: SetupText) -> bool:
         """Return whether a text is outside of the call of setup(), in a variable that others may use."""
-        return self.call is None or not self.call.span.start < said.span.start < self.call.span.end
+        return self.call is None or not self.call.span.start < setup_text.span.start < self.call.span.end
 
     @property
     def has_test_extras(self) -> bool:
@@ -177,8 +177,8 @@ class SetupPy(SetupArguments):
     @cached_property
     def generated(self) -> tuple[str, ...]:
         """The modules that setup.py has generated into the package, by their last name."""
-        asked = [call.get("module_name", 0) for call in self.calls if call.callee in GENERATORS]
-        return tuple(value.text for value in asked if isinstance(value, Text))
+        generated = [call.get("module_name", 0) for call in self.calls if call.callee in GENERATORS]
+        return tuple(value.text for value in generated if isinstance(value, Text))
 
     @cached_property
     def may_write_files(self) -> bool:
