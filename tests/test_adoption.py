@@ -60,7 +60,7 @@ def test_add_ignores_silences_with_a_reason(package: Path) -> None:
 
 
 def test_add_ignores_wants_a_reason(package: Path) -> None:
-    assert "wants a reason" in rospkg("lint", "--add-ignores", " ", cwd=package).stderr
+    assert "requires a reason" in rospkg("lint", "--add-ignores", " ", cwd=package).stderr
 
 
 def test_add_ignores_in_every_kind_of_comment(tmp_path, write, clean) -> None:

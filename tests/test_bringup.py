@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from planned import plan, texts, workspace_packages
+from planned import around, plan, texts
 
 from rospkg_cli.checks.launch.entity_schema import entity_faults
 from rospkg_cli.package.launch.launch_file import LaunchFile
@@ -19,7 +19,7 @@ from rospkg_cli.scaffold.workspace import WorkspacePackages
 from rospkg_cli.scaffold.workspace import workspace_packages as around_on_disk
 from rospkg_cli.scaffold.write import write_folder
 
-ROBOT = workspace_packages(
+ROBOT = around(
     plan("my_robot", nodes=("talker", "counter:timer")),
     plan("my_robot_description", template="description"),
     plan("my_drivers", template="ament_cmake", nodes=("adder:service",)),
@@ -70,7 +70,7 @@ def test_every_form_starts_the_same(asked: str) -> None:
 
 
 def launch_file(planned: Plan) -> LaunchFile:
-    package = workspace_packages(planned).package("my_robot_bringup")
+    package = around(planned).package("my_robot_bringup")
     [file] = package.parts(LaunchFile).good
     return file
 
@@ -169,6 +169,6 @@ def test_what_cannot_be_started_is_refused(nodes: tuple[str, ...]) -> None:
 
 
 def test_a_package_of_the_workspace_is_no_unknown_dependency() -> None:
-    there = workspace_packages(plan("std_msg", template="interfaces"))
+    there = around(plan("std_msg", template="interfaces"))
     assert plan("my_user", there, depends=("std_msg",)).findings == ()
     assert [f.code for f in plan("my_user", depends=("std_msg",)).findings] == ["DEP001"]

@@ -73,10 +73,10 @@ def test_what_is_no_index_is_refused(text: str) -> None:
 )
 def test_what_an_index_names_lies_beside_it_or_elsewhere(index: str, named: str, place: str | None) -> None:
     if place:
-        assert FileUrl(index).beside(named) == FileUrl(place)
+        assert FileUrl(index).join(named) == FileUrl(place)
     else:
         with pytest.raises(NamesError):
-            FileUrl(index).beside(named)
+            FileUrl(index).join(named)
 
 
 @given(ODD)

@@ -31,7 +31,7 @@ def package(tmp_path, write, clean) -> Path:
 def test_clean_is_0(tmp_path, write, clean) -> None:
     done = rospkg("lint", write(tmp_path / "my_pkg", clean), cwd=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("Nothing to complain about in 1 package")
+    assert done.stdout.startswith("No problems found (1 package")
 
 
 def test_a_warning_is_1_unless_only_errors_count(package: Path) -> None:

@@ -213,7 +213,7 @@ def test_a_signal_leaves_nothing_half_written(
     code = STOPPED.format(module=module, name=name, after=after, signal=number, asked=asked)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stdout) == (status, "")
-    assert done.stderr == "rospkg: interrupted; nothing was written half\n"
+    assert done.stderr == "rospkg: interrupted; no partial files were left\n"
     assert content(there) == before
     assert [path.name for path in there.iterdir()] == ["my_robot_nav"]
 

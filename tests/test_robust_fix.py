@@ -115,7 +115,7 @@ def test_a_fix_that_would_break_a_file_is_taken_back_and_said(clean, monkeypatch
 def test_what_the_fixed_tree_says_is_reported(packages: Path) -> None:
     done = rospkg(*FIX, cwd=packages)
     assert done.returncode == 0
-    assert "3 repaired" in done.stdout
+    assert "3 fixed" in done.stdout
     assert rospkg(*FIX, "--exit-non-zero-on-fix", cwd=packages).returncode == 0
 
 
@@ -158,7 +158,7 @@ def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clea
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))
     outcome = fix_all(session, (Safety.SAFE,))
     assert [(f.code, why) for f, why in outcome.refused] == [
-        ("XML104", "it wants the same again after each repair; please report this")
+        ("XML104", "it is found again after each fix; please report this")
     ]
     entry = outcome.changes["package.xml"]
     assert entry is not None

@@ -123,7 +123,7 @@ def test_a_fault_of_ours_is_told_safely(tmp_path: Path, monkeypatch, capsys) -> 
         said = capsys.readouterr().err
         assert is_safe(said)
         assert ("Traceback" in said) == bool(more)
-        assert said.splitlines()[-1].startswith("rospkg: a fault of ours: RuntimeError: a\\n::error::\\x1b\\udcff")
+        assert said.splitlines()[-1].startswith("rospkg: internal error: RuntimeError: a\\n::error::\\x1b\\udcff")
 
 
 def test_progress_is_no_markup() -> None:

@@ -1,4 +1,4 @@
-"""The command line: the verbs, and what becomes of their errors."""
+"""The command line: the verbs, and the exit status of their errors."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
-    help="Write ROS 2 packages that are right, and find what is wrong in those that exist.",
+    help="Write correct ROS 2 packages, and find mistakes in existing ones.",
     epilog="Examples:  rospkg new my_robot_nav  ·  rospkg lint src/  ·  rospkg explain SET101",
 )
 app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
@@ -50,7 +50,7 @@ def show_version(wanted: bool) -> None:
 @app.callback()
 def main(
     version: Annotated[
-        bool, typer.Option("--version", "-V", callback=show_version, is_eager=True, help="Print the version and leave.")
+        bool, typer.Option("--version", "-V", callback=show_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
     """Take the options that belong to no verb."""
@@ -62,7 +62,7 @@ def run() -> int:
 
 
 def status() -> int:
-    """Run the verb; return the exit status, of a fault too. Raises OutputError."""
+    """Run the verb; return its exit status, or that of its error. Raises OutputError."""
     from ..config.schema import ConfigError
     from ..engine.baseline import BaselineError
     from ..engine.discovery.locate import LocateError
@@ -93,12 +93,12 @@ def status() -> int:
 
 def interrupted(status: int) -> int:
     """Say so, and return the status."""
-    say("interrupted; nothing was written half")
+    say("interrupted; no partial files were left")
     return status
 
 
 def failed(error: Exception) -> int:
-    """Say what click or we ourselves could not do; return the exit status."""
+    """Print a sentence on wrong use or on an internal error; return the exit status."""
     shown = getattr(error, "format_message", None)
     if shown is not None:  # a click.ClickException: wrong use
         context = getattr(error, "ctx", None)
@@ -117,5 +117,5 @@ def failed(error: Exception) -> int:
             file=sys.stderr,
         )
     what = f"{type(error).__name__}: {error}"
-    say(f"a fault of ours: {what}; please report it with the output of -v")
+    say(f"internal error: {what}; please report it with the output of -v")
     return 3

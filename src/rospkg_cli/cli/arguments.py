@@ -17,4 +17,4 @@ def one_of(option: str, value: str, allowed: tuple[str, ...]) -> None:
     from ..suggest import did_you_mean
 
     if value not in allowed:
-        raise UsageError(f"{option} wants one of {', '.join(allowed)}; not `{value}`{did_you_mean(value, allowed)}")
+        raise UsageError(f"{option} must be one of {', '.join(allowed)}; not `{value}`{did_you_mean(value, allowed)}")

@@ -1,4 +1,4 @@
-"""What a long run is at: one line on stderr, on a terminal only, after a second."""
+"""Show the progress of a long run: one line on stderr, on a terminal only, after a second."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DELAY = 1.0
 
 
 class ProgressLine:
-    """The line, once it is shown; what is told before is kept for it."""
+    """The line of progress; until it is shown, the last text is kept."""
 
     def __init__(self) -> None:
         self.text = ""
@@ -49,7 +49,7 @@ class ProgressLine:
 
 
 def plain_text(text: str) -> Text:
-    """Return what is told as a text in which rich finds no markup."""
+    """Return a text in which rich finds no markup."""
     from rich.text import Text
 
     return Text(visible(text))
@@ -57,7 +57,7 @@ def plain_text(text: str) -> Text:
 
 @contextmanager
 def progress(wanted: bool = True) -> Iterator[Callable[[str], None]]:
-    """Give what to tell of each step; nothing is shown where stderr is no terminal."""
+    """Give a function that shows the text of a step; nothing is shown where stderr is no terminal."""
     line = ProgressLine()
     timer = Timer(DELAY, line.show)
     timer.daemon = True

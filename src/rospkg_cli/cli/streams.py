@@ -1,4 +1,4 @@
-"""Standard output and standard error, whatever they are: closed, full, a pipe that nobody reads, of a poor encoding.
+"""Standard output and standard error: closed, on a full disk, a pipe without a reader, a poor encoding.
 
 Imports nothing that an interpreter has not loaded at its start: a lone --version comes through here.
 """
@@ -44,7 +44,7 @@ class Output(io.TextIOWrapper):
 
 
 class Talk(io.TextIOWrapper):
-    """Standard error; what can't be said there is not said, for there is nobody to tell."""
+    """Standard error; what can't be written there is dropped."""
 
     def write(self, text: str) -> int:
         try:
@@ -61,7 +61,7 @@ class Talk(io.TextIOWrapper):
 
 
 def guarded(work: Callable[[], int]) -> int:
-    """Return the exit status of some work, and of what it printed: 2 where that can't be, 141 where nobody reads on."""
+    """Return the exit status of some work, or 2 where its output can't be written, 141 where the reader is gone."""
     prepare()
     try:
         status = work()
@@ -73,7 +73,7 @@ def guarded(work: Callable[[], int]) -> int:
 
 
 def prepare() -> None:
-    """Make the streams fit for every text and every end; those that are closed go to where nothing is kept."""
+    """Prepare the streams for every character and for errors; closed ones write to /dev/null."""
     if None in (sys.stdin, sys.stdout, sys.stderr):
         fill()
     sys.stdin = sys.stdin or open(os.devnull, encoding="utf-8")  # noqa: SIM115, PTH123
@@ -82,7 +82,7 @@ def prepare() -> None:
 
 
 def fill() -> None:
-    """Open what is closed of 0, 1 and 2, so that no file of a package gets the number of a stream."""
+    """Open the descriptors 0, 1 and 2 that are closed, so that no file of a package gets one of them."""
     number = os.open(os.devnull, os.O_RDWR)
     while number <= 2:
         os.set_inheritable(number, True)
@@ -133,7 +133,7 @@ def can_encode(stream: TextIO, text: str) -> bool:
 
 
 def mute(stream: IO[str]) -> None:
-    """Send what a stream still holds, and all that follows, to where nothing is kept."""
+    """Send what a stream still holds, and all that follows, to /dev/null."""
     try:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())

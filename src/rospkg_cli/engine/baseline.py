@@ -1,4 +1,4 @@
-"""Adopt rospkg in a large workspace: what was there before is set aside, what is new is reported.
+"""Baselines: the findings of a workspace at one time are set aside, new ones are reported.
 
 A baseline counts findings by code, path and message, so that it holds when lines move.
 """
@@ -42,10 +42,10 @@ def read_baseline(path: Path) -> Counter[Key]:
         data = json.loads(path.read_text("utf-8"))
         return Counter({(e["code"], e["path"], e["message"]): int(e["count"]) for e in data["findings"]})
     except OSError as error:
-        hint = f"make it with --write-baseline {path}"
+        hint = f"create it with --write-baseline {path}"
         raise BaselineError(f"the baseline `{path}` can't be read: {error.strerror}; {hint}") from None
     except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError):
-        raise BaselineError(f"`{path}` is no baseline of rospkg; make one with --write-baseline {path}") from None
+        raise BaselineError(f"`{path}` is not a baseline of rospkg; create one with --write-baseline {path}") from None
 
 
 def apply_baseline(results: Results, known: Counter[Key], shown: Callable[[str], str]) -> Results:

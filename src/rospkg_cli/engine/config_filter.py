@@ -82,7 +82,7 @@ def matches_path(path: str, pattern: str) -> bool:
 
 
 def longest_match(table: Mapping[str, str], code: str) -> str | None:
-    """Return the longest of the codes, names and prefixes in a table that stands for a code."""
+    """Return the longest of the codes, names and prefixes in a table that matches a code."""
     return max((name for name in table if code in codes_named(name)), key=len, default=None)
 
 

@@ -47,7 +47,7 @@ def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:
 
 @cache
 def codes_named(name: str) -> frozenset[str]:
-    """Return the codes that a name, a code or a prefix stands for; none if it names no rule."""
+    """Return the codes that a name, a code or a prefix means; none if it names no rule."""
     return frozenset(r.code for r in all_rules() if named_by(r, (name,)))
 
 

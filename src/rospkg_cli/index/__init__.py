@@ -1,4 +1,4 @@
-"""The index of names: fetched from rosdistro, kept in the user's cache, read by whoever asks what a name stands for."""
+"""The index of names: fetched from rosdistro, kept in the user's cache, and read when a name is looked up."""
 
 from ..sentence import single_line
 

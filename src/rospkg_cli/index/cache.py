@@ -13,7 +13,7 @@ from ..ros.names import BUILT_IN, FetchedNames, Names
 from . import NamesError
 
 STRAY_SECONDS = 600
-"""A temporary file of that age is nobody's: writing an index takes less than one second."""
+"""A temporary file of that age was left over: writing an index takes less than one second."""
 
 
 def cache_file(environment: Mapping[str, str]) -> Path:
@@ -73,7 +73,7 @@ def cache_index(index: Index, environment: Mapping[str, str]) -> Path:
 
 
 def remove_leftovers(path: Path) -> None:
-    """Remove what runs that were killed while they wrote have left beside the index."""
+    """Remove what runs that were killed while they wrote have left next to the index."""
     for stray in path.parent.glob(f".{path.name}.*"):
         with suppress(OSError):
             if time.time() - stray.lstat().st_mtime > STRAY_SECONDS:

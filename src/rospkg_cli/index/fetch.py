@@ -52,7 +52,7 @@ def refuse_no_file(place: FileUrl) -> None:
     """Raise NamesError for a FIFO, a device or a folder of this machine, which could be waited for without end."""
     path = Path(path_of(place.url)) if place.url.startswith("file:") else None
     if path is not None and path.exists() and not path.is_file():
-        raise NamesError(f"{place} can't be read: it is no file")
+        raise NamesError(f"{place} can't be read: it is not a file")
 
 
 def reason(error: Any) -> str:

@@ -16,11 +16,11 @@ SCHEMES = ("http", "https", "file")
 
 @dataclass(frozen=True)
 class FileUrl:
-    """The URL of an index file; what it names without a scheme lies beside it."""
+    """The URL of an index file; what it names without a scheme is relative to it."""
 
     url: str
 
-    def beside(self, path: str) -> FileUrl:
+    def join(self, path: str) -> FileUrl:
         """Return the place of a path that is relative to the index file, or of a URL; a query goes with the former.
 
         Raises NamesError for what is neither, and for a file of this machine that another machine names.

@@ -32,7 +32,7 @@ class RosdepList:
     place: FileUrl
     tags: frozenset[str] = frozenset()
     elsewhere: FileUrl | None = None
-    """Where it stands by its own name, if the source does not have it."""
+    """Its own URL, for a source that does not have it."""
 
     @property
     def codenames(self) -> frozenset[str]:
@@ -51,9 +51,9 @@ def rosdep_lists(source: FileUrl, environment: Mapping[str, str]) -> list[Rosdep
     """
     found = [each for path, text in texts(environment) for each in parsed(text, source, path)]
     try:
-        own = list(parsed(fetch(source.beside(DEFAULT_LISTS)).decode("utf-8", "replace"), source, DEFAULT_LISTS))
+        own = list(parsed(fetch(source.join(DEFAULT_LISTS)).decode("utf-8", "replace"), source, DEFAULT_LISTS))
     except NotThereError:
-        own = [RosdepList(source.beside(f"rosdep/{name}")) for name in OWN]
+        own = [RosdepList(source.join(f"rosdep/{name}")) for name in OWN]
     if len(found) + len(own) > MAX_LISTS:
         raise NamesError(f"{source} and this machine name {len(found) + len(own)} lists; at most {MAX_LISTS} are read")
     return [*found, *(each for each in own if each.place not in {other.place for other in found})]
@@ -79,4 +79,4 @@ def parsed(text: str, source: FileUrl, path: str) -> Iterator[RosdepList]:
             raise NamesError(f"{path}:{number}: `{line.strip()}` is no source of rosdep: `yaml URL [TAG …]`")
         official = OFFICIAL.search(rest[0])
         place, tags = FileUrl(rest[0]), frozenset(rest[1:])
-        yield RosdepList(source.beside(official[1]), tags, place) if official else RosdepList(place, tags)
+        yield RosdepList(source.join(official[1]), tags, place) if official else RosdepList(place, tags)

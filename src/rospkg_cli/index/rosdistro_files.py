@@ -1,4 +1,4 @@
-"""What stands in rosdistro's files, and in rosdep's lists: their shape is checked, everything else is left out."""
+"""Read the files of rosdistro and the lists of rosdep: their shape is checked, everything else is left out."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def distribution_files(place: FileUrl, index: Entries) -> dict[str, list[FileUrl
         if isinstance(files, list) and len(files) > MAX_FILES:
             raise NamesError(f"{place} names {len(files)} files for one distribution; at most {MAX_FILES} are read")
         if isinstance(name, str) and isinstance(files, list) and all(isinstance(each, str) for each in files):
-            found[name] = [place.beside(each) for each in files]
+            found[name] = [place.join(each) for each in files]
     return found
 
 

@@ -16,7 +16,7 @@ from .rosdep_lists import RosdepList, rosdep_lists
 from .rosdistro_files import Entries, distribution_files, document, is_name, released
 
 Progress = Callable[[str, int, int], None]
-"""Is told what is read next, how many files were read, and how many there are."""
+"""Called with what is read next, how many files were read, and how many there are."""
 
 Lists = Sequence[tuple[frozenset[str], Entries]]
 """The codenames for which a list holds, and what it holds."""
@@ -35,18 +35,18 @@ def make_index(
     lists = rosdep_lists(place, environment)
     places = [*(each for name in wanted for each in files[name]), *(each.place for each in lists)]
 
-    def told(each: FileUrl) -> FileUrl:
+    def reading(each: FileUrl) -> FileUrl:
         progress(str(each), 1 + places.index(each), 1 + len(places))
         return each
 
     packages: dict[str, list[str]] = defaultdict(list)
     for distro in wanted:
-        names = released([(each, document(told(each))) for each in files[distro]])
+        names = released([(each, document(reading(each))) for each in files[distro]])
         if not names:
             raise NamesError(f"{place} releases no package for {distro}; ask for what it has with --distro")
         for name in names:
             packages[name].append(distro)
-    keys, pip, apt = tables([(each.codenames, entries_of(each, told)) for each in lists])
+    keys, pip, apt = tables([(each.codenames, entries_of(each, reading)) for each in lists])
     if not keys:
         raise NamesError(f"{place} has no rosdep key in its lists, and nor has this machine")
     return Index(
@@ -72,10 +72,10 @@ def wanted_files(place: FileUrl, wanted: Sequence[str]) -> dict[str, list[FileUr
     return files
 
 
-def entries_of(listed: RosdepList, told: Callable[[FileUrl], FileUrl]) -> Entries:
+def entries_of(listed: RosdepList, reading: Callable[[FileUrl], FileUrl]) -> Entries:
     """Return what a list holds; where the source lacks one of ros/rosdistro's, that one itself."""
     try:
-        return document(told(listed.place))
+        return document(reading(listed.place))
     except NotThereError:
         if listed.elsewhere is None:
             raise
@@ -108,5 +108,5 @@ def in_order(found: Mapping[str, set[str]]) -> Named:
 
 
 def called_alike(pip: str, key: str) -> bool:
-    """Return whether a key is called like the name on PyPI, so that nobody needs to be told."""
+    """Return whether a key is called like the name on PyPI, so that no finding is needed."""
     return key == f"python3-{pip.lower().replace('_', '-').replace('.', '-')}-pip"

@@ -15,8 +15,8 @@ from .printable import printable
 
 FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
 EXACT = frozenset({"json", "sarif", "gitlab", "rdjson"})
-"""The formats whose own syntax can hold every character: they are handed what stands in the files, and write it with
-`dump`. All others are handed text in which nothing is left that a terminal or a log would obey."""
+"""The formats whose own syntax can hold every character: they get the text as it is in the files, and write it with
+`dump`. All others get text in which nothing is left that a terminal or a log would obey."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Report:
     color: bool = False
     verbose: bool = False
     fixed: int = 0
-    """How many findings `--fix` mended."""
+    """How many findings `--fix` fixed."""
     width: int = 80
     exact: bool = False
     """Whether paths are given as they are, not as they can be shown."""

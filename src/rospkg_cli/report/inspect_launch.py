@@ -27,7 +27,7 @@ def launch_lines(file: LaunchFile, color: bool) -> Iterator[str]:
     for command in file.commands:
         yield f"      runs {visible(' '.join(word.shown for word in command.words))}"
     if not file.told:
-        yield paint("      … and what can't be told", "yellow", color)
+        yield paint("      … and what can't be determined", "yellow", color)
 
 
 def argument_text(argument: DeclaredArgument) -> str:
@@ -51,7 +51,7 @@ def shown(text: LaunchText | None) -> str | None:
 
 
 def launch_document(file: LaunchFile, at: At) -> dict[str, Any]:
-    """Return one launch file; texts are written as XML would write them, `…` is what can't be told."""
+    """Return one launch file; texts are written as XML would write them, `…` is what can't be determined."""
     return {
         "said": at(file.path, 0),
         "frontend": file.frontend,

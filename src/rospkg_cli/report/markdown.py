@@ -31,12 +31,12 @@ def row(report: Report, finding: Finding) -> str:
         finding.severity.value,
         f"{finding.code} {finding.name}",
         code(report.where(finding)),
-        said(finding.message),
+        message_markup(finding.message),
     )
     return "| " + " | ".join(cells) + " |\n"
 
 
-def said(message: str) -> str:
+def message_markup(message: str) -> str:
     """Return a message whose `code` is code, and nothing else is markup: no HTML, no link, no name that is notified."""
     *pairs, last = SPAN.split(" ".join(message.split()))
     return "".join(code(part) if number % 2 else plain(part) for number, part in enumerate(pairs)) + plain(last)

@@ -11,7 +11,7 @@ from ..finding import Finding
 def printable(finding: Finding) -> Finding:
     """Return a finding whose message, package and fix hold nothing that a terminal or a log would obey.
 
-    Line ends and tabs in what is said stay. Paths stay, for `Report.path` shows them; so does the excerpt, in which
+    Line ends and tabs in messages stay. Paths stay, for `Report.path` shows them; so does the excerpt, in which
     columns count.
     """
     message, package = visible_lines(finding.message), visible(finding.package)

@@ -1,4 +1,4 @@
-"""For people: the line of source with the spot underlined, what is wrong, and how to mend it."""
+"""For people: the line of source with the spot underlined, what is wrong, and how to fix it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import textwrap
 from typing import IO
 
 from ..control_characters import visible_lines, without_workflow_commands
+from ..engine.baseline import REASON
 from ..finding import Finding, Safety, Severity
 from .color import SEVERITY_COLORS, paint
 
@@ -70,28 +71,31 @@ def drawn(line: str) -> str:
 
 
 def summary(report: Report) -> str:
-    """Return the last line: counts, what can be repaired, what was kept quiet."""
+    """Return the last line: how many findings there are, how many can be fixed, how many are set aside."""
     results, color = report.results, report.color
     where = f"{counted(results.packages, 'package')}, {counted(results.files, 'file')}"
-    said = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
+    counts = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
     parts = (
-        [f"Found {', '.join(said)} in {where}."]
-        if said
-        else [f"{paint('Nothing to complain about', 'green', color)} in {where}."]
+        [f"Found {', '.join(counts)} in {where}."]
+        if counts
+        else [f"{paint('No problems found', 'green', color)} ({where})."]
     )
     safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
     unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
     if report.fixed:
-        parts.append(f"{report.fixed} repaired.")
+        parts.append(f"{report.fixed} fixed.")
     if safe:
-        parts.append(f"--fix repairs {safe}.")
+        parts.append(f"{safe} fixable with --fix.")
     if unsafe:
-        parts.append(f"--fix --unsafe-fixes repairs {unsafe}{' more' if safe else ''}.")
-    if results.suppressed:
-        parts.append(f"{len(results.suppressed)} ignored.")
+        parts.append(f"{unsafe}{' more' if safe else ''} fixable with --fix --unsafe-fixes.")
+    known = sum(finding.suppressed == REASON for finding in results.suppressed)
+    if known:
+        parts.append(f"{known} in the baseline.")
+    if len(results.suppressed) > known:
+        parts.append(f"{len(results.suppressed) - known} ignored.")
     return " ".join(parts)
 
 
 def counted(number: int, what: str) -> str:
-    plural = {"info": "infos"}.get(what, f"{what}s")
+    plural = {"info": "info"}.get(what, f"{what}s")
     return f"{number} {what if number == 1 else plural}"

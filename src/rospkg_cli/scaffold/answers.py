@@ -62,7 +62,7 @@ class Answers:
     """What it starts of other packages."""
     interfaces: tuple[RequestedInterface, ...]
     depends: tuple[str, ...]
-    """What was asked for beside what the template needs: sorted, each once."""
+    """What was asked for besides what the template needs: sorted, each once."""
     test_depends: tuple[str, ...]
     """The same, of what only tests use."""
     description: UserText

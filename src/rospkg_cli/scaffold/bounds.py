@@ -25,7 +25,7 @@ CPU_SECONDS = 10.0
 """Of the processor; what we write ourselves takes less than one."""
 
 MEMORY = 512_000_000
-"""Bytes beside what is used already."""
+"""Bytes, on top of what is already in use."""
 
 MAX_TEXT = 1_000_000
 """Characters of one file, of its source, and of what is made by multiplying."""
@@ -44,7 +44,7 @@ class TookTooLongError(BaseException):
 def bounded() -> Iterator[None]:
     """Bound time and memory of what is done inside; raises OwnFaultError.
 
-    Time only in the main thread, memory only where /proc tells what is used.
+    Time only in the main thread, memory only where /proc shows what is used.
     """
     try:
         with bounded_memory(), bounded_time():

@@ -65,8 +65,10 @@ def clone(asked: str, place: Path) -> Path:
     except subprocess.TimeoutExpired:
         raise ScaffoldError(f"git did not get `{address}` within {CLONE_SECONDS} seconds") from None
     if done.returncode:
-        said = done.stderr.strip().splitlines()
-        raise ScaffoldError(f"git can't clone `{address}`: {said[-1] if said else f'it left with {done.returncode}'}")
+        errors = done.stderr.strip().splitlines()
+        raise ScaffoldError(
+            f"git can't clone `{address}`: {errors[-1] if errors else f'it exited with status {done.returncode}'}"
+        )
     return place / name
 
 

@@ -18,7 +18,7 @@ from .write import is_there, temporary_folder, write
 
 @dataclass(frozen=True)
 class FolderDifference:
-    """What a folder lacks of a package, what stands in it in other words, and what it has."""
+    """The files of a package that a folder lacks, has with other content, and has already."""
 
     missing: tuple[RenderedFile, ...] = ()
     other: tuple[tuple[RenderedFile, TreeEntry], ...] = ()
@@ -27,7 +27,7 @@ class FolderDifference:
 
 
 def compare(folder: Path, files: Iterable[RenderedFile]) -> FolderDifference:
-    """Compare; raises ScaffoldError where something stands in the way that is no file, or can't be read."""
+    """Compare; raises ScaffoldError where a path is not a file, or can't be read."""
     missing, other, same = [], [], []
     for file in files:
         path = folder / file.path
@@ -50,10 +50,12 @@ def refuse_obstacles(folder: Path, path: Path) -> None:
     """Raise ScaffoldError for a link or a file where a folder must be, and for anything but a file at the path."""
     for parent in list(path.parents)[: len(path.relative_to(folder).parts) - 1]:
         if parent.is_symlink() or (parent.exists() and not parent.is_dir()):
-            what = "a link, and what lies behind it is left alone" if parent.is_symlink() else "no folder"
+            what = "a link, and what lies behind it is left alone" if parent.is_symlink() else "not a folder"
             raise ScaffoldError(f"`{parent}` is {what}; move it away, and then try again")
     if path.is_dir() or (path.is_symlink() and not path.exists()) or (path.exists() and not path.is_file()):
-        raise ScaffoldError(f"`{path}` is no file, and one of that name would be written; move it away, then try again")
+        raise ScaffoldError(
+            f"`{path}` is not a file, and a file of that name would be written; move it away, then try again"
+        )
 
 
 def write_into(folder: Path, difference: FolderDifference, replace: bool) -> Path | None:
@@ -97,7 +99,7 @@ def take_back(undo: list[Callable[[], object]]) -> None:
 
 
 def free_name(folder: Path) -> Path:
-    """Return a name beside a folder that nothing has: `NAME.orig`, `NAME.orig2`, …"""
+    """Return a free name next to a folder: `NAME.orig`, `NAME.orig2`, …"""
     number = 1
     while is_there(kept := folder.with_name(f"{folder.name}.orig{number if number > 1 else ''}")):
         number += 1

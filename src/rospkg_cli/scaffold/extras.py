@@ -29,7 +29,7 @@ def all_extras() -> dict[str, tuple[TemplateFile, ...]]:
 
 
 def with_extras(template: Template, asked: tuple[str, ...]) -> Template:
-    """Return a template that writes the extras too; raises ScaffoldError for those that nobody knows."""
+    """Return a template that writes the extras too; raises ScaffoldError for unknown ones."""
     known = all_extras()
     for name in asked:
         if name not in known:

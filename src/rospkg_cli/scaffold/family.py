@@ -21,7 +21,7 @@ from .workspace import workspace_packages
 from .write import missing_parents, write_folder
 
 OTHERS = ("interfaces", "description", "bringup")
-"""The types of the packages beside the one with the nodes; each has its type at the end of its name."""
+"""The types of the other packages, which have no nodes; each has its type at the end of its name."""
 
 
 def plan_family(request: Request, folder: Path, defaults: Mapping[str, str]) -> list[Plan]:
@@ -37,7 +37,7 @@ def plan_family(request: Request, folder: Path, defaults: Mapping[str, str]) -> 
         there = there.with_package(each.name, MemoryTree({file.path: file.entry for file in plan.files}))
         plans.append(plan)
     if maintainer.guessed:
-        note = f"nobody said your e-mail address, so it is {maintainer.email}; it stands in every package.xml"
+        note = f"no e-mail address configured; using {maintainer.email} in every package.xml"
         plans[0] = replace(plans[0], notes=(*plans[0].notes, note + (" and setup.py" if has_setup(plans) else "")))
     return plans
 

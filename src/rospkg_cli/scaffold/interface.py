@@ -103,7 +103,7 @@ def text_of(form: str, name: str, fields: str) -> str:
 
 
 def lines_of(part: str) -> Iterator[str]:
-    """Yield the fields of a part: they stand between commas or semicolons that are in no brackets and no quotes."""
+    """Yield the fields of a part: separated by commas or semicolons outside of brackets and quotes."""
     line, depth, quote = "", 0, ""
     for char in part + ",":
         if not quote and not depth and char in ",;":

@@ -27,11 +27,11 @@ class Maintainer:
     name: UserText
     email: str
     guessed: bool
-    """Whether nobody said the address."""
+    """Whether the address is made from login and host."""
 
 
 def find_maintainer(name: str, email: str, folder: Path) -> Maintainer:
-    """Return the maintainer; "" stands for what was not asked for. Raises ScaffoldError for what can't be used."""
+    """Return the maintainer; "" for what was not given. Raises ScaffoldError for what can't be used."""
     maintainer = checked_name(name or from_git("user.name", folder) or login())
     if email and not EMAIL.fullmatch(email):
         raise ScaffoldError(f"`{email}` is no e-mail address that package.xml may hold; write one as ada@example.org")

@@ -48,7 +48,7 @@ def check_node_name(name: str, package: str) -> None:
         raise ScaffoldError(f"a node can't be called like its package: {reason}; try `--node {name}_node`")
     if name == "conftest":
         raise ScaffoldError(
-            "pytest takes a module `conftest` for its own setup, and would import it; name the node else"
+            "pytest takes a module `conftest` for its own setup, and would import it; choose another name"
         )
 
 
@@ -58,7 +58,7 @@ def check_form(what: str, name: str) -> None:
         better = repaired(name)
         hint = f"; try `{better}`" if better else ""
         raise ScaffoldError(
-            f"`{name}` can't be the name of a {what}: two or more lower-case letters, digits and single underscores, "
+            f"`{name}` can't be the name of a {what}: two or more lowercase letters, digits and single underscores, "
             f"with a letter first and no underscore at the end{hint}"
         )
     if len(name) > LONGEST:

@@ -55,7 +55,7 @@ def nodes_of(
 
 
 def node_of(text: str, package: str, template: Template, there: WorkspacePackages) -> RequestedNode:
-    """Return one node; after its name, kind, language and message may stand in any order."""
+    """Return one node; after its name, kind, language and message may follow in any order."""
     name, *words = text.split(":")
     if "/" in name:
         raise ScaffoldError(f"`{name}` is a node of another package: a package of --type bringup starts such ones")
@@ -64,7 +64,7 @@ def node_of(text: str, package: str, template: Template, there: WorkspacePackage
     messages = [word for word in words if is_message(word)]
     kinds = [word for word in words if word not in LANGUAGES and word not in messages]
     if len(languages) > 1 or len(kinds) > 1 or len(messages) > 1:
-        raise ScaffoldError(f"`{text}` says too much: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
+        raise ScaffoldError(f"`{text}` has too many parts: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
     kind = all_kinds()[known_kind(kinds[0], template)] if kinds else all_kinds()[template.kinds[0]]
     if kind.name == "component" and f"{name}_component" == package:
         raise ScaffoldError(f"the library of `{name}` would have the name of its package; give the node another name")
@@ -76,7 +76,9 @@ def node_of(text: str, package: str, template: Template, there: WorkspacePackage
             f"`{text}`: this type of package has no nodes in {shown(language)}; --type {other} or mixed"
         )
     if language not in kind.languages:
-        raise ScaffoldError(f"`{text}`: there is a {kind.name} in {' and '.join(map(shown, kind.languages))} alone")
+        raise ScaffoldError(
+            f"`{text}`: {kind.name} nodes are available in {' and '.join(map(shown, kind.languages))} only"
+        )
     if not messages:
         return RequestedNode(name, kind, language)
     of = kind_of_message(kind)
@@ -85,7 +87,7 @@ def node_of(text: str, package: str, template: Template, there: WorkspacePackage
 
 
 def known_kind(word: str, template: Template) -> str:
-    """Return a kind that a template offers; raises ScaffoldError for one that it doesn't, or that nobody knows."""
+    """Return a kind that a template offers; raises ScaffoldError for one that it doesn't, or for an unknown one."""
     if word in template.kinds:
         return word
     offered = ", ".join(template.kinds)

@@ -63,14 +63,16 @@ class NodeKind:
     languages: tuple[str, ...]
     """Those that it can be written in."""
     libraries: dict[str, str]
-    """What C++ needs beside rclcpp: package to target."""
+    """What C++ needs besides rclcpp: package to target."""
 
 
 def kind_of_message(kind: NodeKind) -> NodeKind:
     """Return the kind of a node that is all about one message; raises ScaffoldError for kinds that never are."""
     of = all_kinds().get(kind.name + OF)
     if of is None:
-        raise ScaffoldError(f"a {kind.name} has no message of its own choice; a publisher and a subscriber have")
+        raise ScaffoldError(
+            f"the interface of a {kind.name} node can't be chosen yet; that of a publisher or subscriber can"
+        )
     return of
 
 

@@ -1,4 +1,4 @@
-"""What `new` would write, and what there is to say of it."""
+"""What `rospkg new` would write, with notes and findings on it."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Plan:
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace."""
     findings: tuple[Finding, ...]
-    """What our own linter says of what was asked for (a key that nobody knows, say); never an error."""
+    """What our own linter says of what was asked for (an unknown key, say); never an error."""
     notes: tuple[str, ...]
     """What the user should hear: guesses, and what follows from what was asked for."""
 
@@ -145,4 +145,4 @@ def where_guessed(maintainer: Maintainer, files: Sequence[RenderedFile]) -> str:
         for number, line in enumerate(file.entry.text.text.splitlines(), 1):
             if maintainer.email in line:
                 places.append(f"{file.path} line {number}")
-    return f"nobody said your e-mail address, so it is {maintainer.email}; to change it: {' and '.join(places)}"
+    return f"no e-mail address configured; using {maintainer.email}; to change it: {' and '.join(places)}"

@@ -64,7 +64,7 @@ def render(template: Template, answers: Answers) -> tuple[RenderedFile, ...]:
 
 
 def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Yield what a file knows beside the answers, once for each time that it is written."""
+    """Yield what a file knows besides the answers, once for each time that it is written."""
     singular = file.each.rpartition("_")[2].removesuffix("s")
     for extra in [{singular: item} for item in values[file.each]] if file.each else [{}]:
         with in_value(file.when):

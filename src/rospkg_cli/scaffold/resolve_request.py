@@ -1,4 +1,4 @@
-"""From what was typed to answers; each refusal is one sentence with the reason and what to do."""
+"""From what was typed to answers; each error is one sentence with the reason and what to do."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def requested_interfaces(request: Request, template: Template) -> tuple[Requeste
     options = [f"--{form} {quote(text)}" for form, texts in asked.items() for text in texts]
     if options:
         command = f"rospkg new {request.name}_interfaces --type interfaces {' '.join(options)}"
-        raise ScaffoldError(f"{options[0].partition(' ')[0]} wants a package that only holds interfaces: {command}")
+        raise ScaffoldError(f"{options[0].partition(' ')[0]} requires an interfaces package: {command}")
     return ()
 
 
@@ -44,9 +44,11 @@ def depends_of(asked: tuple[str, ...], package: str) -> tuple[tuple[str, ...], t
         if key == package:
             raise ScaffoldError(f"`{key}` can't depend on itself; leave it out of --depends")
         if key == "ament_python":
-            raise ScaffoldError("`ament_python` is the build type and no package; leave it out of --depends")
+            raise ScaffoldError("`ament_python` is a build type, not a package; leave it out of --depends")
         if not KEY.fullmatch(key) or len(key) > LONGEST_KEY:
-            raise ScaffoldError(f"`{key}` is neither the name of a ROS package nor a rosdep key; --depends wants those")
+            raise ScaffoldError(
+                f"`{key}` is neither the name of a ROS package nor a rosdep key; --depends takes only those"
+            )
     keys = sorted(set(asked))
     tests = tuple(key for key in keys if TEST_ONLY.fullmatch(key))
     return tuple(key for key in keys if key not in tests), tests
@@ -64,7 +66,7 @@ def license_of(asked: str) -> License:
 
 def version_of(asked: str) -> str:
     if not VERSION.fullmatch(asked):
-        raise ScaffoldError(f"`{asked}` is no version of a ROS package: three numbers without leading zeros, as 0.1.0")
+        raise ScaffoldError(f"`{asked}` is not a package version: three numbers without leading zeros, such as 0.1.0")
     return asked
 
 
@@ -75,5 +77,5 @@ def distro_of(asked: str, notes: list[str]) -> Distro:
     sourced = os.environ.get("ROS_DISTRO", "")
     unknown = bool(fault_of_name(sourced))
     if not asked and sourced and unknown:
-        notes.append(f"nothing is known of ROS_DISTRO={sourced}; written for {NEWEST_LTS} (--distro chooses)")
+        notes.append(f"ROS_DISTRO={sourced} is unknown; written for {NEWEST_LTS} (--distro chooses)")
     return distro(asked or (NEWEST_LTS if unknown else sourced))

@@ -16,14 +16,16 @@ def check_target(into: Path, target: Path, may_exist: bool = False) -> None:
     if not may_exist:
         refuse_existing(target)
     elif is_there(target) and not target.is_dir():
-        raise ScaffoldError(f"`{target}` is no folder; it was left alone: choose another name, or a folder with --into")
+        raise ScaffoldError(
+            f"`{target}` is not a folder; it was left alone: choose another name, or a folder with --into"
+        )
     for folder in (into.absolute(), *into.absolute().parents):
         if folder.exists() and not folder.is_dir():
-            raise ScaffoldError(f"`{folder}` is a file; --into wants a folder")
+            raise ScaffoldError(f"`{folder}` is a file; --into requires a folder")
         if (folder / "package.xml").is_file():
             raise ScaffoldError(
-                f"`{folder}` is a package itself, and colcon looks for none inside another; "
-                f"choose a folder beside it: --into {folder.parent}"
+                f"`{folder}` is a package, and colcon does not look for packages inside another; "
+                f"choose another folder: --into {folder.parent}"
             )
 
 

@@ -96,12 +96,12 @@ def load_template(name: str) -> Template:
 def check_types(data: Any, wanted: Mapping[str, type]) -> None:
     """Raise TypeError for a value of another type than is wanted; lists are of texts, but for that of the files."""
     if not isinstance(data, dict):
-        raise TypeError("`files` wants tables: [[files]]")
+        raise TypeError("`files` must be tables: [[files]]")
     for key, value in data.items():
         kind = wanted.get(key, object)
         texts = value if kind is list and key != "files" and isinstance(value, list) else ()
         if not isinstance(value, kind) or not all(isinstance(text, str) for text in texts):
-            raise TypeError(f"`{key}` wants {WORDS[kind]}")
+            raise TypeError(f"`{key}` must be {WORDS[kind]}")
 
 
 def read_template(folder: Path) -> Template:

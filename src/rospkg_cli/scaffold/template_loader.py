@@ -24,7 +24,7 @@ class SourceLoader(FileSystemLoader):
 
 
 def check_source(path: Path, folder: Path) -> None:
-    """Raise OwnFaultError for a link that leads out of a folder, for what is no file, and for one that is too large.
+    """Raise OwnFaultError for a link that leads out of a folder, for what is not a file, and for one that is too large.
 
     Raises OSError where there is nothing.
     """
@@ -33,6 +33,6 @@ def check_source(path: Path, folder: Path) -> None:
     if not path.resolve().is_relative_to(folder.resolve()):
         raise OwnFaultError(f"`{name}` is a link that leads out of the template: it is not read")
     if not path.is_file():
-        raise OwnFaultError(f"`{name}` is no file")
+        raise OwnFaultError(f"`{name}` is not a file")
     if path.stat().st_size > MAX_TEXT:
         raise OwnFaultError(f"`{name}` has {path.stat().st_size:,} bytes; at most {MAX_TEXT:,} are read")

@@ -19,7 +19,7 @@ from .render import RenderedFile
 def write_folder(target: Path, files: Iterable[RenderedFile]) -> None:
     """Write a folder that is not there yet, in one step; whatever interrupts it, nothing is left.
 
-    Raises ScaffoldError where something stands at the target or the disk refuses.
+    Raises ScaffoldError where something is at the target or the disk refuses.
     """
     made = missing_parents(target)
     beside = temporary_folder(target)

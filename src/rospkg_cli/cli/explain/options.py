@@ -15,7 +15,7 @@ RULES_EPILOG = "Example:  rospkg rules --format json"
 
 
 def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
-    """What a rule finds, why, a bad and a good example, and its fix."""
+    """Show what a rule finds, why, a bad and a good example, and its fix."""
     from ...control_characters import visible_lines
     from .run import explain as text
 

@@ -22,5 +22,5 @@ def find_rule(name: str) -> Rule[Any]:
             return rule
     some = sorted(codes_named(name))
     if some:
-        raise UsageError(f"`{name}` stands for several rules: {', '.join(some)}; name one")
+        raise UsageError(f"`{name}` matches several rules: {', '.join(some)}; name one")
     raise UsageError(f"there is no rule `{name}`{did_you_mean(name, rule_names())}; `rospkg rules` lists them")

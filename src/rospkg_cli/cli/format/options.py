@@ -12,10 +12,12 @@ EPILOG = "Examples:  rospkg format  ·  rospkg format src/ --check  ·  rospkg f
 
 def format(
     paths: Annotated[list[Path] | None, Argument(help="Packages, folders of packages, or files in them.")] = None,
-    check: Annotated[bool, Option("--check", help="Change nothing; leave with 1 if something would change.")] = False,
+    check: Annotated[
+        bool, Option("--check", help="Change nothing; exit with status 1 if something would change.")
+    ] = False,
     diff: Annotated[bool, Option("--diff", help="As --check, and show what would change.")] = False,
 ) -> int:
-    """Put package.xml in canonical order: elements as the schema wants, dependencies sorted; nothing else changes."""
+    """Put package.xml in canonical order: elements as in the schema, dependencies sorted; nothing else changes."""
     from .run import format_manifests
 
     return format_manifests(paths or (), check, diff)

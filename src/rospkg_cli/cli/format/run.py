@@ -46,7 +46,7 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     for path in sorted(changes):
         print(f"{verb}: {visible(relative(located.root / path))}", file=sys.stderr if diff else sys.stdout)
     left = len(located.scope.given) - len(changes) - len(broken)
-    print(f"{len(changes)} {verb}, {left} in order already", file=sys.stderr)
+    print(f"{len(changes)} {verb}, {left} already in order", file=sys.stderr)
     return 1 if broken or (changes and (check or diff)) else 0
 
 

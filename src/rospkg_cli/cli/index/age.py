@@ -1,4 +1,4 @@
-"""How old the index of names is, and when that has to be said."""
+"""The age of the index of names, and a warning where it is old."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from ...ros.names import FetchedNames, Names
 from ..streams import say
 
 OLD = 90
-"""Days after which packages that were released meanwhile may be taken for unknown."""
+"""Days after which newly released packages may be reported as unknown."""
 
 ASKS = "DEP001"
-"""The rule that tells unknown names."""
+"""The rule that reports unknown names."""
 
 
 def age(index: Index) -> int:
@@ -28,8 +28,8 @@ def in_words(days: int) -> str:
 
 
 def warn_of_age(names: Names, findings: Iterable[Finding]) -> None:
-    """Say on stderr that the index is old, where names were told by it."""
+    """Warn on stderr that the index is old, where a finding depends on it."""
     if isinstance(names, FetchedNames) and any(finding.code == ASKS for finding in findings):
         days = age(names.index)
         if days > OLD:
-            say(f"the index of names is {days} days old; `rospkg index update` fetches it anew")
+            say(f"the index of names is {days} days old; `rospkg index update` fetches a new one")

@@ -1,4 +1,4 @@
-"""`rospkg index`: fetch the names of packages and keys, and tell what was fetched."""
+"""`rospkg index`: fetch the index of package names and rosdep keys, and show what it holds."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .age import age, in_words
 
 
 def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -> int:
-    """Fetch an index and keep it in the place of the old one; return the exit status.
+    """Fetch an index and replace the old one; return the exit status.
 
     Raises UsageError, ConfigError, and NamesError where the old one stays.
     """
@@ -38,7 +38,7 @@ def update(source: str = "", distros: Sequence[str] = (), quiet: bool = False) -
         index = make_index(place, wanted, os.environ, lambda what, n, of: say(f"reading {n} of {of}: {what}"))
     cache_index(index, os.environ)
     if not quiet:
-        afterwards(lambda: print("\n".join(shown(index, path))), "the names are kept")
+        afterwards(lambda: print("\n".join(shown(index, path))), "the index is written")
     return 0
 
 
@@ -49,8 +49,8 @@ def status(format: str = "text") -> int:
         print(json.dumps(None if index is None else document(index, cache_file(os.environ)), indent=2))
     elif index is None:
         print(
-            f"No index was fetched: {len(BUILT_IN.packages):,} packages and {len(BUILT_IN.keys):,} rosdep keys that "
-            "are built in answer, and of other names nobody can tell. `rospkg index update` fetches one."
+            f"No index fetched; using {len(BUILT_IN.packages):,} built-in package names and {len(BUILT_IN.keys):,} "
+            "rosdep keys. Other names can't be checked. `rospkg index update` fetches an index."
         )
     else:
         print("\n".join(shown(index, cache_file(os.environ))))
@@ -58,7 +58,7 @@ def status(format: str = "text") -> int:
 
 
 def shown(index: Index, path: Path) -> Iterator[str]:
-    """Yield the lines that tell of an index."""
+    """Yield the lines that describe an index."""
     yield f"source    {visible(index.source)}"
     yield from (f"list      {visible(each)}" for each in index.lists)
     yield f"fetched   {visible(index.fetched).replace('T', ' ').replace('Z', ' UTC')} ({in_words(age(index))})"

@@ -20,7 +20,7 @@ def inspect(
     ] = None,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
-    """What will be installed where, without building, and what launch files start."""
+    """Show what the build will install where, without building, and what launch files start."""
     from .run import inspect as print_table
 
     one_of("--format", format, ("text", "json"))

@@ -1,4 +1,4 @@
-"""`rospkg inspect`: what the build installs where, known without building."""
+"""`rospkg inspect`: what the build will install where, found without building."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def inspect(
 
 
 def inspected(tree: DiskTree, folder: str, fallback: str, targets: Targets) -> Inspection | None:
-    """Inspect one package; what we fail on is said, and None is returned, so that the others are shown."""
+    """Inspect one package; after an internal error print it and return None, so that the others are shown."""
     package = Package(PackageFiles(tree.sub(folder), folder))
     try:
         found = inspect_package(package, fallback, targets)
@@ -66,6 +66,6 @@ def inspected(tree: DiskTree, folder: str, fallback: str, targets: Targets) -> I
         failure = next(iter(package.crashes.values()), "").strip().rpartition("\n")[2]
     if failure:
         where = f"`{folder or fallback}`"
-        say(f"{where} can't be inspected, by a fault of ours: {failure}; please report it")
+        say(f"{where} can't be inspected: internal error: {failure}; please report it")
         return None
     return found

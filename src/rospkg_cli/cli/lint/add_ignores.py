@@ -1,4 +1,4 @@
-"""`rospkg lint --add-ignores REASON`: write the comments, and say what no comment can silence."""
+"""`rospkg lint --add-ignores REASON`: write the comments, and report what no comment can ignore."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from ..streams import say
 
 
 def add_ignores(reason: str, session: Session, report: Report) -> int:
-    """Silence every finding that is left, with a reason; return 0, or 1 where some could not be silenced."""
+    """Write an ignore comment with a reason for every finding; return 0, or 1 where some remain."""
     if not reason.strip():
-        raise UsageError('--add-ignores wants a reason: --add-ignores "vendored, will be replaced"')
-    changes, left = silenced(session, report.results.findings, reason)
+        raise UsageError('--add-ignores requires a reason: --add-ignores "vendored, will be replaced"')
+    changes, left = with_ignores(session, report.results.findings, reason)
     written = write_changes(report.root, session.tree, changes)
     count = len(report.results.findings) - len(left)
-    say(f"findings that are ignored now: {count}, in files: {len(written)}")
+    say(f"findings that are now ignored: {count}, in files: {len(written)}")
     for finding in left:
-        say(f"{report.where(finding)}: {finding.code} takes no comment; ignore it in rospkg.toml")
+        say(f"{report.where(finding)}: {finding.code} can't be ignored by a comment; ignore it in rospkg.toml")
     return 1 if left else 0
 
 
-def silenced(session: Session, findings: tuple[Finding, ...], reason: str) -> tuple[Changes, list[Finding]]:
-    """Return the changes that silence findings, and the findings that remain; files that would break are left out."""
+def with_ignores(session: Session, findings: tuple[Finding, ...], reason: str) -> tuple[Changes, list[Finding]]:
+    """Return the changes that add ignore comments, and the findings that remain; no file is made unreadable."""
     base = Overlay(session.tree)
     fixes = list(ignore_comments(session.tree, findings, reason))
     changes, _ = apply_fixes(base, fixes)

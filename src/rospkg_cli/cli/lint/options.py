@@ -11,7 +11,7 @@ from .. import UsageError
 from ..arguments import one_of, split
 
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
-CHOICE, SILENCE, REPAIR, OUTPUT = "Which rules", "Silence and adoption", "Repair", "Output"
+CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", "Fixes", "Output"
 FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
 
 Names = list[str] | None
@@ -19,63 +19,71 @@ Names = list[str] | None
 
 def lint(
     paths: Annotated[list[Path] | None, Argument(help="Packages, folders of packages, or files in them.")] = None,
-    select: Annotated[Names, Option(metavar="CODES", help="Run only these.", rich_help_panel=CHOICE)] = None,
-    ignore: Annotated[Names, Option(metavar="CODES", help="Leave these out.", rich_help_panel=CHOICE)] = None,
-    extend_select: Annotated[Names, Option(metavar="CODES", help="Run these too.", rich_help_panel=CHOICE)] = None,
-    pedantic: Annotated[bool, Option("--pedantic", help="Also matters of taste.", rich_help_panel=CHOICE)] = False,
+    select: Annotated[Names, Option(metavar="CODES", help="Run only these rules.", rich_help_panel=CHOICE)] = None,
+    ignore: Annotated[Names, Option(metavar="CODES", help="Do not run these rules.", rich_help_panel=CHOICE)] = None,
+    extend_select: Annotated[
+        Names, Option(metavar="CODES", help="Run these rules too.", rich_help_panel=CHOICE)
+    ] = None,
+    pedantic: Annotated[
+        bool, Option("--pedantic", help="Also run rules on matters of taste.", rich_help_panel=CHOICE)
+    ] = False,
     release: Annotated[
-        bool, Option("--release", help="Also what a release into a distribution wants.", rich_help_panel=CHOICE)
+        bool, Option("--release", help="Also run rules for packages that will be released.", rich_help_panel=CHOICE)
     ] = False,
     preview: Annotated[
-        bool, Option("--preview", help="Also rules that are new in this release.", rich_help_panel=CHOICE)
+        bool, Option("--preview", help="Also run rules that are new in this release.", rich_help_panel=CHOICE)
     ] = False,
     target: Annotated[
         Names,
-        Option(metavar="DISTROS", help="humble,jazzy,… (else $ROS_DISTRO, else unknown).", rich_help_panel=CHOICE),
+        Option(metavar="DISTROS", help="humble,jazzy,…", show_default="$ROS_DISTRO", rich_help_panel=CHOICE),
     ] = None,
-    fix: Annotated[bool, Option("--fix", help="Repair what can be repaired safely.", rich_help_panel=REPAIR)] = False,
+    fix: Annotated[bool, Option("--fix", help="Fix what can be fixed safely.", rich_help_panel=FIXES)] = False,
     unsafe_fixes: Annotated[
-        bool, Option("--unsafe-fixes", help="With --fix: also what changes a meaning.", rich_help_panel=REPAIR)
+        bool,
+        Option(
+            "--unsafe-fixes", help="With --fix or --diff: also fixes that may change behaviour.", rich_help_panel=FIXES
+        ),
     ] = False,
     diff: Annotated[
-        bool, Option("--diff", help="Show what --fix would change; change nothing.", rich_help_panel=REPAIR)
+        bool, Option("--diff", help="Show what --fix would change; change nothing.", rich_help_panel=FIXES)
     ] = False,
     exit_non_zero_on_fix: Annotated[
-        bool, Option("--exit-non-zero-on-fix", help="Leave with 1 when files were changed.", rich_help_panel=REPAIR)
+        bool,
+        Option("--exit-non-zero-on-fix", help="Exit with status 1 when files were changed.", rich_help_panel=FIXES),
     ] = False,
     add_ignores: Annotated[
         str | None,
-        Option(metavar="REASON", help="Write an ignore comment at each finding.", rich_help_panel=SILENCE),
+        Option(metavar="REASON", help="Write an ignore comment at each finding.", rich_help_panel=SUPPRESSION),
     ] = None,
     baseline: Annotated[
-        Path | None, Option(metavar="FILE", help="Report only what is not in it.", rich_help_panel=SILENCE)
+        Path | None,
+        Option(metavar="FILE", help="Report only findings that are not in this baseline.", rich_help_panel=SUPPRESSION),
     ] = None,
     write_baseline: Annotated[
-        Path | None, Option(metavar="FILE", help="Write what is found now to a file.", rich_help_panel=SILENCE)
+        Path | None,
+        Option(metavar="FILE", help="Write the present findings to a baseline.", rich_help_panel=SUPPRESSION),
     ] = None,
     format: Annotated[str, Option("--format", metavar="FORMAT", help=FORMAT_HELP, rich_help_panel=OUTPUT)] = "text",
     output: Annotated[
-        Names, Option(metavar="FORMAT:FILE", help="Write a report to a file, too.", rich_help_panel=OUTPUT)
+        Names, Option(metavar="FORMAT:FILE", help="Also write a report to a file.", rich_help_panel=OUTPUT)
     ] = None,
     statistics: Annotated[bool, Option("--statistics", help="Count findings by rule.", rich_help_panel=OUTPUT)] = False,
     fail_on: Annotated[
         str | None,
-        Option(metavar="LEVEL", help="error, warning or info (else warning).", rich_help_panel=OUTPUT),
+        Option(metavar="LEVEL", help="error, warning or info.", show_default="warning", rich_help_panel=OUTPUT),
     ] = None,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.", rich_help_panel=OUTPUT)] = "auto",
     quiet: Annotated[
-        bool, Option("--quiet", "-q", help="Say nothing where nothing is wrong.", rich_help_panel=OUTPUT)
+        bool, Option("--quiet", "-q", help="Print nothing when there are no problems.", rich_help_panel=OUTPUT)
     ] = False,
     verbose: Annotated[
-        bool, Option("--verbose", "-v", help="Show the traceback of a fault of ours.", rich_help_panel=OUTPUT)
+        bool, Option("--verbose", "-v", help="Show the traceback of an internal error.", rich_help_panel=OUTPUT)
     ] = False,
-    workspace: Annotated[
-        Path | None, Option(metavar="DIR", help="Its packages are known, but not reported on.")
-    ] = None,
-    jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="How many processes.")] = "auto",
-    allow_empty: Annotated[bool, Option("--allow-empty", help="No package found is no error.")] = False,
+    workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
+    jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
+    allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
 ) -> int:
-    """Check packages; --fix repairs."""
+    """Find mistakes in packages; --fix corrects them."""
     typed: dict[str, Any] = dict(locals())
     from ...report import FORMATS
     from .lint_options import LintOptions

@@ -1,4 +1,4 @@
-"""`rospkg new --interactive`: a question for everything that was not typed, each with the default that holds anyway."""
+"""`rospkg new --interactive`: a question for every option that was not given, each with its default."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ OPTIONS = {
     "template": "--type", "nodes": "--node", "msgs": "--msg", "srvs": "--srv", "actions": "--action",
     "extras": "--with", "own_template": "--template",
 }  # fmt: skip
-"""The options whose names are not those of the request's fields."""
+"""The options whose names differ from those of the request's fields."""
 
 
 @dataclass(frozen=True)
@@ -36,29 +36,31 @@ class Question:
     field: str
     text: str
     default: Callable[[Request, Path], str] = lambda request, folder: ""
-    """What holds where nothing is answered, in the words of an answer."""
+    """The default, written as an answer."""
     applies: Callable[[Template], bool] = lambda template: True
     each: bool = False
-    """Whether it is asked again until nothing is answered, because commas stand in an answer."""
+    """Whether it is asked again until the answer is empty, because an answer may contain commas."""
 
 
 QUESTIONS = (
     Question("template", f"Type: {', '.join(template_names())}", lambda request, folder: request.template),
     Question(
         "nodes",
-        "Nodes, by commas, as NAME or NAME:KIND",
+        "Nodes (comma-separated), as NAME or NAME:KIND",
         lambda request, folder: ",".join(default_nodes(request.name, template_of(request.template))),
         lambda template: bool(template.kinds),
     ),
-    Question("nodes", "Nodes to start, by commas, as PACKAGE/EXECUTABLE", applies=lambda template: template.starts),
+    Question(
+        "nodes", "Nodes to start (comma-separated), as PACKAGE/EXECUTABLE", applies=lambda template: template.starts
+    ),
     Question(
         "msgs",
-        "A message, as NAME or NAME:FIELDS (empty: no more)",
+        "A message, as NAME or NAME:FIELDS (empty to go on)",
         lambda request, folder: "" if request.msgs or request.srvs or request.actions else "Status",
         lambda template: template.interfaces,
         each=True,
     ),
-    Question("depends", "Packages and rosdep keys that it uses, by commas"),
+    Question("depends", "Dependencies: packages and rosdep keys (comma-separated)"),
     Question(
         "launch",
         f"Launch file: {', '.join(LAUNCH_FORMATS)}",
@@ -71,8 +73,8 @@ QUESTIONS = (
         f"Distribution: {', '.join(each.name for each in DISTROS)}",
         lambda request, folder: distro_of("", []).name,
     ),
-    Question("description", "What it does, in a sentence", lambda request, folder: "from its content"),
-    Question("license", "License, as SPDX calls it", lambda request, folder: LICENSE),
+    Question("description", "Description, in one sentence", lambda request, folder: "from its content"),
+    Question("license", "License (SPDX identifier)", lambda request, folder: LICENSE),
     Question("maintainer", "Maintainer", lambda request, folder: find_maintainer("", "", folder).name.text),
     Question("email", "E-mail", lambda request, folder: find_maintainer("", "", folder).email),
 )
@@ -81,7 +83,7 @@ QUESTIONS = (
 def ask(request: Request, folder: Path, defaults: Mapping[str, str]) -> Request:
     """Return the request with what was answered; raises UsageError where the answers end too soon."""
     while not request.name:
-        request = answered(Question("name", "Name"), request, lambda asked: check_package_name(asked.name), "")
+        request = answered(Question("name", "Package name"), request, lambda asked: check_package_name(asked.name), "")
     known = request.with_defaults(defaults)
     for question in QUESTIONS:
         template = template_of(request.template)
@@ -122,7 +124,7 @@ def answered(question: Question, request: Request, check: Callable[[Request], ob
 
 
 def read_line(prompt: str, what: str) -> str:
-    """Return one line of what is typed; the prompt goes where all talk goes."""
+    """Return one line from stdin; the prompt goes to stderr."""
     print(visible(prompt), end="", file=sys.stderr, flush=True)
     text = sys.stdin.readline()
     if not text:

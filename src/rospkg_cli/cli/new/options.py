@@ -47,53 +47,85 @@ def new(
     srv: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="A service.", rich_help_panel=WHAT)] = None,
     action: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="An action.", rich_help_panel=WHAT)] = None,
     launch: Annotated[
-        str, Option(metavar="FORMAT", help="The launch file: py, xml, yaml or none. Else py.", rich_help_panel=WHAT)
+        str,
+        Option(
+            metavar="FORMAT", help="The launch file: py, xml, yaml or none.", show_default="py", rich_help_panel=WHAT
+        ),
     ] = "",
     params: Annotated[
         bool, Option("--params/--no-params", help="A file of parameters for the nodes.", rich_help_panel=WHAT)
     ] = True,
     tests: Annotated[
-        str, Option(metavar="TESTS", help="ament, minimal or none. Else ament.", rich_help_panel=WHAT)
+        str, Option(metavar="TESTS", help="ament, minimal or none.", show_default="ament", rich_help_panel=WHAT)
     ] = "",
     family: Annotated[bool, Option("--family", help=FAMILY, rich_help_panel=WHAT)] = False,
     with_: Annotated[
         Names,
-        Option("--with", metavar="EXTRAS", help="ci, pre-commit, devcontainer, docs; by commas.", rich_help_panel=WHAT),
+        Option(
+            "--with",
+            metavar="EXTRAS",
+            help="ci, pre-commit, devcontainer, docs (comma-separated).",
+            rich_help_panel=WHAT,
+        ),
     ] = None,
     template: Annotated[
         str,
-        Option(metavar="DIR|GIT-URL", help="A template of your own, in the place of --type.", rich_help_panel=WHAT),
+        Option(metavar="DIR|GIT-URL", help="A template of your own, instead of --type.", rich_help_panel=WHAT),
     ] = "",
     depends: Annotated[
-        Names, Option(metavar="KEYS", help="Packages and rosdep keys that it uses.", rich_help_panel=WHAT)
+        Names,
+        Option(
+            metavar="KEYS", help="Packages and rosdep keys that it depends on (comma-separated).", rich_help_panel=WHAT
+        ),
     ] = None,
     distro: Annotated[
-        str, Option(metavar="DISTRO", help="Else $ROS_DISTRO, else the newest LTS.", rich_help_panel=WHAT)
+        str,
+        Option(
+            metavar="DISTRO",
+            help="The ROS distribution.",
+            show_default="$ROS_DISTRO, or the newest LTS",
+            rich_help_panel=WHAT,
+        ),
     ] = "",
-    description: Annotated[str, Option(help="In one sentence.", rich_help_panel=WHO)] = "",
-    license: Annotated[str, Option(metavar="SPDX", help="Else Apache-2.0.", rich_help_panel=WHO)] = "",
-    maintainer: Annotated[str, Option(metavar="NAME", help="Else git's.", rich_help_panel=WHO)] = "",
-    email: Annotated[str, Option(help="Else git's.", rich_help_panel=WHO)] = "",
-    version: Annotated[str, Option(help="MAJOR.MINOR.PATCH.", rich_help_panel=WHO)] = "",
-    year: Annotated[int, Option(help="Of the copyright; else this one.", rich_help_panel=WHO)] = 0,
-    into: Annotated[Path, Option(metavar="DIR", help="The folder to put it in.", rich_help_panel=WHERE)] = Path(),
+    description: Annotated[str, Option(help="What the package does, in one sentence.", rich_help_panel=WHO)] = "",
+    license: Annotated[
+        str,
+        Option(
+            metavar="SPDX", help="The license, as an SPDX identifier.", show_default="Apache-2.0", rich_help_panel=WHO
+        ),
+    ] = "",
+    maintainer: Annotated[
+        str, Option(metavar="NAME", help="Name of the maintainer.", show_default="from git", rich_help_panel=WHO)
+    ] = "",
+    email: Annotated[
+        str, Option(help="E-mail address of the maintainer.", show_default="from git", rich_help_panel=WHO)
+    ] = "",
+    version: Annotated[str, Option(help="MAJOR.MINOR.PATCH.", show_default="0.1.0", rich_help_panel=WHO)] = "",
+    year: Annotated[int, Option(help="Year of the copyright.", show_default="this year", rich_help_panel=WHO)] = 0,
+    into: Annotated[Path, Option(metavar="DIR", help="The folder to write it into.", rich_help_panel=WHERE)] = Path(),
     dry_run: Annotated[
         bool, Option("--dry-run", help="Show the tree and every file; write nothing.", rich_help_panel=WHERE)
     ] = False,
     diff: Annotated[
         bool,
-        Option("--diff", help="Show what would change in a folder that exists; 1 if anything.", rich_help_panel=WHERE),
+        Option(
+            "--diff",
+            help="Show what would change in an existing folder; exit with status 1 if anything would.",
+            rich_help_panel=WHERE,
+        ),
     ] = False,
     force: Annotated[
         bool,
-        Option("--force", help="Replace what differs there; what was is kept in NAME.orig.", rich_help_panel=WHERE),
+        Option(
+            "--force",
+            help="Replace files that differ there; the old ones are kept in NAME.orig.",
+            rich_help_panel=WHERE,
+        ),
     ] = False,
     skip: Annotated[
-        bool, Option("--skip", help="Write what is missing there, leave the rest alone.", rich_help_panel=WHERE)
+        bool, Option("--skip", help="Write only files that are missing there.", rich_help_panel=WHERE)
     ] = False,
-    interactive: Annotated[
-        bool, Option("--interactive", "-i", help="Ask for what was not typed, with the same defaults.")
-    ] = False,
+    interactive: Annotated[bool, Option("--interactive", "-i", help="Ask for everything that was not given.")] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
@@ -123,7 +155,7 @@ def new(
         year=year,
     )
     if template and type != "ament_python":
-        raise UsageError("--template stands in the place of --type; leave one of them out")
+        raise UsageError("--template replaces --type; leave one of them out")
     if force and skip:
         raise UsageError("--force replaces what --skip leaves alone; choose one of them")
     if interactive:
@@ -134,7 +166,7 @@ def new(
         request = ask(request, into, defaults(into))
         say(f"the same without questions: {command_of(request)}")
     elif not name:
-        raise UsageError("the package wants a name: `rospkg new my_robot_nav`; `rospkg new -i` asks for everything")
+        raise UsageError("a package name is required: `rospkg new my_robot_nav`; `rospkg new -i` asks for everything")
     if family:
         from .family import new_family
 
@@ -144,7 +176,7 @@ def new(
             raise UsageError("--with is for a package that is a repository of its own; leave it out with --family")
         if diff or force or skip:
             raise UsageError(
-                "--family writes packages that are not there yet; --diff, --force and --skip want one package"
+                "--family writes packages that are not there yet; --diff, --force and --skip require a single package"
             )
         return new_family(request, into, dry_run, color)
     existing = "force" if force else "skip" if skip else ""

@@ -11,7 +11,7 @@ from ...leftovers import is_build_output, is_never_source
 from ...tree import Tree
 
 REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
-"""What stands in the root of a repository; in an export without its .git, what its host reads."""
+"""Files in the root of a repository; an export without .git has those that its host reads."""
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 

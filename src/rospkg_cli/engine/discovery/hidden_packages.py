@@ -1,4 +1,4 @@
-"""Packages that stand below a path and are not looked at: what hides them."""
+"""Packages below a path that are left out, and the marker or folder that hides them."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ VENDOR_FOLDERS = frozenset("third_party thirdparty vendor vendored external temp
 
 
 def describe_hidden(paths: Iterable[Path]) -> str:
-    """Say what hides packages that stand below the paths; nothing where there are none."""
+    """Return a sentence on what hides packages below the paths; "" where there are none."""
     found = [(top, p) for top in map(Path.resolve, paths) if top.is_dir() for p in packages_below(top, marked=True)]
     if not found:
         return ""
     marks = {hiding_path(top, package).relative_to(top).as_posix(): None for top, package in found}
     others = {1: "", 2: " and another marker"}.get(len(marks), f" and {len(marks) - 1} other markers")
-    count = "one stands" if len(found) == 1 else f"{len(found)} stand"
+    count = "1 package" if len(found) == 1 else f"{len(found)} packages"
     return f"{count} below, hidden by `{next(iter(marks))}`{others}"
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
-"""Of a .gitmodules; a larger one lists nothing that anybody has checked out."""
+"""The largest .gitmodules that is read."""
 
 MAX_SUBMODULES = 10_000
 
@@ -19,7 +19,7 @@ SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:
     """Return whether something in a workspace, in a folder right below it or above one of the packages says so.
 
-    Where there is no workspace around, the folder that holds the packages stands for it.
+    Where there is no workspace around, the folder that holds the packages is taken for it.
     """
     if around is None and not packages:
         return False

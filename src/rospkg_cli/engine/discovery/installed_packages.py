@@ -1,4 +1,4 @@
-"""Names of the packages that are installed on this machine: they may silence a finding, never cause one."""
+"""Names of the packages that are installed on this machine: they may prevent a finding, never cause one."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ def each_once(packages: Iterable[Path]) -> list[Path]:
 
 
 def siblings(packages: Iterable[Path]) -> Iterator[Path]:
-    """Yield the packages that lie beside some others, where there is no workspace around them."""
+    """Yield the packages next to some others, where there is no workspace around them."""
     for folder in dict.fromkeys(package.parent for package in packages):
         if not is_shared(folder):
             yield from (path.parent for path in sorted(folder.glob("*/package.xml")) if path.is_file())

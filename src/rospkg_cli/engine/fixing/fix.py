@@ -1,4 +1,4 @@
-"""Repair in rounds: apply what fits together, lint again, until nothing changes; nothing here touches the disk."""
+"""Fix in rounds: apply what fits together, lint again, until nothing changes; nothing here touches the disk."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Ban = tuple[str, str]
 
 @dataclass
 class FixResults:
-    """What fixing came to."""
+    """The results of a run with fixes."""
 
     results: Results
     """Of the last round."""
@@ -34,10 +34,10 @@ class FixResults:
 
 
 def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
-    """Fix everything that may be fixed and that the session's judge leaves; it always ends.
+    """Fix everything that may be fixed and that the session's filter leaves; it always ends.
 
-    Each round applies at least one fix or is the last. A fix that is still wanted after MAX_ROUNDS never comes to
-    rest: fixing begins anew without it.
+    Each round applies at least one fix or is the last. A fix that is still wanted after MAX_ROUNDS never
+    settles: fixing starts again without it.
     """
     first = session.run()
     banned: set[Ban] = set()
@@ -49,7 +49,7 @@ def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
             found.changes = {p: e for p, e in found.changes.items() if e != original_entry(session, p)}
             return found
         guilty = oscillating(found.applied, left)
-        refused += [(each, "it wants the same again after each repair; please report this") for each in guilty]
+        refused += [(each, "it is found again after each fix; please report this") for each in guilty]
         banned |= {(each.code, each.place.path) for each in guilty}
     return FixResults(first, refused=refused)
 

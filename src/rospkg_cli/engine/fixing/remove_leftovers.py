@@ -11,7 +11,7 @@ from pathlib import Path
 from ...leftovers import SKIPPED, STRAY
 
 OLD = 600.0
-"""Seconds after which a temporary file is nobody's, where it can't be asked whether its process lives."""
+"""Seconds after which a temporary file counts as left over, where its process can't be checked."""
 
 
 def remove_leftovers(folders: Iterable[Path]) -> None:

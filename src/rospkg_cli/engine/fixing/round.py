@@ -20,7 +20,7 @@ MAX_TRIED = 50
 
 @dataclass(frozen=True)
 class Refusal:
-    """A fix that was not made, and why; with the crash where that is our fault."""
+    """A fix that was not made, and why; with the crash where the fix raised an exception."""
 
     finding: Finding
     why: str
@@ -30,7 +30,7 @@ class Refusal:
 def one_round(
     tree: Overlay, folders: Sequence[str], wanted: Sequence[Finding]
 ) -> tuple[Changes, list[Finding], list[Refusal]]:
-    """Apply what fits together; what would make a readable file unreadable is taken back and said."""
+    """Apply what fits together; a fix that would make a readable file unreadable is refused."""
     refused = [] if can_apply(tree, wanted) else [found for each in wanted if (found := cannot_apply(tree, each))]
     failing = {id(each.finding) for each in refused}
     left = [each for each in wanted if id(each) not in failing]
@@ -84,7 +84,7 @@ def breaking_fixes(
 def newly_unreadable(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
     """Return the changed files that could be read before and can't be after, with what is wrong.
 
-    A file that was broken already, and is only now read because another was made, is nobody's fault.
+    A file that was broken already, and is only now read because another was made, is not counted.
     """
     after = Overlay(tree.base, {**tree.changes, **changes})
     touched = {folder for path in changes for folder in folders if not folder or path.startswith(folder + "/")}

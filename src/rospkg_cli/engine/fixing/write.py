@@ -49,7 +49,7 @@ def write_change(target: Path, path: str, tree: Tree, entry: TreeEntry | None, f
     """Write one change; raises OSError."""
     fence.check(path)
     if (target.exists() or target.is_symlink()) and not target.is_file():
-        raise ChangedError(f"`{path}` is there and is no file; it was left alone")
+        raise ChangedError(f"`{path}` exists and is not a file; it was not changed")
     try:
         before: bytes | None = tree.entry(path).data
     except FileNotFoundError:

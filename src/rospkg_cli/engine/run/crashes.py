@@ -1,4 +1,4 @@
-"""Faults of our own, told once each: several rules that fail at one place in our code have one cause."""
+"""Crashes of rules and readers, each cause once: rules that fail at one place in the code have one cause."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...package.run_events import RuleCrash
 
 
 def reader_crashes(package: Package, name: str, path: str) -> Iterator[RuleCrash]:
-    """Yield what befell the readers of a package."""
+    """Yield the crashes of a package's readers."""
     for model, error in sorted(package.crashes.items()):
         yield RuleCrash(model, name, path, error, "reader of")
 

@@ -38,7 +38,7 @@ class ProcessPool(Pool):
         ]
 
     def everywhere(self, call: Callable[..., list[T]], lost: Callable[[str], T], *arguments: object) -> list[T]:
-        """Call a function in every process; what it would have said of a package is made up where a process died."""
+        """Call a function in every process; `lost` returns the result for a package whose process died."""
         futures: list[Future[list[T]]] = []
         for worker in self.workers:
             try:
@@ -67,7 +67,7 @@ class ProcessPool(Pool):
 
 
 def lost_package(folder: str, workspace: Workspace) -> PackageResults:
-    """Return what is left of a package whose process died: a crash to tell."""
+    """Return what is left of a package whose process died: a crash."""
     path = f"{folder}/package.xml" if folder else "package.xml"
     error = "its process was ended by the system; try --jobs 1"
     return PackageResults(

@@ -23,15 +23,15 @@ GROUP = "rospkg_cli.rules"
 CODE = re.compile(r"[A-Z]{3}[0-9]{3}")
 
 LOADED_PLUGINS: set[str] = set()
-"""The names of the plug-ins whose rules are known."""
+"""The names of the plugins whose rules are known."""
 
 
 class PluginError(Exception):
-    """A plug-in that can't be used; the message says which and what to do."""
+    """A plugin that can't be used; the message says which and what to do."""
 
 
 def load_plugins(names: Iterable[str], *linted: Path) -> None:
-    """Make the rules of the named plug-ins known, once; raises PluginError, for one in a linted folder too."""
+    """Make the rules of the named plugins known, once; raises PluginError, for one in a linted folder too."""
     for name in names:
         load_plugin(name, (Path.cwd(), *linted))
 
@@ -41,15 +41,21 @@ def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
         return
     there = {point.name: point for point in entry_points(group=GROUP)}
     if name not in there:
-        known = f"; installed are {', '.join(sorted(there))}" if there else "; no plug-in is installed"
+        known = f"; installed are {', '.join(sorted(there))}" if there else "; no plugin is installed"
         hint = did_you_mean(name, there)
-        raise PluginError(f"plugins: there is no plug-in `{name}`{hint}{known}: install it beside rospkg, or remove it")
+        raise PluginError(
+            f"plugins: there is no plugin `{name}`{hint}{known}: install it where rospkg is installed, or remove it"
+        )
     refuse_linted(there[name], linted)
     found = rules_of(there[name])
     own = {rule.code: rule.name for rule in all_rules()}
     for code in found:
         if code in own or not CODE.fullmatch(code):
-            why = f"is that of our `{own[code]}`" if code in own else "is not three capitals and three digits"
+            why = (
+                f"is that of the built-in rule `{own[code]}`"
+                if code in own
+                else "is not three uppercase letters and three digits"
+            )
             raise PluginError(f"plugins: `{name}` has a rule `{code}`, and that code {why}")
     LOADED_PLUGINS.add(name)
     PLUGGED_IN.update(found)
@@ -59,7 +65,7 @@ def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
 
 
 def refuse_linted(point: EntryPoint, linted: Iterable[Path]) -> None:
-    """Raise PluginError for a plug-in that stands in a linted folder and was not installed there by the user."""
+    """Raise PluginError for a plugin that lies in a linted folder and was not installed there by the user."""
     if point.dist is None:
         return
     place = Path(str(point.dist.locate_file(""))).resolve()
@@ -68,7 +74,9 @@ def refuse_linted(point: EntryPoint, linted: Iterable[Path]) -> None:
     for folder in linted:
         if place.is_relative_to(folder.resolve()):
             why = f"lies in `{place}`, below `{folder}`, and nothing of what is linted is run"
-            raise PluginError(f"plugins: `{point.name}` {why}: install it beside rospkg, or take it out of PYTHONPATH")
+            raise PluginError(
+                f"plugins: `{point.name}` {why}: install it where rospkg is installed, or take it out of PYTHONPATH"
+            )
 
 
 def rules_of(point: EntryPoint) -> dict[str, Rule[Any]]:

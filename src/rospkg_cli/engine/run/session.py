@@ -42,7 +42,7 @@ class Scope:
 
 @dataclass(frozen=True)
 class Results:
-    """What a run found; findings are sorted, and `suppressed` ones are kept apart."""
+    """What a run found; findings are sorted, and `suppressed` ones are listed separately."""
 
     findings: tuple[Finding, ...] = ()
     suppressed: tuple[Finding, ...] = ()

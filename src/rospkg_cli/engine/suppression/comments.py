@@ -30,14 +30,14 @@ class Suppression:
 
     path: str
     lines: tuple[int, ...]
-    """The lines it silences; empty for the whole file."""
+    """The lines whose findings it ignores; empty for the whole file."""
     codes: tuple[str, ...]
     code_spans: tuple[Span, ...]
     reason: str
     span: Span
     """The whole comment."""
     line_span: Span
-    """The comment, with its line where nothing else stands there, and the blanks before it."""
+    """The comment with the blanks before it, and its whole line where it is alone there."""
 
 
 def suppressions_in(files: PackageFiles) -> Iterator[Suppression]:

@@ -18,7 +18,7 @@ Keys = tuple[str, ...]
 def rule_name_events(
     config: Config, path: str, text: str, used: Set[Keys], ran: Set[str]
 ) -> Iterator[UnknownRuleName | UnusedSuppression]:
-    """Yield the names that no rule has, and the ignores that silenced nothing although all of their rules ran.
+    """Yield the names that no rule has, and the ignores that matched nothing although all of their rules ran.
 
     `text` is what the config file holds now; names that a fix took out of it are not spoken of.
     """

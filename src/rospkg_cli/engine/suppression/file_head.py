@@ -1,4 +1,4 @@
-"""Where the head of a file ends: what stands before its first line that says something."""
+"""The head of a file: the comments, processing instructions and blanks before its first line of content."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class FileHead:
         self.steps = 0
 
     def holds(self, place: int) -> bool:
-        """Return whether nothing but comments, instructions and blanks stands before an offset.
+        """Return whether nothing but comments, instructions and blanks is before an offset.
 
         A comment of XML that is open there counts as one.
         """

@@ -33,7 +33,7 @@ def ignore_comments(tree: Tree, findings: Iterable[Finding], reason: str) -> Ite
 
 
 def comment_text(path: str, words: str, reason: str) -> str:
-    """Return the comment in the language of the file; `--` can't stand in one of XML."""
+    """Return the comment in the language of the file; XML does not allow `--` in a comment."""
     reason = " ".join(reason.split())
     if PurePosixPath(path).suffix in XML:
         return f"<!-- {words} {reason.replace('--', '–')} -->"

@@ -1,4 +1,4 @@
-"""Set findings aside that a comment or the config silences, and say which silences were needless."""
+"""Suppress findings by ignore comments, and report the comments that are unused."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..selection import codes_named, rule_names
 from .comments import Suppression
 
 MAX_GUESSES = 100
-"""For so many names that name no rule the near one is sought: that takes its time."""
+"""Unknown rule names for which the nearest one is looked up: that takes time."""
 
 
 @dataclass
@@ -25,7 +25,7 @@ class SuppressionIndex:
     comments: Sequence[Suppression]
     ran: frozenset[str]
     used: set[tuple[int, int]] = field(default_factory=set)
-    """Which code of which comment silenced something."""
+    """The codes of comments that suppressed something: index of the comment, index of the code."""
 
     def __post_init__(self) -> None:
         self.by_place: dict[tuple[str, int], list[int]] = defaultdict(list)
@@ -36,7 +36,7 @@ class SuppressionIndex:
                 self.by_place[comment.path, line].append(index)
 
     def apply(self, findings: Iterable[Finding]) -> list[Finding]:
-        """Return the findings, those that are silenced with the reason."""
+        """Return all findings; those that a comment ignores have its reason."""
         return [self.suppressed(finding) for finding in findings]
 
     def suppressed(self, finding: Finding) -> Finding:
@@ -48,7 +48,7 @@ class SuppressionIndex:
         return replace(finding, suppressed=self.comments[first[0]].reason or "no reason given")
 
     def codes_at(self, place: tuple[str, int]) -> dict[str, tuple[int, int]]:
-        """Return, for each code that is silenced at a place, the first comment that does so, and its name there."""
+        """Return, for each code that is ignored at a position, the first comment that does so, and its name there."""
         if place not in self.by_code:
             found = self.by_code[place] = {}
             for index in self.by_place.get(place, ()):
@@ -71,7 +71,7 @@ class SuppressionIndex:
         return [UnknownRuleName(path, span, name, suggestions.get(name)) for path, span, name in found]
 
     def unused(self) -> list[UnusedSuppression]:
-        """Return the codes in comments that silenced nothing although all of their rules ran."""
+        """Return the codes in comments that ignored nothing although all of their rules ran."""
         found = []
         for index, comment in enumerate(self.comments):
             unused = [at for at, name in enumerate(comment.codes) if self.is_unused(index, at, name)]
@@ -87,7 +87,7 @@ class SuppressionIndex:
 
 
 def code_removal(comment: Suppression, at: int) -> Span:
-    """Return what to delete so that one of several codes is gone, with the comma beside it."""
+    """Return what to delete so that one of several codes is gone, with a comma."""
     spans = comment.code_spans
     if at:
         return Span(spans[at - 1].end, spans[at].end)
