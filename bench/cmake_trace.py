@@ -159,7 +159,7 @@ def judge(world: World, package: Path, testing: bool) -> Verdict | None:
         )  # fmt: skip
         real = list(traced(trace, source, scratch / "build", prefix))
         lines = [place[1] for place, _ in real if place[0] == "CMakeLists.txt"]
-        ends = [call for call in cmake.calls if call.path == "CMakeLists.txt" and not call.inside and not call.maybe]
+        ends = [call for call in cmake.calls if call.path == "CMakeLists.txt" and not call.function and not call.maybe]
         ends = [call for call in ends if testing or not call.testing]
         end = cmake.root.source.position(ends[-1].command.span.start)[0] if ends else 0
         verdict.ended = max(lines, default=0) >= end

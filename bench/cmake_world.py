@@ -69,12 +69,12 @@ def write_extras(folder: Path, into: Path) -> None:
     cmake, table, name = package.parts(CMake).only, package.parts(InstallTable).only, name_of(package)
     if cmake is None or table is None or not name:
         return
-    exported = {word.text for call in cmake.named("ament_export_dependencies") for word in call.words if word.known}
+    exported = {word.text for call in cmake.named("ament_export_dependencies") for word in call.words if word.is_known}
     lines = [f"if(NOT {each}_FOUND)\n  find_package({each} QUIET)\nendif()" for each in sorted(exported)]
     share = into / "share" / name
     for word in extras(cmake, name):
         file = folder / word.text
-        if word.known and file.is_file():
+        if word.is_known and file.is_file():
             text = file.read_text(encoding="utf-8", errors="replace")
             if file.suffix == ".in":
                 text = re.sub(r"@\w+@", "", text.replace("@PROJECT_NAME@", name))

@@ -79,4 +79,4 @@ def findings(folder: Path, distro: str) -> Iterator[str]:
     session = Session(tree, Scope((folder.name,), frozenset({folder.name})), EVERYTHING.codes(), Targets((distro,)))
     for each in session.run().findings:
         if each.code not in ASKED_FOR:
-            yield f"{each.place.path}:{each.place.line}: {each.code} {each.message}"
+            yield f"{each.location.path}:{each.location.line}: {each.code} {each.message}"

@@ -80,10 +80,10 @@ class PackageFiles:
                     return path
         return None
 
-    def executable(self, path: str) -> bool:
+    def is_executable(self, path: str) -> bool:
         """Return whether a file may be executed; one that is not there or may not be looked at is not."""
         try:
-            return self.tree.entry(path).executable
+            return self.tree.entry(path).is_executable
         except OSError:
             return False
 

@@ -127,13 +127,13 @@ class Finding:
     name: str
     severity: Severity
     message: str
-    place: Location
+    location: Location
     package: str
     excerpt: str = ""
     """The line of source at `place.line`."""
     related: tuple[tuple[Location, str], ...] = ()
     fix: Fix | None = None
-    edit_places: tuple[Location, ...] = ()
+    edit_locations: tuple[Location, ...] = ()
     """One for each Edit of `fix`, in order."""
     suppressed: str | None = None
     """Why this finding is not reported; None where it is."""
@@ -142,4 +142,4 @@ class Finding:
 
     @property
     def sort_key(self) -> tuple[str, int, str, str]:
-        return (self.place.path, self.place.span.start, self.code, self.message)
+        return (self.location.path, self.location.span.start, self.code, self.message)

@@ -55,7 +55,7 @@ class TreeEntry:
         return decode(self.data)
 
     @property
-    def executable(self) -> bool:
+    def is_executable(self) -> bool:
         return bool(self.mode & 0o111)
 
 

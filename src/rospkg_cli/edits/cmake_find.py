@@ -27,7 +27,7 @@ def add_find_package(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple
 def add_find_package_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
     """Look for a package below the last one that is looked for, for tests or always; nothing where there is none."""
     calls = [each.call for each in cmake.packages if each.call.testing is testing and not each.call.maybe]
-    alone = [call for call in calls if not call.inside and is_alone(cmake, call)]
+    alone = [call for call in calls if not call.function and is_alone(cmake, call)]
     if not alone or not PLAIN.fullmatch(name):
         return ()
     last = next((call for call in reversed(alone) if call.path == cmake.root.path), alone[-1])

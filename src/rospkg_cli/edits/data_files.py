@@ -88,12 +88,12 @@ def widen_glob(setup: SetupPy, glob: GlobResult, path: str) -> tuple[Edit, ...]:
 def remove_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
     """Remove a file from data_files, with its entry where it is the only one of it."""
     value = setup.value("data_files")
-    if file.setup_text.path != setup.path or not isinstance(value, Sequence) or not value.display:
+    if file.setup_text.path != setup.path or not isinstance(value, Sequence) or not value.is_display:
         return ()
     entry = setup.data_entries[file.entry]
     if len(entry.files) == 1:
         inside = value.span.start < entry.position.start and entry.position.end < value.span.end
         return (commas.remove(setup.source, entry.position),) if inside else ()
     sources = entry.sources
-    inside = sources is not None and sources.display and sources.span.start < file.position.start < sources.span.end
+    inside = sources is not None and sources.is_display and sources.span.start < file.position.start < sources.span.end
     return (commas.remove(setup.source, file.position),) if inside else ()

@@ -36,7 +36,7 @@ def add_export(manifest: Manifest, text: str) -> Edit:
     inner = f"\n{indent}{indent or '  '}{text}"
     if export is None:
         return add_element(manifest, "export", f"<export>{inner}\n{indent}</export>")
-    if export.self_closing or not export.nodes:
+    if export.is_self_closing or not export.nodes:
         start_tag = manifest.source.slice(export.open).rstrip("/> ")
         return Edit(manifest.path, export.span, f"{start_tag}>{inner}\n{indent}</export>")
     at = export.nodes[-1].span.end

@@ -44,7 +44,7 @@ def remove_attribute(manifest: Manifest, element: Element, name: str) -> Edit:
 
 def set_text(manifest: Manifest, element: Element, text: str) -> Edit:
     """Replace the text of an element, within the blanks around it."""
-    if element.self_closing:
+    if element.is_self_closing:
         tag = element.tag
         start_tag = manifest.source.slice(element.open)[:-2].rstrip()
         return Edit(manifest.path, element.span, f"{start_tag}>{escape(text)}</{tag}>")
@@ -56,7 +56,7 @@ def rename_tag(manifest: Manifest, element: Element, tag: str) -> tuple[Edit, ..
     """Give an element another tag, in its start and its end."""
     start = element.open.start + 1
     edits = [Edit(manifest.path, Span(start, start + len(element.tag)), tag)]
-    if not element.self_closing:
+    if not element.is_self_closing:
         end = element.inner.end + 2
         edits.append(Edit(manifest.path, Span(end, end + len(element.tag)), tag))
     return tuple(edits)

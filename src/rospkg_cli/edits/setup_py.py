@@ -40,7 +40,7 @@ def name_code(setup: SetupPy, name: str) -> str:
 
 def add_item(setup: SetupPy, into: Sequence, code: str) -> tuple[Edit, ...]:
     """Add an item to a list that is written out in setup.py; no edit where it isn't."""
-    if not into.display or setup.source.text[into.span.end - 1 : into.span.end] not in ("]", ")", "}"):
+    if not into.is_display or setup.source.text[into.span.end - 1 : into.span.end] not in ("]", ")", "}"):
         return ()
     return commas.append(setup.source, into.span, into.places, code)
 
@@ -118,7 +118,7 @@ def add_package(setup: SetupPy, name: str) -> tuple[Edit, ...]:
 def remove_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:
     """Remove a text from a list that is written out in setup.py."""
     value = setup.value(argument)
-    if said.path != setup.path or not isinstance(value, Sequence) or not value.display:
+    if said.path != setup.path or not isinstance(value, Sequence) or not value.is_display:
         return ()
     places = [place for item, place in zip(value.items, value.places, strict=True) if item.span == said.span]
     inside = [place for place in places if value.span.start < place.start and place.end < value.span.end]
@@ -145,7 +145,7 @@ def move_tests_require(setup: SetupPy) -> tuple[Edit, ...]:
     if extras is None and setup.argument("extras_require") is None:
         return replace_argument(setup, "tests_require", f"extras_require={{{key}: {code}}}")
     removed = remove_argument(setup, "tests_require")
-    if not isinstance(extras, Mapping) or not extras.display or not removed:
+    if not isinstance(extras, Mapping) or not extras.is_display or not removed:
         return ()
     spans = [Span(name.span.start, value.span.end) for name, value in extras.items.values()]
     if not all(extras.span.start < span.start < span.end < extras.span.end for span in spans):

@@ -24,7 +24,7 @@ class BaselineError(Exception):
 
 
 def keys(findings: Iterable[Finding], shown: Callable[[str], str]) -> Counter[Key]:
-    return Counter((f.code, shown(f.place.path), f.message) for f in findings)
+    return Counter((f.code, shown(f.location.path), f.message) for f in findings)
 
 
 def write_baseline(findings: Iterable[Finding], shown: Callable[[str], str]) -> str:
@@ -54,7 +54,7 @@ def apply_baseline(results: Results, known: Counter[Key], shown: Callable[[str],
     new: list[Finding] = []
     old: list[Finding] = []
     for finding in results.findings:
-        key = (finding.code, shown(finding.place.path), finding.message)
+        key = (finding.code, shown(finding.location.path), finding.message)
         if left[key] > 0:
             left[key] -= 1
             old.append(replace(finding, suppressed=REASON, external=True))

@@ -12,9 +12,9 @@ class LocatedText:
     text: str
     span: Span
     """Without quotes."""
-    exact: bool = True
+    is_exact: bool = True
     """Whether the text is literally at the span: no reference, no escape."""
 
     def part(self, start: int, end: int) -> Span:
         """Return the span of some characters of the text."""
-        return Span(self.span.start + start, self.span.start + end) if self.exact else self.span
+        return Span(self.span.start + start, self.span.start + end) if self.is_exact else self.span

@@ -33,13 +33,13 @@ class Operand:
     """A literal or a `$variable`; `text` without quotes and `$`."""
 
     text: str
-    variable: bool
-    quoted: bool
+    is_variable: bool
+    is_quoted: bool
     at: int
 
     def value(self, variables: Mapping[str, str]) -> str | None:
         """Return the text; of a variable its value, None where that is unknown."""
-        return variables.get(self.text) if self.variable else self.text
+        return variables.get(self.text) if self.is_variable else self.text
 
 
 @dataclass(frozen=True, slots=True)

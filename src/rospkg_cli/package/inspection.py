@@ -75,10 +75,10 @@ def inspect_package(package: Package, fallback: str, targets: Targets) -> Inspec
 def registered(package: Package) -> Iterator[RegisteredComponent]:
     """Yield the components whose names are known, in the order of their names."""
     cmake = package.parts(CMake).only
-    found = [component for component in cmake.components if component.plugin.known] if cmake is not None else []
+    found = [component for component in cmake.components if component.plugin.is_known] if cmake is not None else []
     for each in sorted(found, key=lambda component: component.plugin.text):
-        executable = each.executable.text if each.executable and each.executable.known else ""
-        target = each.target.text if each.target.known else ""
+        executable = each.executable.text if each.executable and each.executable.is_known else ""
+        target = each.target.text if each.target.is_known else ""
         yield RegisteredComponent(each.plugin.text, target, executable, each.plugin.path, each.plugin.span.start)
 
 

@@ -46,7 +46,7 @@ class Report:
 
     def where(self, finding: Finding) -> str:
         """Return `path:line:column`."""
-        return f"{self.path(finding.place.path)}:{finding.place.line}:{finding.place.column}"
+        return f"{self.path(finding.location.path)}:{finding.location.line}:{finding.location.column}"
 
 
 def render(name: str, report: Report, stream: IO[str]) -> None:

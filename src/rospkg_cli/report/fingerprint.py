@@ -14,6 +14,6 @@ def fingerprints(report: Report, findings: Iterable[Finding]) -> Iterator[tuple[
     """Yield each finding with a hash of its code, path and message, and of its number among equal ones."""
     seen: Counter[tuple[str, str, str]] = Counter()
     for finding in findings:
-        key = (finding.code, report.path(finding.place.path), finding.message)
+        key = (finding.code, report.path(finding.location.path), finding.message)
         seen[key] += 1
         yield finding, hashlib.sha256("\0".join((*key, str(seen[key]))).encode("utf-8", "surrogatepass")).hexdigest()

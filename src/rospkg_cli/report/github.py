@@ -12,7 +12,7 @@ LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "
 
 def render(report: Report, stream: IO[str]) -> None:
     for finding in report.results.findings:
-        place = finding.place
+        place = finding.location
         properties = {
             "file": report.path(place.path),
             "line": place.line,

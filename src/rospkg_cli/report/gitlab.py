@@ -20,10 +20,10 @@ def render(report: Report, stream: IO[str]) -> None:
             "fingerprint": mark,
             "severity": LEVELS[finding.severity],
             "location": {
-                "path": report.path(finding.place.path),
+                "path": report.path(finding.location.path),
                 "positions": {
-                    "begin": {"line": finding.place.line, "column": finding.place.column},
-                    "end": {"line": finding.place.end_line, "column": finding.place.end_column},
+                    "begin": {"line": finding.location.line, "column": finding.location.column},
+                    "end": {"line": finding.location.end_line, "column": finding.location.end_column},
                 },
             },
         }

@@ -39,7 +39,7 @@ def entry(report: Report, finding: Finding) -> dict[str, Any]:
         "name": finding.name,
         "severity": finding.severity.value,
         "message": finding.message,
-        **place(report, finding.place),
+        **place(report, finding.location),
         "package": finding.package,
         "related": [{"message": message, **place(report, at)} for at, message in finding.related],
         "fix": fix(report, finding),
@@ -65,7 +65,7 @@ def fix(report: Report, finding: Finding) -> dict[str, Any] | None:
         "title": finding.fix.title,
         "safety": finding.fix.safety.value,
         "edits": [
-            {**place(report, at), "text": edit.text} for edit, at in zip(edits, finding.edit_places, strict=True)
+            {**place(report, at), "text": edit.text} for edit, at in zip(edits, finding.edit_locations, strict=True)
         ],
         "creates": [
             {"path": report.path(o.path), "text": o.text, "executable": o.executable}

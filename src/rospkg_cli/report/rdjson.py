@@ -24,7 +24,7 @@ def diagnostic(report: Report, finding: Finding) -> dict[str, Any]:
         "message": finding.message,
         "severity": LEVELS[finding.severity],
         "code": {"value": finding.code},
-        "location": {"path": report.path(finding.place.path), "range": span(finding.place)},
+        "location": {"path": report.path(finding.location.path), "range": span(finding.location)},
     }
     suggestions = suggested(finding)
     return {**found, "suggestions": suggestions} if suggestions else found
@@ -35,10 +35,10 @@ def suggested(finding: Finding) -> list[dict[str, Any]]:
     fix = finding.fix
     if fix is None or fix.safety is Safety.UNSAFE:
         return []
-    if any(not isinstance(o, Edit) or o.path != finding.place.path for o in fix.operations):
+    if any(not isinstance(o, Edit) or o.path != finding.location.path for o in fix.operations):
         return []
     edits = [o for o in fix.operations if isinstance(o, Edit)]
-    return [{"range": span(at), "text": edit.text} for edit, at in zip(edits, finding.edit_places, strict=True)]
+    return [{"range": span(at), "text": edit.text} for edit, at in zip(edits, finding.edit_locations, strict=True)]
 
 
 def span(at: Location) -> dict[str, Any]:

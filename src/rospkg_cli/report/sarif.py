@@ -54,7 +54,7 @@ def result(report: Report, finding: Finding, mark: str, rule: int) -> dict[str, 
         "ruleIndex": rule,
         "level": LEVELS[finding.severity],
         "message": {"text": finding.message},
-        "locations": [location(report, finding.place)],
+        "locations": [location(report, finding.location)],
         "partialFingerprints": {"rospkg/v1": mark},
     }
     if finding.related:
@@ -96,7 +96,7 @@ def fix(report: Report, finding: Finding) -> dict[str, Any] | None:
     edits = [o for o in finding.fix.operations if isinstance(o, Edit)]
     replacements = [
         (edit.path, {"deletedRegion": region(at), "insertedContent": {"text": edit.text}})
-        for edit, at in zip(edits, finding.edit_places, strict=True)
+        for edit, at in zip(edits, finding.edit_locations, strict=True)
     ]
     start = {"startLine": 1, "startColumn": 1, "endLine": 1, "endColumn": 1}
     replacements += [

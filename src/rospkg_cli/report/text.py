@@ -48,7 +48,7 @@ def excerpt(report: Report, finding: Finding) -> list[str]:
     line = finding.excerpt.removesuffix("\r")
     if not line.strip():
         return []
-    place, tabs = finding.place, drawn(line)
+    place, tabs = finding.location, drawn(line)
     start = len(drawn(line[: place.column - 1]))
     end = place.end_column - 1 if place.end_line == place.line else len(line.rstrip())
     length = max(1, len(drawn(line[:end])) - start)

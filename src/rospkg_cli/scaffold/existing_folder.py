@@ -39,7 +39,7 @@ def compare(folder: Path, files: Iterable[RenderedFile]) -> FolderDifference:
             continue
         except OSError as error:
             raise ScaffoldError(f"`{path}` can't be read: {error.strerror or error}; nothing was written") from error
-        if (there.data, there.executable) == (file.entry.data, file.entry.executable):
+        if (there.data, there.is_executable) == (file.entry.data, file.entry.is_executable):
             same.append(file)
         else:
             other.append((file, there))

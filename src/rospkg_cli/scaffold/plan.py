@@ -131,10 +131,10 @@ def refuse_errors(template: Template, findings: Sequence[Finding]) -> None:
     """Raise ScaffoldError for an error in what was asked for, OwnFaultError for any other."""
     faults = [finding for finding in findings if finding.severity is Severity.ERROR]
     for finding in faults:
-        if finding.place.path.endswith(tuple(f".{form}" for form in SEPARATORS)):
-            raise ScaffoldError(f"{finding.place.path.partition('/')[2]}: {finding.message}")
+        if finding.location.path.endswith(tuple(f".{form}" for form in SEPARATORS)):
+            raise ScaffoldError(f"{finding.location.path.partition('/')[2]}: {finding.message}")
     if faults:
-        shown = "; ".join(f"{each.place.path}:{each.place.line}: {each.code} {each.message}" for each in faults)
+        shown = "; ".join(f"{each.location.path}:{each.location.line}: {each.code} {each.message}" for each in faults)
         raise OwnFaultError(f"`{template.name}` writes what our own linter refuses: {shown}")
 
 

@@ -78,7 +78,7 @@ def missing_parents(target: Path) -> list[Path]:
 def write(path: Path, file: RenderedFile) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(file.entry.data)
-    if file.entry.executable:
+    if file.entry.is_executable:
         path.chmod(0o777 & ~umask())
 
 

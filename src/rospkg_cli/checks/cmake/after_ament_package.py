@@ -57,12 +57,12 @@ def commands_after_ament_package(cmake: CMake) -> Iterator[MisplacedCommand]:
     for call in cmake.calls[at + 1 :]:
         if linted and call.name == LINTERS:
             continue
-        if call.path == ROOT and not call.maybe and not call.inside and (why := consequence(call, end)):
+        if call.path == ROOT and not call.maybe and not call.function and (why := consequence(call, end)):
             yield MisplacedCommand(call, end, why)
 
 
 def is_sure(call: EvaluatedCommand) -> bool:
-    return call.path == ROOT and not call.maybe and not call.testing and not call.inside
+    return call.path == ROOT and not call.maybe and not call.testing and not call.function
 
 
 def consequence(call: EvaluatedCommand, end: EvaluatedCommand) -> str:

@@ -152,4 +152,4 @@ def is_kept(argument: CommandArgument) -> bool:
 
 
 def is_plain(word: Word) -> bool:
-    return word.known and not word.maybe and word.text != UNKNOWN
+    return word.is_known and not word.maybe and word.text != UNKNOWN

@@ -54,12 +54,12 @@ class ComponentRegistration:
         """Whether some sources of a target are generated or unknown."""
         targets = {component.target.text for component in self.package.cmake.components}
         words = [w for name in targets if (t := self.package.cmake.target(name)) for w in t.sources]
-        return any(not word.known or word.text.startswith(BINARY) for word in words)
+        return any(not word.is_known or word.text.startswith(BINARY) for word in words)
 
     def sure(self) -> Iterator[Component]:
         for component in self.package.cmake.components:
             words = (component.target, component.plugin)
-            if all(word.known and not word.maybe for word in words) and not component.call.maybe:
+            if all(word.is_known and not word.maybe for word in words) and not component.call.maybe:
                 yield component
 
     def without_target(self) -> Iterator[Component]:
@@ -86,7 +86,7 @@ class ComponentRegistration:
     def without_cmake(self) -> Iterator[RegisteredClass]:
         """Yield the classes that a source of a target registers and no call of CMake does."""
         cmake = self.package.cmake
-        if not cmake.complete or cmake.reads_unknown_files or any(not c.plugin.known for c in cmake.components):
+        if not cmake.complete or cmake.reads_unknown_files or any(not c.plugin.is_known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
         registered = [each.name for each in self.in_sources]

@@ -82,7 +82,7 @@ class InstalledScripts:
 
     def has_bit(self, path: str) -> bool:
         try:
-            return self.package.cmake.package_files.executable(path)
+            return self.package.cmake.package_files.is_executable(path)
         except OSError:
             return True
 

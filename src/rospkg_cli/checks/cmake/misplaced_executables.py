@@ -87,7 +87,7 @@ class MisplacedExecutables:
     def uses_ros(self, target: str, depth: int = 0) -> bool:
         """Return whether a target is linked with ROS, itself or through another target of the package."""
         for link in self.links.of(target):
-            text = link.word.text if link.word.known else self.package.cmake.source_text(link.word)
+            text = link.word.text if link.word.is_known else self.package.cmake.source_text(link.word)
             if ROS.fullmatch(text.strip('"${}').partition("::")[0]):
                 return True
             own = self.links.own(text)

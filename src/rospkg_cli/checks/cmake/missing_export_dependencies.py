@@ -72,7 +72,7 @@ class ExportedDependencies:
         """Return the package that an argument of a link refers to: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""
         if link.package:
             return link.word.text
-        if "::" in link.word.text and link.word.known:
+        if "::" in link.word.text and link.word.is_known:
             return link.word.text.partition("::")[0]
         match = VARIABLE.fullmatch(self.headers.package.cmake.source_text(link.word).strip('"'))
         return match.group(1) if match else ""

@@ -40,7 +40,7 @@ class TargetReferences:
         for reference in self.all():
             word = reference.word
             key = (word.path, word.span.start, word.text)
-            sure = word.known and not word.maybe and not reference.call.maybe
+            sure = word.is_known and not word.maybe and not reference.call.maybe
             if sure and key not in seen and not self.is_made(reference):
                 seen.add(key)
                 yield reference
@@ -52,7 +52,7 @@ class TargetReferences:
                 text = word.text
                 halves = ((text[:at], text[at:]) for at in range(2, len(text) - 1))
                 found = next((pair for pair in halves if pair[0] in names and pair[1] in names), None)
-                if word.known and text not in names and found is not None:
+                if word.is_known and text not in names and found is not None:
                     yield TargetReference(word, call, "target"), *found
 
     def all(self) -> Iterator[TargetReference]:

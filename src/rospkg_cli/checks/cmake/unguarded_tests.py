@@ -41,5 +41,5 @@ def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:
         if sure and found.name in TEST_PACKAGES and not manifest.depends_on(found.name, needed):
             yield UnguardedTest(found.call, found.name)
     for call in cmake.calls:
-        if call.name in TEST_COMMANDS and not call.testing and not call.maybe and not call.inside:
+        if call.name in TEST_COMMANDS and not call.testing and not call.maybe and not call.function:
             yield UnguardedTest(call, call.name)

@@ -53,7 +53,13 @@ class PythonPackages:
             for each in file.imports if file is not None else ():
                 name = each.module.partition(".")[0]
                 is_neighbour = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
-                if name in missing and not each.level and not each.optional and self.is_own(each) and not is_neighbour:
+                if (
+                    name in missing
+                    and not each.level
+                    and not each.is_optional
+                    and self.is_own(each)
+                    and not is_neighbour
+                ):
                     missing.discard(name)
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module)
 

@@ -75,5 +75,5 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[st
 def are_sources_known(cmake: CMake) -> bool:
     """Return whether the sources of every target are known."""
     folders = (path_in_package(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
-    words = (word.known for target in cmake.targets for word in target.sources)
+    words = (word.is_known for target in cmake.targets for word in target.sources)
     return cmake.complete and all(words) and None not in folders

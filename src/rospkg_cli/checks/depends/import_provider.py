@@ -12,7 +12,7 @@ GENERATED = frozenset({"msg", "srv", "action"})
 
 def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | None:
     """Return what to declare for an import; None where nothing is missing or the provider is unknown."""
-    names = () if what.optional or what.typing else import_providers(declared, what)
+    names = () if what.is_optional or what.is_for_typing else import_providers(declared, what)
     if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
         return None
     return names[0]

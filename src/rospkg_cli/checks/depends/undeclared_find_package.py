@@ -60,7 +60,7 @@ class FindPackageDependencies:
 
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration certainly fails without it."""
-        certain = found.word.known and not found.word.maybe and not found.call.maybe
+        certain = found.word.is_known and not found.word.maybe and not found.call.maybe
         needed = found.is_required or found.name in self.needed_names
         return certain and needed and not found.is_quiet and not self.is_reported_elsewhere(found.name)
 

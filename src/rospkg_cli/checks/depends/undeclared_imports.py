@@ -80,7 +80,7 @@ class ImportDependencies:
         """Yield the imports of files of a role that are not optional, with their providers."""
         for file in self.python.files:
             for each in file.imports if file.role == role else ():
-                names = () if each.optional or each.typing else import_providers(self.declared, each)
+                names = () if each.is_optional or each.is_for_typing else import_providers(self.declared, each)
                 if names:
                     yield ImportUse(file.path, each.span, each.module), names
 

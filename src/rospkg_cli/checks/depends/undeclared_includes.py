@@ -57,7 +57,7 @@ class IncludeDependencies:
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
         for source, role in compiled_sources(self.cmake, self.sources):
             for each in source.includes if role != "aside" else ():
-                if "/" in each.path and not each.conditional and not self.is_own(each.path):
+                if "/" in each.path and not each.is_conditional and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
                     if names:
                         use = IncludeUse(source.path, each.span, each.path)

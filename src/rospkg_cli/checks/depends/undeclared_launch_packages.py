@@ -116,7 +116,7 @@ class LaunchDependencies:
             return
         own = OwnModules(self.files)
         for each in file.imports:
-            if each.level or each.optional or each.typing or own.has(each.module, file.path):
+            if each.level or each.is_optional or each.is_for_typing or own.has(each.module, file.path):
                 continue
             names = import_providers(self.declared, each)
             declared = next((name for name in names if name in self.declared.names), None)

@@ -59,7 +59,7 @@ class WordIndex:
             return "docs"
         if suffix in COMPILED:
             return "test" if role_of(path) == "test" else "build"
-        if suffix in OTHERS or (not suffix and self.files.executable(path)):
+        if suffix in OTHERS or (not suffix and self.files.is_executable(path)):
             return "test" if role_of(path) == "test" else "run"
         return None
 

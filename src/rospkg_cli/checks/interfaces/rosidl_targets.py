@@ -51,7 +51,7 @@ class GeneratedInterfaces:
     @property
     def is_complete(self) -> bool:
         """Whether every file that is generated is known."""
-        return self.cmake.complete and all(each.word.known for each in self.listed) and bool(self.listed)
+        return self.cmake.complete and all(each.word.is_known for each in self.listed) and bool(self.listed)
 
     def unlisted(self) -> Iterator[InterfaceFile]:
         """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""
@@ -64,7 +64,7 @@ class GeneratedInterfaces:
         """Yield what is listed, and neither there nor made by a command."""
         named = ReferencedPaths(self.cmake)
         for each in self.listed:
-            certain = each.word.known and not each.word.maybe and not each.target.call.maybe
+            certain = each.word.is_known and not each.word.maybe and not each.target.call.maybe
             if certain and each.path and not self.cmake.package_files.exists(each.path):
                 is_written = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
                 if not is_written:
@@ -84,7 +84,7 @@ class GeneratedInterfaces:
         """Yield each package whose types a call's files use and that its DEPENDENCIES neither list nor pass on."""
         by_path = {interface.path: interface for interface in self.interfaces}
         for target in self.cmake.interface_targets:
-            if any(not word.known or word.maybe for word in target.dependencies):
+            if any(not word.is_known or word.maybe for word in target.dependencies):
                 continue
             passed_on, certain = self.passed_on(target)
             seen = {*passed_on, "", self.package.name}

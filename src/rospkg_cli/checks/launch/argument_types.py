@@ -34,7 +34,7 @@ def is_path(value: Value) -> bool:
     """Return whether a value is a pathlib.Path; what PathSubstitution makes is a substitution."""
     if isinstance(value, PartialText) and is_substitution(value.parts[0]):
         return False
-    return isinstance(value, Text | PartialText) and value.path
+    return isinstance(value, Text | PartialText) and value.is_path
 
 
 def text_faults(argument: Argument, what: str) -> Iterator[Fault]:
@@ -111,14 +111,16 @@ def pairs_faults(argument: Argument, what: str) -> Iterator[Fault]:
     value, place = argument.value, value_span(argument)
     if isinstance(value, Dict) and value.items:
         end = Span(value.span.end, value.span.end)
-        repair = TextRepair("write `.items()`", ((end, ".items()"),)) if value.display and value.span == place else None
+        repair = (
+            TextRepair("write `.items()`", ((end, ".items()"),)) if value.is_display and value.span == place else None
+        )
         message = f"{what} takes pairs of name and value, and a dict gives keys: add `.items()`"
         yield Fault(place, message, repair=repair)
     for item in value.items if isinstance(value, Sequence) else ():
         if isinstance(item, Dict | Text):
             message = f"{what} takes pairs of name and value, not {type_name(item)}: the launch stops"
             yield Fault(span_within(item, place), message)
-        elif isinstance(item, Sequence) and len(item.items) == 2 and item.complete:
+        elif isinstance(item, Sequence) and len(item.items) == 2 and item.is_complete:
             inner = item.items[1]
             yield from no_text(inner, span_within(inner, place), f"a value of {what}")
 
@@ -180,7 +182,7 @@ def remappings_faults(argument: Argument, what: str) -> Iterator[Fault]:
         yield Fault(place, f"{what} takes a list of pairs `('from', 'to')`: {RAISES}")
         return
     for item in value.items:
-        if isinstance(item, Sequence) and item.complete and (item.kind != "tuple" or len(item.items) != 2):
+        if isinstance(item, Sequence) and item.is_complete and (item.kind != "tuple" or len(item.items) != 2):
             found = f"{type_name(item)} of {len(item.items)}"
             yield Fault(span_within(item, place), f"{what} takes pairs `('from', 'to')`, and this is {found}: {RAISES}")
 

@@ -101,7 +101,7 @@ def is_comparison(use: SubstitutionUse) -> bool:
 
 
 def truth_values(launch: EvaluatedLaunch) -> dict[Span, str]:
-    """Return where Python makes a truth value of substitutions, and what it makes; "" where `use_faults` says so."""
+    """Return where Python makes a truth value of substitutions, and what it makes; "" where `use_faults` reports it."""
     found: dict[Span, str] = {}
     for use in launch.uses:
         if is_comparison(use):
@@ -138,7 +138,7 @@ def use_faults(use: SubstitutionUse) -> Iterator[Fault]:
 def description_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
     """Yield what `generate_launch_description` returns instead of a LaunchDescription."""
     for function, value in (launch.returned or {}).values():
-        if function.name != DESCRIBES or function.scope is not launch.scope or function.decorated:
+        if function.name != DESCRIBES or function.scope is not launch.scope or function.is_decorated:
             continue
         if isinstance(value, Constant | Sequence) or (isinstance(value, Call) and class_of(value) in ACTIONS):
             start = launch.file.source.text.index(DESCRIBES, function.span.start)

@@ -24,7 +24,7 @@ class ArgumentMismatch:
     package: str
     argument: str
     lacks: bool
-    """Whether it is required and not given; else it is given and not taken."""
+    """Whether it is required and missing; else it is passed and unknown."""
     meant: str | None = None
 
 
@@ -33,7 +33,7 @@ class IncludeArguments:
     scope: LaunchContext
 
     def mismatches(self) -> Iterator[ArgumentMismatch]:
-        """Yield the arguments that includes give in vain, and those that they lack, as far as that can be told."""
+        """Yield the unknown and the missing arguments of includes, as far as the included file is known."""
         for include in self.scope.file.includes if not (self.scope.file.ros1 or self.scope.idle) else ():
             target = self.target(include)
             if target is not None:
@@ -66,7 +66,7 @@ class IncludeArguments:
                 yield ArgumentMismatch(include.span, name, package, argument, True)
 
     def takes(self, package: str, signature: LaunchSignature, seen: set[Key]) -> frozenset[str] | None:
-        """Return all that a file and what it includes declare or use; None where that can't be told."""
+        """Return all that a file and what it includes declare or use; None where that is unknown."""
         key = (package, signature.source)
         if key in seen:
             return frozenset()

@@ -29,7 +29,7 @@ class InstalledLaunchFiles:
     def doubles(self) -> Iterator[tuple[InstalledFile, str, tuple[str, ...]]]:
         """Yield each name that several installed launch files have: the row of the last, the name, and where they go.
 
-        Files that others include by their path are parts of these, and not meant to be started by name.
+        Files that others include by their path are parts of these, and not started by name.
         """
         named: dict[str, dict[str, InstalledFile]] = {}
         for path, row in self.table.below(f"share/{self.package.name}"):

@@ -37,7 +37,7 @@ class LoadedComponents:
     file: LaunchFile
 
     def unknown(self) -> Iterator[UnknownComponent]:
-        """Yield components of packages around that these, as far as can be told, don't register."""
+        """Yield components that their package, whose components are all known, does not register."""
         for node in self.file.nodes if not self.file.ros1 else ():
             package = node.package.literal if node.package else None
             name = node.plugin.literal if node.plugin else None
@@ -51,14 +51,14 @@ class LoadedComponents:
                 yield UnknownComponent(package, node.plugin, name, None, found)
 
     def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
-        """Return who registers the class now, of a package that nobody knows; nothing where that may be another."""
+        """Return who registers the class of an unknown package; nothing where that may be another class."""
         known = self.workspace.kind_of(package)
         found = () if known is Known.PACKAGE else self.elsewhere(name, None)
         longer = len(found) == 1 and found[0][0].endswith(f"_{package}")
         return found if known is Known.UNKNOWN or longer else ()
 
     def elsewhere(self, name: str, but: PackageFacts | None) -> tuple[tuple[str, str], ...]:
-        """Return who registers a class of this name, or, where nobody does, one of the same last name."""
+        """Return who registers a class of this name, or else a class of the same last name."""
         every = [
             (facts.name, each) for facts in self.workspace.packages if facts is not but for each in facts.components
         ]

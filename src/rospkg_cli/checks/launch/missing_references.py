@@ -25,7 +25,7 @@ State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
 @dataclass(frozen=True, slots=True)
 class MissingReference:
-    """A file that is named and won't be there."""
+    """A file that is named and missing where it is looked for."""
 
     span: Span
     package: str
@@ -34,7 +34,7 @@ class MissingReference:
     state: State
     use: ReferenceKind
     meant: str | None = None
-    """The file that was probably meant, or where the file goes that stands at the path in the source."""
+    """The file with the closest path; or, for `elsewhere`, where the file is installed."""
     again: tuple[Span, ...] = ()
     """Other places that name it."""
 
@@ -56,7 +56,7 @@ class LaunchContext:
 
     @cached_property
     def idle(self) -> bool:
-        """Whether it is a test that nobody runs: CMake does not name it, as far as that can be told."""
+        """Whether it is a test that CMake, which is all known, does not run."""
         test = role_of(self.file.path) == "test"
         told = self.cmake is not None and self.cmake.complete
         return test and told and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
@@ -72,7 +72,7 @@ class LaunchContext:
         return self.file.ros1 and bool(self.places) and alone
 
     def missing(self) -> Iterator[MissingReference]:
-        """Yield each file that is named and is not there, once, as far as that can be told."""
+        """Yield each file that is named and missing, once."""
         found: dict[tuple[str, str], list[MissingReference]] = {}
         for named in self.file.paths if not (self.file.ros1 or self.idle) else ():
             missing = self.judge(named) if not self.file.reckons_with(named.span) else None
@@ -110,7 +110,7 @@ class LaunchContext:
         return next((row.destination for row in rows if row.source == path), None)
 
     def beside(self, named: FileReference) -> MissingReference | None:
-        """Judge a file that is reckoned from the launch file: from where it stands, and from where it is installed."""
+        """Return a missing file that is named relative to the launch file, in the source and where it is installed."""
         if self.files.is_there(named.path) or self.package.may_write(named.path):
             return None
         if not self.package.knows("share_files"):

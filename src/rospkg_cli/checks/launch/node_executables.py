@@ -49,7 +49,7 @@ class NodeExecutables:
                 yield ExecutableUse(file.path, span, executable, plain, facts)
 
     def unknown_executables(self) -> Iterator[ExecutableUse]:
-        """Yield the nodes whose package, as far as it can be told, installs no such executable anywhere.
+        """Yield the nodes whose package installs no such executable anywhere; none where its executables are unknown.
 
         Launch files of tests that CMake does not run are left alone.
         """

@@ -18,7 +18,7 @@ PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 
 @dataclass(frozen=True, slots=True)
 class PackageReference:
-    """A package that a launch file needs, and where it says so."""
+    """A package that a launch file needs, and where it is used."""
 
     name: str
     path: str

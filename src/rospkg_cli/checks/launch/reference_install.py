@@ -32,13 +32,13 @@ class ReferenceInstall:
         return self.shared.package.setup if self.shared is not None and self.cmake is None else None
 
     def missing(self) -> Iterator[MissingReference]:
-        """Yield what is named, is there, and is not installed, and of which nothing else speaks."""
+        """Yield the files that are named, exist and are not installed, where no install rule reports it."""
         for each in self.scope.missing():
             if each.state in ("not installed", "elsewhere") and not self.is_said(each):
                 yield each
 
     def is_said(self, missing: MissingReference) -> bool:
-        """Return whether a finding at the install rules says so.
+        """Return whether an install rule reports it.
 
         CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.
         """
@@ -66,7 +66,7 @@ class ReferenceInstall:
 
     @cached_property
     def said_files(self) -> frozenset[str]:
-        """The files that lie beside those which a glob finds."""
+        """The files in the folders of those that a glob finds."""
         return (
             frozenset(each.path for each in self.shared.uninstalled_neighbours)
             if self.setup and self.shared

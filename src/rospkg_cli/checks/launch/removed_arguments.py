@@ -34,13 +34,13 @@ def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
 
 
 def python_arguments(launch: EvaluatedLaunch, source: Source) -> Iterator[tuple[Span, tuple[str, bool]]]:
-    """Yield the span and the name of each removed keyword, and whether the new one is given as well.
+    """Yield the span and the name of each removed keyword, and whether the new one is passed as well.
 
-    None where the file asks which distribution it runs on.
+    None where the file tests which distribution it runs on.
     """
     asks = "DISTRO" in source.text
     for call in launch.calls:
-        if class_of(call) not in NODES or (asks and not call.certain):
+        if class_of(call) not in NODES or (asks and not call.is_certain):
             continue
         names = {argument.name for argument in call.arguments}
         for argument in call.arguments:

@@ -20,17 +20,17 @@ FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
 @dataclass(frozen=True, slots=True)
 class UndefinedName:
-    """A use of a name that has no meaning where it stands."""
+    """A use of a name that no scope binds."""
 
     name: str
     span: Span
     known: frozenset[str]
-    """The names that do have one there, without Python's own."""
+    """The names that are bound there, without builtins."""
 
 
 def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
     """Yield uses of names that no scope around them binds; none where a file may have names that it does not show."""
-    if file.stars or file.dynamic or any("*" in each.names for each in file.imports):
+    if file.star_imports or file.has_dynamic_names or any("*" in each.names for each in file.imports):
         return
     top = set(file.definitions)
     if any(isinstance(node, ast.Name) and node.id in ("exec", "eval", "locals") for node in ast.walk(file.tree)):

@@ -1,4 +1,4 @@
-"""Launch configurations: which are asked for before, or without, anybody setting them."""
+"""Launch configurations that are used before they are set, that are never set, or never used."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ State = Literal["undeclared", "late", "not added"]
 """`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""
 
 OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeout sigkill_timeout log_dir".split())
-"""Those that launch and launch_ros ask for and set themselves."""
+"""Those that launch and launch_ros use and set themselves."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class LaunchConfigurations:
 
     @cached_property
     def started(self) -> bool:
-        """Whether this is a launch file that people start, and of which everything can be told."""
+        """Whether this is a launch file for users, of which everything is known."""
         told = self.file.entry and self.file.complete and self.file.events is not None and not self.file.ros1
         return told and role_of(self.file.path) == "launch" and not any(entity_faults(self.file))
 
@@ -50,12 +50,12 @@ class LaunchConfigurations:
 
     @property
     def included(self) -> bool:
-        """Whether a launch file around includes it, or its name says that one does."""
+        """Whether a launch file of the workspace includes it, or its name begins with `include`."""
         named = "include" in self.file.path.rpartition("launch/")[2]
         return named or self.file_name in self.workspace.launch.included
 
     def unset(self) -> Iterator[UnsetConfiguration]:
-        """Yield each name once, where it is first asked for."""
+        """Yield each name once, where it is first used."""
         if not self.started:
             return
         inherited = self.workspace.launch.inherited(self.file_name)
@@ -72,7 +72,7 @@ class LaunchConfigurations:
                     yield UnsetConfiguration(event.name, event.span, state, declared, event.passed_as == event.name)
 
     def state(self, name: str, events: tuple[LaunchEvent, ...], index: int) -> State | None:
-        """Return why a name is not set at an event; None where it is, for all that can be told, set in some scope."""
+        """Return why a name is not set at an event; None where it may be set in some scope."""
         if any(each.kind == "open" for each in events):
             return "late" if any(each.kind == "declare" and each.name == name for each in events[index:]) else None
         setting = [at for at, each in enumerate(events) if each.kind in ("declare", "define") and each.name == name]
@@ -107,7 +107,7 @@ class LaunchConfigurations:
                     yield index, event
 
     def unused(self) -> Iterator[DeclaredArgument]:
-        """Yield the arguments that nothing in the file asks for; none where it hands all of them on to others."""
+        """Yield the arguments that nothing in the file uses; none where it includes files, which see them."""
         events = self.file.events or ()
         handed_on = any(event.kind in ("include", "open") for event in events)
         if not self.started or handed_on or "launch_configurations" in self.file.source.text:
@@ -123,7 +123,7 @@ class LaunchConfigurations:
                 yield argument
 
     def said_elsewhere(self, name: str, declared: Span) -> bool:
-        """Return whether a Python file says the name in quotes at another place."""
+        """Return whether a Python file has the name in quotes at another place."""
         text = self.file.source.text
         outside = text[: declared.start] + text[declared.end :]
         return self.file.frontend == "python" and any(f"{q}{name}{q}" in outside for q in "'\"")

@@ -17,7 +17,7 @@ OPEN = frozenset({"launch_ros.parameter_descriptions", "ament_index_python.packa
 
 @dataclass(frozen=True, slots=True)
 class WrongImport:
-    """A name that the module does not export; it is exported by `home`, or `near` was meant."""
+    """A name that the module does not export; it is exported by `home`, or `near` is similar."""
 
     name: str
     module: str
@@ -28,7 +28,7 @@ class WrongImport:
 
 def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
     """Yield imports of names that another module of launch has, or that are misspelt."""
-    optional = {each.module for each in file.imports if each.optional}
+    optional = {each.module for each in file.imports if each.is_optional}
     for node in ast.walk(file.tree):
         if not isinstance(node, ast.ImportFrom) or node.level or not node.module:
             continue

@@ -36,7 +36,7 @@ def number_faults(file: ParameterFile, *, is_read_by_python: bool) -> Iterator[F
 
 def plain_scalars(value: YamlNode) -> Iterator[ScalarNode]:
     for item in value.items if isinstance(value, SequenceNode) else [value]:
-        if isinstance(item, ScalarNode) and item.plain and item.tag is None:
+        if isinstance(item, ScalarNode) and item.is_plain and item.tag is None:
             yield item
 
 

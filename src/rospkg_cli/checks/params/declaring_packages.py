@@ -1,4 +1,4 @@
-"""Which packages declare the parameters of a block: told by their names, as no file says whose it is."""
+"""Which packages declare the parameters of a block: found by their names, as no file names the package."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ EVERYWHERE = ("qos_overrides.", "bond_")
 ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
 ALMOST = 0.8
-"""The same, where something is concluded from what a block lacks."""
+"""The same, where it is about what a block does not set."""
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 
@@ -38,13 +38,13 @@ class ParameterGroup:
     prefix: str
     parameters: tuple[Parameter, ...]
     owners: tuple[PackageFacts, ...]
-    """The packages that declare most of them; none where that can't be told."""
+    """The packages that declare most of them; none where that is unknown."""
 
     def fitting(self, name: str) -> list[DeclaredParameter]:
         return [each for facts in self.owners for each in facts.parameters if each.fits(name)]
 
     def unknown(self) -> Iterator[tuple[Parameter, str]]:
-        """Yield the parameters that no owner declares, where one that is declared and not given has a near name."""
+        """Yield the parameters that no owner declares, where one that is declared and not set has a similar name."""
         given = {each.name for each in self.block.parameters}
         for parameter in self.parameters:
             if not self.fitting(parameter.name):
@@ -95,7 +95,7 @@ class ParameterContext:
     workspace: Workspace
 
     def groups(self) -> Iterator[ParameterGroup]:
-        """Yield the groups of parameters whose owners can be told."""
+        """Yield the groups of parameters whose owners are known."""
         for file in self.files:
             yield from self.groups_of(file)
 
@@ -112,9 +112,9 @@ class ParameterContext:
                     yield ParameterGroup(file, block, prefix, tuple(parameters), tuple(owners))
 
     def left_out(self) -> Iterator[IncompleteBlock]:
-        """Yield the blocks that are copies of one that the declaring package ships, and lack what that one has.
+        """Yield the blocks that are copies of one that the declaring package ships, and do not set all that it sets.
 
-        That is what a source file declares without a default, and what the copy does give is most of it.
+        That is what a source file declares without a default, of which the copy sets most.
         """
         index = self.workspace.parameters
         for file in self.files:
@@ -134,9 +134,9 @@ class ParameterContext:
                             yield IncompleteBlock(file, block, facts, path, tuple(sorted(missing)))
 
     def unknown_reads(self) -> Iterator[UnknownRead]:
-        """Yield what a C++ file gets and nobody declares, where the same file declares something that nobody gets.
+        """Yield what a C++ file gets and no code declares, where the same file declares something that no code gets.
 
-        That is a near name, or the only one of each sort.
+        It has a similar name, or there is only one of each.
         """
         reads = [read for file in self.cpp for read, _ in read_in(file)]
         for file in self.cpp:
@@ -180,7 +180,7 @@ def is_its_own(name: str) -> bool:
 def given_type(value: YamlNode) -> str:
     """Return the type that rcl gives a value; "" where it has none, or it is filled in later."""
     if isinstance(value, ScalarNode):
-        return "" if "$(" in value.text or (value.plain and not value.text) else type_of(value)
+        return "" if "$(" in value.text or (value.is_plain and not value.text) else type_of(value)
     if isinstance(value, YamlSequence) and value.items:
         types = {given_type(item) for item in value.items}
         only = types.pop() if len(types) == 1 else ""

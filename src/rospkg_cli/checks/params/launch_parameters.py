@@ -23,13 +23,13 @@ SHARE = "\0share"
 
 @dataclass(frozen=True)
 class NodeArguments:
-    """A node that a launch file starts, and the parameter files of this package that it may be given."""
+    """A node that a launch file starts, and the parameter files of this package that may be passed to it."""
 
     launch: LaunchFile
     node: LaunchedNode
     files: tuple[ParameterFile, ...]
     complete: bool
-    """Whether these are all, for certain: then all that the node is given is known."""
+    """Whether these are certainly all."""
 
     @property
     def name(self) -> str | None:
@@ -43,7 +43,7 @@ class NodeArguments:
                     yield block
 
     def names(self) -> set[str]:
-        """Return the names of the parameters that the node is given."""
+        """Return the names of the parameters that are set for the node."""
         values = [name.literal for entry in self.node.parameters for name, _ in entry.values]
         return {each.name for block in self.blocks() for each in block.parameters} | {name for name in values if name}
 
@@ -101,7 +101,7 @@ class LaunchParameters:
                     yield "[^/]*"
 
     def share_paths(self, file: ParameterFile) -> list[str]:
-        """Return where a file stands in the share folder."""
+        """Return where a file is installed in the share directory."""
         rows = self.table.below(f"share/{self.package.name}") if self.table else ()
         return [path for path, row in rows if row.source == file.path] or [file.path]
 
@@ -120,7 +120,7 @@ class LaunchParameters:
                         yield file, block, found[0]
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
-        """Yield each node that is not given all that its code declares without a default, and what is missing."""
+        """Yield each node with the parameters that its code declares without a default and that are not set."""
         for each in self.given:
             package = each.node.package.literal if each.node.package else None
             facts = self.workspace.named(package) if package else None

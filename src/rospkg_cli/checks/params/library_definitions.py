@@ -75,14 +75,14 @@ def default_problem(base: str, value: YamlNode) -> str | None:
 
 
 def is_null(value: YamlNode) -> bool:
-    return isinstance(value, ScalarNode) and value.plain and value.text in ("", "~", "null", "Null", "NULL")
+    return isinstance(value, ScalarNode) and value.is_plain and value.text in ("", "~", "null", "Null", "NULL")
 
 
 def fits(base: str, value: YamlNode) -> bool:
     if not isinstance(value, ScalarNode):
         return False
     text = value.text
-    plain = value.plain and value.tag is None
+    plain = value.is_plain and value.tag is None
     if base == "string":
         return not plain or (yaml_type(text) == "string" and text not in YAML_BOOLS)
     if base == "bool":

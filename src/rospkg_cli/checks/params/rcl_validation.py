@@ -64,7 +64,7 @@ def block_faults(key: ScalarNode, value: YamlNode, entry: NodeEntry) -> Iterator
 
 
 def is_empty(value: YamlNode) -> bool:
-    return isinstance(value, ScalarNode) and value.plain and not value.text
+    return isinstance(value, ScalarNode) and value.is_plain and not value.text
 
 
 def name_problem(name: str) -> str | None:
@@ -107,7 +107,7 @@ def value_faults(mapping: MappingNode) -> Iterator[Fault]:
         elif isinstance(value, MappingNode) and number + 1 < len(mapping.entries):
             message = f"behind the empty mapping of `{key.text}` rcl refuses what follows, or gives it a wrong name"
             yield Fault(value.span, f"{message}; remove it")
-        elif isinstance(value, ScalarNode) and not value.text and not value.quoted:
+        elif isinstance(value, ScalarNode) and not value.text and not value.is_quoted:
             message = f'`{key.text}` has no value; {REFUSES}: write one (`""` for an empty string)'
             yield Fault(key.span, message)
 
@@ -123,7 +123,7 @@ def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
         return
     types: dict[str, ScalarNode] = {}
     for item in value.items:
-        if not isinstance(item, ScalarNode) or (not item.text and not item.quoted):
+        if not isinstance(item, ScalarNode) or (not item.text and not item.is_quoted):
             yield item_fault(name, item)
             return
         if has_placeholder(item.text):

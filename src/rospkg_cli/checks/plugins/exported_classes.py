@@ -37,7 +37,7 @@ def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
         for call in file.calls_to(*MACROS):
             if call.arguments and len(call.arguments) > 1:
                 kind, base = call.arguments[:2]
-                yield ExportedClass(kind.text, base.text, file.path, kind.span, call.conditional)
+                yield ExportedClass(kind.text, base.text, file.path, kind.span, call.is_conditional)
 
 
 def is_plain(name: str) -> bool:

@@ -97,7 +97,7 @@ class PluginPackage:
     def sees_all_libraries(self, name: str) -> bool:
         """Return whether every library that may have a name is known: made by CMake, of a known name."""
         fetched = any(call.name in FETCHES for call in self.cmake.calls)
-        known = all(each.word.known for each in self.cmake.targets if each.is_library)
+        known = all(each.word.is_known for each in self.cmake.targets if each.is_library)
         known = known and not any(UNKNOWN in new for new in self.cmake.output_names.values())
         return self.cmake.complete and known and not fetched and not self.prebuilt.intersection(stems(name))
 

@@ -12,9 +12,9 @@ MAX_DEPTH = 10
 def offers(modules: Modules, setup: SetupPy, path: str, name: str, depth: int = 0) -> bool:
     """Return whether a file defines or imports a name at its top level, or may do so."""
     file = modules.at(path)
-    if file is None or depth > MAX_DEPTH or file.dynamic or name in file.definitions:
+    if file is None or depth > MAX_DEPTH or file.has_dynamic_names or name in file.definitions:
         return True
-    for star in file.stars:
+    for star in file.star_imports:
         inner = setup.file_of(absolute(star, path, setup))
         if inner is None or offers(modules, setup, inner, name, depth + 1):
             return True

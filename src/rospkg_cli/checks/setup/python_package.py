@@ -110,7 +110,8 @@ class PythonPackage:
         path = self.setup.file_of(module)
         file = self.modules.at(path) if path else None
         return file is not None and any(
-            each.module.partition(".")[0] == "rclpy" and not each.typing and not each.level for each in file.imports
+            each.module.partition(".")[0] == "rclpy" and not each.is_for_typing and not each.level
+            for each in file.imports
         )
 
     @cached_property

@@ -83,7 +83,7 @@ class ShareFiles:
         found = []
         for glob in self.package.setup.globs:
             folder = folder_of(glob.pattern)
-            if glob.matches or not glob.certain or self.installs_from(folder) or not folder:
+            if glob.matches or not glob.is_certain or self.installs_from(folder) or not folder:
                 continue
             found.append(glob)
         return tuple(dict.fromkeys(found))

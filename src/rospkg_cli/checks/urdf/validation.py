@@ -104,7 +104,9 @@ def substitution_faults(document: Document) -> Iterator[Fault]:
     source = document.source
     for element in document.root.walk():
         found = [(attribute.value_span, True) for attribute in element.attributes.values()]
-        found += [(span, False) for span in text_spans(element)] if element.chunks and not element.self_closing else []
+        found += (
+            [(span, False) for span in text_spans(element)] if element.chunks and not element.is_self_closing else []
+        )
         for span, flat in found:
             text = source.slice(span)
             text = re.sub(r"\s", " ", text) if flat else text  # XML makes one line of an attribute

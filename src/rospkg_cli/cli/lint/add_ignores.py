@@ -37,6 +37,6 @@ def with_ignores(session: Session, findings: tuple[Finding, ...], reason: str) -
     for path in newly_unreadable(base, changes, session.scope.folders):
         changes.pop(path, None)
     after = replace(session, tree=Overlay(session.tree, changes)).run()
-    remaining = {(f.code, f.place.path, f.message) for f in after.findings}
-    left = [f for f in findings if (f.code, f.place.path, f.message) in remaining]
+    remaining = {(f.code, f.location.path, f.message) for f in after.findings}
+    left = [f for f in findings if (f.code, f.location.path, f.message) in remaining]
     return changes, left

@@ -49,7 +49,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         session = make_session(options, config, located, show_progress)
         found = run_session(session, fixing) if located.scope.given else nothing_found(session, options, located)
     for finding, why in found.refused:
-        say(f"the fix of {finding.code} in {finding.place.path} was reverted: {why}")
+        say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
     fixed = 0 if fixing.diff else len(found.applied)
     report = Report(
         found.results, located.root, current_folder(), wants_color(shown.color, stream), shown.verbose, fixed

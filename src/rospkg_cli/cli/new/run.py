@@ -72,7 +72,7 @@ def defaults(into: Path) -> Mapping[str, str]:
 
 
 def finding_text(finding: Finding) -> str:
-    return f"{finding.place.path}:{finding.place.line}: {finding.message} ({finding.code})"
+    return f"{finding.location.path}:{finding.location.line}: {finding.message} ({finding.code})"
 
 
 def tree_lines(plan: Plan, color: bool) -> Iterable[str]:

@@ -50,7 +50,7 @@ def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
             return found
         guilty = oscillating(found.applied, left)
         refused += [(each, "it is found again after each fix; please report this") for each in guilty]
-        banned |= {(each.code, each.place.path) for each in guilty}
+        banned |= {(each.code, each.location.path) for each in guilty}
     return FixResults(first, refused=refused)
 
 
@@ -62,7 +62,7 @@ def fix_without(
 
     def wanted() -> list[Finding]:
         may_be = [f for f in found.results.findings if f.fix and f.fix.safety in safety]
-        return [f for f in may_be if finding_key(f) not in taken_back and (f.code, f.place.path) not in banned]
+        return [f for f in may_be if finding_key(f) not in taken_back and (f.code, f.location.path) not in banned]
 
     for _ in range(MAX_ROUNDS):
         if not (left := wanted()):
@@ -81,7 +81,7 @@ def fix_without(
 
 
 def finding_key(finding: Finding) -> tuple[str, str, str]:
-    return finding.code, finding.place.path, finding.message
+    return finding.code, finding.location.path, finding.message
 
 
 def original_entry(session: Session, path: str) -> object:

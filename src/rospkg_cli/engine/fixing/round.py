@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...files import PackageFiles
@@ -63,7 +63,7 @@ def cannot_apply(tree: Overlay, finding: Finding) -> Refusal | None:
     except (OSError, UnicodeError) as error:
         return Refusal(finding, str(error))
     except Exception as error:
-        crash = RuleCrash(finding.code, finding.package, finding.place.path, traceback.format_exc(), "fix of")
+        crash = RuleCrash(finding.code, finding.package, finding.location.path, traceback.format_exc(), "fix of")
         return Refusal(finding, f"{type(error).__name__}: {error}", crash)
     return None
 
@@ -88,16 +88,18 @@ def newly_unreadable(tree: Overlay, changes: Changes, folders: Sequence[str]) ->
     """
     after = Overlay(tree.base, {**tree.changes, **changes})
     touched = {folder for path in changes for folder in folders if not folder or path.startswith(folder + "/")}
-    broken = {path: why for path, why in unreadable_files(after, touched).items() if path in changes}
-    before = unreadable_files(tree, touched) if broken else {}
+    broken = {path: why for path, why in unreadable_files(after, touched, changes).items() if path in changes}
+    before = unreadable_files(tree, touched, changes) if broken else {}
     return {path: why for path, why in broken.items() if path not in before}
 
 
-def unreadable_files(tree: Tree, folders: set[str]) -> dict[str, str]:
-    """Return the files of some packages that can't be read, with what is wrong."""
+def unreadable_files(tree: Tree, folders: set[str], paths: Iterable[str]) -> dict[str, str]:
+    """Return the files of some packages that can't be read, with what is wrong; at least those of `paths`."""
     found: dict[str, str] = {}
     for folder in folders:
         prefix = folder + "/" if folder else ""
         package = Package(PackageFiles(tree.sub(folder), folder))
-        found |= {prefix + each.path: each.message for each in package.unreadable()}
+        found |= {
+            prefix + each.path: each.message for each in package.unreadable(p for p in paths if p.startswith(prefix))
+        }
     return found

@@ -76,7 +76,7 @@ def write_file(target: Path, entry: TreeEntry, check: Callable[[], None] = lambd
     target = target.resolve() if target.is_symlink() else target
     target.parent.mkdir(parents=True, exist_ok=True)
     mode = stat.S_IMODE(target.stat().st_mode) if target.exists() else 0o666 & ~current_umask()
-    mode = mode | ((mode & 0o444) >> 2) if entry.executable else mode & ~0o111
+    mode = mode | ((mode & 0o444) >> 2) if entry.is_executable else mode & ~0o111
     if not mode & 0o222:
         raise PermissionError(13, "the file is read-only")
     start = os.fsdecode(os.fsencode(target.name)[:128])

@@ -58,12 +58,12 @@ class FindingBuilder:
             name=rule.name,
             severity=hit.level or rule.severity,
             message=hit.message,
-            place=place,
+            location=place,
             package=self.package_of(hit.path),
             excerpt=source.slice(source.line_span(place.line)),
             related=tuple((self.place(each.path, each.span), each.message) for each in hit.related),
             fix=self.fix(hit.fix),
-            edit_places=tuple(
+            edit_locations=tuple(
                 self.place(o.path, o.span) for o in (hit.fix.operations if hit.fix else ()) if isinstance(o, Edit)
             ),
         )

@@ -19,8 +19,8 @@ def ignore_comments(tree: Tree, findings: Iterable[Finding], reason: str) -> Ite
     """Yield the insertion of one comment for each line that has findings; none where a file takes no comments."""
     lines: dict[tuple[str, int], set[str]] = defaultdict(set)
     for finding in findings:
-        if PurePosixPath(finding.place.path).suffix in XML | HASH | SLASHES and not finding.code.startswith("RPK"):
-            lines[finding.place.path, finding.place.line].add(finding.code)
+        if PurePosixPath(finding.location.path).suffix in XML | HASH | SLASHES and not finding.code.startswith("RPK"):
+            lines[finding.location.path, finding.location.line].add(finding.code)
     for (path, line), codes in sorted(lines.items()):
         source = Source(path, tree.entry(path).text.text)
         at = source.line_span(line)

@@ -40,7 +40,7 @@ class SuppressionIndex:
         return [self.suppressed(finding) for finding in findings]
 
     def suppressed(self, finding: Finding) -> Finding:
-        places = ((finding.place.path, 0), (finding.place.path, finding.place.line))
+        places = ((finding.location.path, 0), (finding.location.path, finding.location.line))
         found = [found for place in places if (found := self.codes_at(place).get(finding.code)) is not None]
         if not found:
             return finding

@@ -81,7 +81,7 @@ class FunctionDefinition:
     body: list[CommandInvocation | Block]
     path: str
     parameters: list[str]
-    macro: bool
+    is_macro: bool
 
 
 def environment(name: str) -> str:

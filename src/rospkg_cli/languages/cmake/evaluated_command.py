@@ -23,7 +23,7 @@ class EvaluatedCommand:
     """It runs only where BUILD_TESTING is on."""
     maybe: bool = False
     """It runs only under a condition that can't be evaluated."""
-    inside: str = ""
+    function: str = ""
     """The function or macro of the package that contains it."""
     counts: tuple[int, ...] = ()
     """How many words each argument of the command evaluates to."""

@@ -44,15 +44,15 @@ def call_function(interpreter: Interpreter, function: FunctionDefinition, call: 
     frame = interpreter.frame
     name = function.command.arguments[0].text
     inner = replace(frame, path=function.path, depth=frame.depth + 1, inside=name)
-    inner = replace(inner, bindings=bound if function.macro else {})
+    inner = replace(inner, bindings=bound if function.is_macro else {})
     scope = interpreter.scope
-    if not function.macro:
+    if not function.is_macro:
         interpreter.scope = VariableScope(scope, dict(bound))
     try:
         with interpreter.enter_frame(inner):
             interpreter.body(function.body)
     except LeaveError as leave:
-        if leave.how != "return" or function.macro:
+        if leave.how != "return" or function.is_macro:
             raise
     finally:
         interpreter.scope = scope
@@ -63,7 +63,7 @@ def parameter_values(
 ) -> dict[str, Value]:
     """Return the parameters of a function, ARGN, ARGV, ARGC, and ARGV0 and so on, as a call sets them."""
     words, count = call.words, len(function.parameters)
-    if function.macro:
+    if function.is_macro:
         words = tuple(replace(word, text=UNKNOWN, quoted=False) if AGAIN.search(word.text) else word for word in words)
     whole = any(word.text == UNKNOWN or word.maybe for word in words[:count])
     bound: dict[str, Value] = {"ARGV": as_value(words)}

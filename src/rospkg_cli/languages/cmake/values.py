@@ -41,7 +41,7 @@ class Word:
     quoted: bool = False
 
     @property
-    def known(self) -> bool:
+    def is_known(self) -> bool:
         """Whether the text is known: no unknown part, no generator expression."""
         return UNKNOWN not in self.text and "$<" not in self.text
 

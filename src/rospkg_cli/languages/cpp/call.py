@@ -53,7 +53,7 @@ class CppCall:
     """The variable that is declared, "" where there is none."""
     span: Span
     """From the name to the closing parenthesis."""
-    conditional: bool
+    is_conditional: bool
 
 
 def arguments(source: Source, at: int) -> tuple[tuple[CppArgument, ...], int] | None:

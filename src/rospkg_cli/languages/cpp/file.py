@@ -28,8 +28,8 @@ class IncludeDirective:
     path: str
     span: Span
     """Of the path, between its brackets or quotes."""
-    angled: bool
-    conditional: bool
+    is_angled: bool
+    is_conditional: bool
     """Whether it is inside an `#if` other than a header's include guard."""
 
 
@@ -91,7 +91,7 @@ def include_directive(text: str, token: CppToken) -> Iterator[IncludeDirective]:
     found = INCLUDED.match(text, token.at, token.end)
     if found is not None:
         group = 1 if found.group(1) is not None else 2
-        yield IncludeDirective(found.group(group).strip(), Span(*found.span(group)), group == 1, token.conditional)
+        yield IncludeDirective(found.group(group).strip(), Span(*found.span(group)), group == 1, token.is_conditional)
 
 
 def macro_definition(text: str, token: CppToken) -> Iterator[MacroDefinition]:
@@ -113,9 +113,9 @@ def call_at(source: Source, token: CppToken) -> Iterator[CppCall]:
     at = behind.end() if behind else at
     name = text[token.start : token.end]
     if text[at : at + 1] in ("(", "{") and (found := arguments(source, at)) is not None:
-        yield CppCall(name, kind, found[0], variable, Span(token.start, found[1]), token.conditional)
+        yield CppCall(name, kind, found[0], variable, Span(token.start, found[1]), token.is_conditional)
     elif kind:
-        yield CppCall(name, kind, None, variable, Span(token.start, at), token.conditional)
+        yield CppCall(name, kind, None, variable, Span(token.start, at), token.is_conditional)
 
 
 def initializer_call(source: Source, token: CppToken) -> Iterator[CppCall]:
@@ -129,4 +129,4 @@ def initializer_call(source: Source, token: CppToken) -> Iterator[CppCall]:
     first = CppArgument(found.group(2), Span(base + found.start(2), base + found.end(2)))
     second = CppArgument(source.text[token.start : token.end], Span(token.start, token.end))
     end = source.text.index(behind[0], token.end) + 1
-    yield CppCall(found.group(1), "", (first, second), "", Span(base + found.start(1), end), token.conditional)
+    yield CppCall(found.group(1), "", (first, second), "", Span(base + found.start(1), end), token.is_conditional)

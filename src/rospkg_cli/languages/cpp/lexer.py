@@ -36,7 +36,7 @@ class CppToken:
     kind: Kind
     start: int
     end: int
-    conditional: bool
+    is_conditional: bool
     """Whether it is inside an `#if` other than a header's include guard."""
     word: str = ""
     at: int = 0

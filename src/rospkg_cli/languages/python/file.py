@@ -28,11 +28,11 @@ class Import:
     """The number of leading dots."""
     span: Span
     """Of the module's name (of the dots and the name)."""
-    optional: bool = False
+    is_optional: bool = False
     """In a `try` that survives an ImportError or its handler, or under a condition on the machine."""
-    typing: bool = False
+    is_for_typing: bool = False
     """Under `if TYPE_CHECKING`."""
-    local: bool = False
+    is_local: bool = False
     """In a function."""
 
 
@@ -52,28 +52,30 @@ class PythonFile(PythonSyntax):
                 case ast.Import():
                     for alias in node.names:
                         name = Span(start := self.span(alias).start, start + len(alias.name))
-                        yield Import(alias.name, (), 0, name, under.optional, under.typing, under.local)
+                        yield Import(alias.name, (), 0, name, under.is_optional, under.is_for_typing, under.is_local)
                 case ast.ImportFrom():
                     names = tuple(alias.name for alias in node.names)
                     module, span = node.module or "", self.module_span(node)
-                    yield Import(module, names, node.level, span, under.optional, under.typing, under.local)
+                    yield Import(
+                        module, names, node.level, span, under.is_optional, under.is_for_typing, under.is_local
+                    )
                 case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
-                    inner = Import("", (), 0, under.span, under.optional, under.typing, True)
+                    inner = Import("", (), 0, under.span, under.is_optional, under.is_for_typing, True)
                     yield from self.imports_in(ast.iter_child_nodes(node), inner)
                 case ast.Try():
-                    survives = under.optional or any(handles_import_error(handler) for handler in node.handlers)
-                    inner = Import("", (), 0, under.span, survives, under.typing, under.local)
+                    survives = under.is_optional or any(handles_import_error(handler) for handler in node.handlers)
+                    inner = Import("", (), 0, under.span, survives, under.is_for_typing, under.is_local)
                     yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
                     yield from self.imports_in(node.finalbody, under)
                 case ast.If():
-                    typing = under.typing or is_type_checking(node.test)
-                    optional = under.optional or depends_on_platform(node.test)
-                    inner = Import("", (), 0, under.span, optional, typing, under.local)
-                    other = Import("", (), 0, under.span, optional, under.typing, under.local)
+                    typing = under.is_for_typing or is_type_checking(node.test)
+                    optional = under.is_optional or depends_on_platform(node.test)
+                    inner = Import("", (), 0, under.span, optional, typing, under.is_local)
+                    other = Import("", (), 0, under.span, optional, under.is_for_typing, under.is_local)
                     yield from self.imports_in(node.body, inner)
                     yield from self.imports_in(node.orelse, other)
                 case ast.With(items=items) if any(suppresses_import_error(item.context_expr) for item in items):
-                    inner = Import("", (), 0, under.span, True, under.typing, under.local)
+                    inner = Import("", (), 0, under.span, True, under.is_for_typing, under.is_local)
                     yield from self.imports_in(node.body, inner)
                 case ast.stmt() | ast.ExceptHandler() | ast.match_case():
                     yield from self.imports_in(ast.iter_child_nodes(node), under)
@@ -102,12 +104,12 @@ class PythonFile(PythonSyntax):
         return found
 
     @cached_property
-    def stars(self) -> tuple[Import, ...]:
+    def star_imports(self) -> tuple[Import, ...]:
         """The modules of which everything is imported at the top level."""
-        return tuple(each for each in self.imports if "*" in each.names and not each.local)
+        return tuple(each for each in self.imports if "*" in each.names and not each.is_local)
 
     @cached_property
-    def dynamic(self) -> bool:
+    def has_dynamic_names(self) -> bool:
         """Whether the module may have names that are not bound in its text."""
         if "__getattr__" in self.definitions:
             return True

@@ -55,7 +55,7 @@ class Element:
         return [node for node in self.nodes if isinstance(node, Element)]
 
     @property
-    def self_closing(self) -> bool:
+    def is_self_closing(self) -> bool:
         return self.open.end == self.span.end
 
     @property

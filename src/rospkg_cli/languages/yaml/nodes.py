@@ -22,12 +22,12 @@ class ScalarNode:
     text: str
     span: Span
     """As written in the file: with quotes, and with an anchor or a tag before it."""
-    plain: bool
+    is_plain: bool
     """Neither quoted nor a block."""
-    quoted: bool = False
+    is_quoted: bool = False
     tag: str | None = None
     anchor: str | None = None
-    written: LocatedText = NOWHERE
+    located: LocatedText = NOWHERE
     """The text where it stands, between the quotes where there are any."""
 
 

@@ -28,7 +28,7 @@ def python_package(call: EvaluatedCommand) -> Iterator[InstallRule]:
     for name in rest[:1]:
         folder = next(iter(values.get("PACKAGE_DIR", [])), name)
         place = below_prefix(values["DESTINATION"][0].text) if values.get("DESTINATION") else PYTHON
-        target = None if place is None or not name.known else posixpath.join(place, name.text)
+        target = None if place is None or not name.is_known else posixpath.join(place, name.text)
         inside = Word(folder.text.rstrip("/") + "/", folder.path, folder.span, folder.maybe)
         skip = (Pattern("*.pyc", False, True), Pattern("__pycache__", False, True))
         yield InstallRule("DIRECTORY", (inside,), target, call, name, patterns=skip)

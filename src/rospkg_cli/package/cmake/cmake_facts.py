@@ -15,8 +15,8 @@ def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     if cmake is None:
         return frozenset(), False
     plugins = [component.plugin for component in cmake.components]
-    known = frozenset(plugin.text for plugin in plugins if plugin.known)
-    return known, cmake.complete and all(plugin.known for plugin in plugins)
+    known = frozenset(plugin.text for plugin in plugins if plugin.is_known)
+    return known, cmake.complete and all(plugin.is_known for plugin in plugins)
 
 
 def exported_targets(reading: ReaderInput) -> tuple[str, ...]:
@@ -33,6 +33,6 @@ def exported_targets(reading: ReaderInput) -> tuple[str, ...]:
         for rule in cmake.installs
         if rule.export is not None and rule.export.text in names
         for word in rule.items
-        if word.known
+        if word.is_known
     ]
     return tuple(dict.fromkeys(found))

@@ -114,7 +114,7 @@ class CMakeTableBuilder:
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
         is_unclear = rule.kind == "CODE" or None in places
-        items = [word for word in rule.items if not word.known and "$<TARGET_FILE" not in word.text]
+        items = [word for word in rule.items if not word.is_known and "$<TARGET_FILE" not in word.text]
         if rule.kind == "DIRECTORY":
             items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
         if not is_unclear and not items:
@@ -140,7 +140,7 @@ class CMakeTableBuilder:
 
 
 def made_by_the_build(word: Word) -> bool:
-    return word.known and word.text.startswith(BINARY)
+    return word.is_known and word.text.startswith(BINARY)
 
 
 ALL: tuple[InstallKind, ...] = ("executable", "share", "module", "library", "header", "other")

@@ -114,7 +114,7 @@ class CMake:
 
     @property
     def project_name(self) -> str:
-        return self.project.text if self.project is not None and self.project.known else ""
+        return self.project.text if self.project is not None and self.project.is_known else ""
 
     @property
     def ends_a_package(self) -> bool:

@@ -52,5 +52,5 @@ class PublicHeaders:
         for file in self.sources:
             if file.path in self.installed:
                 for include in file.includes:
-                    if "/" in include.path and not include.conditional:
+                    if "/" in include.path and not include.is_conditional:
                         yield file, include, include.path.partition("/")[0]

@@ -32,7 +32,7 @@ def installed_by_macros(cmake: CMake, name: str) -> Iterator[MacroInstall]:
 
 def components(cmake: CMake, name: str) -> Iterator[MacroInstall]:
     for component in cmake.components:
-        if component.executable is not None and component.executable.known:
+        if component.executable is not None and component.executable.is_known:
             yield f"lib/{name}/{component.executable.text}", "", component.executable, component.call
 
 
@@ -40,7 +40,7 @@ def interfaces(cmake: CMake, name: str) -> Iterator[MacroInstall]:
     """The interface files themselves; their .idl forms and the code made of them are left to rosidl."""
     for each in cmake.interface_targets:
         for word in each.files:
-            path = word.text.rpartition(":")[2] if not each.skip_install and word.known else ""
+            path = word.text.rpartition(":")[2] if not each.skip_install and word.is_known else ""
             if path:
                 folder, file = posixpath.split(path)
                 place = f"share/{name}/{posixpath.basename(folder)}/{file}"
@@ -86,6 +86,6 @@ def config_extras(call: EvaluatedCommand, cmake: CMake, name: str) -> Iterator[M
         words = list(call.words[at + 1 :]) if call.texts[at : at + 1] and call.texts[at] in variables else []
     for word in words:
         file = posixpath.basename(word.text)
-        if word.known and file.endswith((".cmake", ".cmake.in")):
+        if word.is_known and file.endswith((".cmake", ".cmake.in")):
             source = path_in_package(word.text, call.folder) if file.endswith(".cmake") else None
             yield f"share/{name}/cmake/{file.removesuffix('.in')}", source or "", word, call

@@ -44,7 +44,7 @@ class UninstalledTargets:
     def all(self) -> Iterator[UninstalledTarget]:
         """Yield the targets that are not installed; nothing where an install rule can't be evaluated."""
         rules = [rule for rule in self.cmake.installs if rule.kind in ("TARGETS", "CODE")]
-        unclear = any(rule.kind == "CODE" or any(not word.known for word in rule.items) for rule in rules)
+        unclear = any(rule.kind == "CODE" or any(not word.is_known for word in rule.items) for rule in rules)
         if unclear or not self.cmake.complete or not self.cmake.ends_a_package:
             return
         stopping = {each.target.name: each for each in self.unexported()}
@@ -83,7 +83,7 @@ class UninstalledTargets:
 
     def has_code(self, target: Target) -> bool:
         """Return whether there may be more in a library than headers: the linker leaves an empty one out."""
-        only = bool(target.sources) and all(word.known and word.text.endswith(HEADERS) for word in target.sources)
+        only = bool(target.sources) and all(word.is_known and word.text.endswith(HEADERS) for word in target.sources)
         return not only or target.name in self.added_to
 
     @cached_property

@@ -24,4 +24,4 @@ def listed_path(word: Word, target: InterfaceTarget) -> str | None:
     if text.startswith("/") and ":" in text:
         base, _, own = text.rpartition(":")
         text = f"{base}/{own}"
-    return path_in_package(text, target.call.folder) if word.known else None
+    return path_in_package(text, target.call.folder) if word.is_known else None

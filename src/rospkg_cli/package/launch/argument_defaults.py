@@ -1,4 +1,4 @@
-"""What the arguments of a launch file are where nobody gives another value."""
+"""The default values of a launch file's arguments."""
 
 from __future__ import annotations
 

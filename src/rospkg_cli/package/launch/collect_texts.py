@@ -1,4 +1,4 @@
-"""Every text that a Python launch file hands to an action, a substitution, or what reads a file."""
+"""Every text that a Python launch file passes to an action, a substitution or a function that reads files."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ LISTS = frozenset({
     "arguments", "ros_arguments", "parameters", "cmd", "remappings", "launch_arguments", "actions", "entities",
     "initial_entities", "composable_node_descriptions",
 })  # fmt: skip
-"""Arguments whose items are texts of their own; any other list is one text."""
+"""Arguments whose items are separate texts; any other list is one text."""
 
 NO_TEXT = frozenset({
     "LaunchDescription", "GroupAction", "TimerAction", "PathJoinSubstitution", "PathSubstitution", "LogInfo",
 })  # fmt: skip
-"""What takes actions, makes of its texts a path that something else uses, or only shows them."""
+"""Classes that take actions, join texts to a path that is used elsewhere, or only print them."""
 
 READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xacro.process", "xacro.parse"})
 PATH_TESTS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
@@ -33,9 +33,9 @@ MAX_DEPTH = 20
 def file_references(
     calls: list[Call], folder: str, guarded: tuple[Span, ...], defaults: ByName[str, str]
 ) -> Iterator[FileReference]:
-    """Yield the files that a launch file in `folder` names, but for those that it asks for first or writes.
+    """Yield the files that a launch file in `folder` names, except those that it tests or writes.
 
-    Whatever is read where a missing file is caught, as `guarded` says, is left out as well.
+    Files that are read inside of `guarded`, where a missing file is caught, are left out too.
     """
     bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
     found = [
@@ -54,7 +54,7 @@ def kind_of(call: Call) -> ReferenceKind:
 
 
 def texts_of(call: Call) -> Iterator[LaunchText]:
-    """Yield the texts that a call is given; a path that is only joined is not used yet."""
+    """Yield the texts that are passed to a call; a path that is only joined is not used yet."""
     name = class_of(call)
     if name:
         takes = name == "Command" or name not in NAMED.keys() | NO_TEXT
@@ -88,7 +88,7 @@ def writes(call: Call) -> bool:
 
 
 def tested_paths(call: Call, folder: str) -> Iterator[FileReference]:
-    """Yield the paths of which a call asks whether they are there, or which it makes."""
+    """Yield the paths that a call tests for existence or creates."""
     if call.callee in PATH_TESTS or writes(call):
         for value in call.positional[:1]:
             yield from references_in(text_of(value), folder)

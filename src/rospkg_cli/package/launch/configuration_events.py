@@ -20,10 +20,10 @@ of its own; `later`: what follows happens some time, when an event or a timer co
 class LaunchEvent:
     kind: Kind
     name: str = ""
-    """Of the configuration; of the included file, without its folders; "" where that can't be told."""
+    """Of the configuration; of the included file, without its folders; "" where it is unknown."""
     span: Span = NOWHERE
     optional: bool = False
-    """Of a use: it has a default; of a declaration: it has none, so that whoever starts the file gives it."""
+    """Of a use: it has a default; of a declaration: it has none, so that the user has to set it."""
     passed_as: str = ""
     """Of a use: the argument of an include that is all that it becomes."""
 
@@ -44,7 +44,7 @@ def passed_uses(uses: Iterable[LaunchEvent], name: str) -> Iterator[LaunchEvent]
 
 
 def file_name(text: LaunchText) -> str:
-    """Return the name of an included file, as far as its last pieces tell."""
+    """Return the name of an included file, "" where its last parts are unknown."""
     tail = ""
     for part in reversed(text.parts):
         if not isinstance(part, Literal):
@@ -66,7 +66,7 @@ class ConfigurationSummary:
     open: bool
     """Whether it may define others, or include others."""
     inherits: bool = False
-    """Whether it asks for what it does not define itself: then something beyond sets it."""
+    """Whether it uses what it does not define itself: then another file sets it."""
 
 
 def summary(name: str, events: Iterable[LaunchEvent], complete: bool) -> ConfigurationSummary:

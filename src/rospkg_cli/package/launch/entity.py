@@ -64,7 +64,7 @@ def from_yaml(source: Source) -> tuple[Entity | None, list[SyntaxProblem]]:
     problems: list[SyntaxProblem] = []
     if len(entries) > 1:
         problems.append(
-            SyntaxProblem(entries[1][0].written.span, "a YAML launch file has one key at its top: `launch:`")
+            SyntaxProblem(entries[1][0].located.span, "a YAML launch file has one key at its top: `launch:`")
         )
     key, value = entries[0]
     return yaml_entity(key, value, problems), problems
@@ -77,21 +77,21 @@ def pairs(mapping: MappingNode) -> list[tuple[ScalarNode, YamlNode]]:
 
 def yaml_entity(name: ScalarNode, value: YamlNode, problems: list[SyntaxProblem]) -> Entity:
     """Make an entity of `name: value`."""
-    span = name.written.span
+    span = name.located.span
     found = Entity(name.text, Span(span.start, value.span.end), span)
     if isinstance(value, SequenceNode):
         return with_children(found, list(children_of(value.items, problems)))
     children: list[Entity] = []
     for key, item in pairs(value) if isinstance(value, MappingNode) else []:
-        found.attribute_spans[key.text] = key.written.span
+        found.attribute_spans[key.text] = key.located.span
         if isinstance(item, ScalarNode):
-            found.attributes[key.text] = item.written
+            found.attributes[key.text] = item.located
         elif key.text == "children":
             children += children_of(values_of(item), problems)
         elif isinstance(item, SequenceNode) and not all(isinstance(each, ScalarNode) for each in item.items):
             children += [yaml_entity(key, each, problems) for each in item.items]
         else:
-            found.lists[key.text] = tuple(each.written for each in values_of(item) if isinstance(each, ScalarNode))
+            found.lists[key.text] = tuple(each.located for each in values_of(item) if isinstance(each, ScalarNode))
     return with_children(found, children)
 
 
@@ -108,14 +108,14 @@ def children_of(items: list[YamlNode], problems: list[SyntaxProblem]) -> Iterato
         entries = pairs(item) if isinstance(item, MappingNode) else []
         if not entries:
             message = "an entry of a launch description is `- name:` with its attributes below"
-            problems.append(SyntaxProblem(item.written.span if isinstance(item, ScalarNode) else item.span, message))
+            problems.append(SyntaxProblem(item.located.span if isinstance(item, ScalarNode) else item.span, message))
             continue
         key, value = entries[0]
         yield yaml_entity(key, value, problems)
         if len(entries) > 1:
             extra = entries[1][0]
             message = f"`{extra.text}` and `{key.text}` are in one list entry; indent it below, or begin a new one"
-            problems.append(SyntaxProblem(extra.written.span, f"{message} with `-`"))
+            problems.append(SyntaxProblem(extra.located.span, f"{message} with `-`"))
 
 
 def with_children(entity: Entity, children: list[Entity]) -> Entity:

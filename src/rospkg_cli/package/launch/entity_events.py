@@ -21,7 +21,7 @@ def xml_events(root: Entity) -> tuple[LaunchEvent, ...]:
 
 
 def events_of(entity: Entity, deferred: list[LaunchEvent]) -> Iterator[LaunchEvent]:
-    """Yield the events of an action, and of what stands inside of it."""
+    """Yield the events of an action and of its children."""
     name = entity.name
     if name == "arg":
         yield from uses_of(*texts(entity, "default", "if", "unless"))
@@ -50,7 +50,7 @@ def events_of(entity: Entity, deferred: list[LaunchEvent]) -> Iterator[LaunchEve
 
 
 def parts(entity: Entity) -> Iterator[LaunchEvent]:
-    """Yield what stands inside of an action that takes no actions: all of it is used."""
+    """Yield the uses below an action that takes no actions."""
     for each in entity.walk():
         yield from uses_of(*texts(each))
 

@@ -77,7 +77,7 @@ class EntityVisitor:
         return unknown_text(entity.name_span) if found is None else found
 
     def visit(self, entity: Entity, certain: bool) -> None:
-        """Read an action and what stands inside of it."""
+        """Read an action and its children."""
         certain = certain and not {"if", "unless"} & entity.attributes.keys()
         for name in ("if", "unless"):
             self.get(entity, name)

@@ -24,7 +24,7 @@ class SubstitutionUse:
     """Of the function with its module (`os.path.join`), or of the method; the operator: `+`, `==`, `!=`, `not`, `and`,
     `or`, and `f""` for an f-string."""
     operands: tuple[Value, ...]
-    """What it works on: of a function the substitution that it is given, of a method the object."""
+    """Of a function the substitution that is passed to it, of a method the object."""
 
 
 @dataclass(frozen=True)

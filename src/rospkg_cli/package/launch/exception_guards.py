@@ -1,4 +1,4 @@
-"""Where a Python launch file reckons with a missing package or file."""
+"""Where a Python launch file catches the exception for a missing package or file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The files that launch texts name: in the share directory of a package, or beside the launch file."""
+"""The files that launch texts name: in the share directory of a package, or relative to the launch file."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ ReferenceKind = OneOf["include", "default", "file"]
 NAME = re.compile(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
 END = re.compile(r"[\s'\",;:|&()`]")
-"""Where a path ends that stands inside of a longer text."""
+"""What ends a path inside of a longer text."""
 PATTERN = re.compile(r"[*?\[\]{}<>$%]")
-"""What stands in patterns and templates, not in names of files."""
+"""Characters of patterns and templates, not of file names."""
 
 OUTPUT_FILE = re.compile(
     r"(^|.*[/_.-])(logs?|out|output|save|saved|record|recorded|results?|tmp|cache)([/_.-].*|$)"
@@ -33,14 +33,14 @@ OUTPUT_FILE = re.compile(
 @dataclass(frozen=True, slots=True)
 class FileReference:
     span: Span
-    """Of the path as it is written, as far as it stands in one place."""
+    """Of the path as it is written, if it is in one place."""
     package: str
-    """Whose share directory it is in; "" where it is reckoned from the launch file."""
+    """Whose share directory it is in; "" where the path is relative to the launch file."""
     path: str
     """Relative to that share directory, or to the folder of package.xml."""
     use: ReferenceKind = "file"
     parted: bool = True
-    """Whether a slash stands between the share directory and the path."""
+    """Whether a slash is between the share directory and the path."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ NO_DEFAULTS: Mapping[str, str] = {}
 def references_in(
     text: LaunchText, folder: str, use: ReferenceKind = "file", defaults: Mapping[str, str] = NO_DEFAULTS
 ) -> Iterator[FileReference]:
-    """Yield the files that a text of a launch file in `folder` names, as far as they are told.
+    """Yield the files that a text of a launch file in `folder` names, as far as they are known.
 
     `defaults` are those of the arguments by their names.
     """
@@ -106,7 +106,7 @@ def normal_path(text: str) -> str:
 
 
 def is_file(path: str) -> bool:
-    """Return whether a path means a file of the folder it is reckoned from: one with a suffix, not above it."""
+    """Return whether a path is that of a file below its base: it has a suffix and does not begin with `..`."""
     name = posixpath.basename(path)
     if len(path) > MAX_PATH or OUTPUT_FILE.fullmatch(path):
         return False
@@ -114,7 +114,7 @@ def is_file(path: str) -> bool:
 
 
 def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> JoinedPath | None:
-    """Return the path that some parts begin with, and where it stands; None where a piece of it is not told."""
+    """Return the path that some parts begin with, and its span; None where a part of it is unknown."""
     found, spans, by_default = "", [], False
     for part in parts:
         text = part.text if isinstance(part, Literal) else default_of(part, defaults)
@@ -136,6 +136,6 @@ def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, s
 
 
 def default_of(part: Substitution, defaults: Mapping[str, str]) -> str | None:
-    """Return the default of the argument that a substitution stands for."""
+    """Return the default of the argument that a substitution is replaced by."""
     name = part.arguments[0].literal if part.name == "var" and len(part.arguments) == 1 else None
     return defaults.get(name) if name else None

@@ -48,7 +48,7 @@ def type_name(value: Value) -> str:
         case Constant():
             return "`None`" if value.value is None else f"the {type(value.value).__name__} `{value.value}`"
         case Text() | PartialText():
-            return "a path" if value.path else "a string"
+            return "a path" if value.is_path else "a string"
         case Sequence():
             return f"a {value.kind}"
         case Mapping():

@@ -19,13 +19,13 @@ ENTRIES = ("generate_launch_description", "generate_test_description")
 def found_path(machine: EvaluationState, call: Call) -> Value:
     """get_package_share_path: what is joined to it with `/` is a path below it."""
     machine.calls.append(call)
-    return PartialText(call.span, (call,), path=True)
+    return PartialText(call.span, (call,), is_path=True)
 
 
 def as_path(machine: EvaluationState, call: Call) -> Value | None:
     """PathSubstitution(text): a path of one text, to be joined with `/`."""
     path = call.get("path", 0)
-    return PartialText(call.span, (path,), path=True) if isinstance(path, Call) else None
+    return PartialText(call.span, (path,), is_path=True) if isinstance(path, Call) else None
 
 
 PATHS = {
@@ -61,7 +61,7 @@ class LaunchEvaluator(SubstitutionTracker):
             self.active.pop()
 
     def run_all(self) -> None:
-        """Run the file, what launch calls of it, what that hands over, and last every function left."""
+        """Run the file, then its entry points, the functions of OpaqueFunction, and every other function."""
         self.run_file()
         for name in ENTRIES:
             self.enter(self.get(name))

@@ -49,7 +49,7 @@ class LaunchedNode:
     remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
     arguments: tuple[LaunchText, ...] = ()
     certain: bool = True
-    """False under a condition that can't be told."""
+    """False under an unknown condition."""
     complete: bool = True
     """False where other arguments may be passed."""
 
@@ -61,7 +61,7 @@ class Include:
     arguments: tuple[tuple[LaunchText, LaunchText], ...] = ()
     certain: bool = True
     complete: bool = True
-    """False where it may be given other arguments."""
+    """False where other arguments may be passed."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class LaunchFile:
     ros1: bool = False
     """Whether it is written for ROS 1."""
     entry: bool = True
-    """Whether it has what launch asks of it: in Python, `generate_launch_description`."""
+    """Whether launch can start it: in Python, it has `generate_launch_description`."""
     events: tuple[LaunchEvent, ...] | None = None
     """What happens to launch configurations, in order; None where that is unknown."""
     evaluated: EvaluatedLaunch | None = None
@@ -129,12 +129,12 @@ class LaunchFile:
         return tuple(guarded_in(self.python)) if self.python else ()
 
     def reckons_with(self, span: Span) -> bool:
-        """Return whether the file goes on where what stands there is missing."""
+        """Return whether the file catches that what is used at a span is missing."""
         return any(guard.start <= span.start < guard.end for guard in self.guarded)
 
     @property
     def told(self) -> bool:
-        """Whether all that the file starts is known: nothing in its description comes from elsewhere."""
+        """Whether all that the file starts is known: nothing in its description is evaluated elsewhere."""
         if not self.complete or self.events is None:
             return False
         return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)

@@ -17,6 +17,6 @@ class LaunchSignature:
     used: frozenset[str] = frozenset()
     """The launch configurations that it uses, declared or not."""
     includes: tuple[tuple[str, str], ...] = ()
-    """The files that it includes, which see all that it is given: package and path, as NamedPath has them."""
+    """The files that it includes, which see all its arguments: package and path, as in FileReference."""
     open: bool = False
     """Whether it may take others."""

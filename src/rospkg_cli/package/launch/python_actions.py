@@ -24,7 +24,7 @@ def argument_text(call: Call, name: str, place: int = 0) -> LaunchText:
 
 
 def optional_text(call: Call, name: str, old: str = "") -> LaunchText | None:
-    """Return an argument, by its name or by the one that it had before Galactic; None where it is not given."""
+    """Return an argument, by its name or by the one that it had before Galactic; None where it is absent."""
     found = call.get(name)
     found = call.get(old) if found is None and old else found
     return None if found is None or is_none(found) else text_of(found)
@@ -35,7 +35,7 @@ def is_none(value: Value) -> bool:
 
 
 def certain(call: Call) -> bool:
-    return call.certain and call.get("condition") is None
+    return call.is_certain and call.get("condition") is None
 
 
 def node_of(call: Call, kind: NodeKind) -> LaunchedNode:
@@ -59,7 +59,7 @@ def items_of(value: Value | None) -> Iterator[Value]:
     """Yield the items of a list, and what may be items of it."""
     if isinstance(value, Sequence):
         for item in value.items:
-            if isinstance(item, Unknown) and item.many and item.options:
+            if isinstance(item, Unknown) and item.is_many and item.options:
                 yield from item.options
             else:
                 yield item
@@ -90,7 +90,7 @@ def pairs_of(value: Value | None) -> Iterator[tuple[LaunchText, LaunchText]]:
 
 def include_of(call: Call) -> Include:
     given = call.get("launch_arguments", 1)
-    told = given is None or (isinstance(given, Sequence) and given.complete) or isinstance(given, Mapping)
+    told = given is None or (isinstance(given, Sequence) and given.is_complete) or isinstance(given, Mapping)
     return Include(
         call.span,
         argument_text(call, "launch_description_source"),

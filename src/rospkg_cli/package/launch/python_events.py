@@ -32,11 +32,11 @@ HARMLESS = (sys.stdlib_module_names | {"launch_testing", "print"}) - {"functools
 
 MAX_DEPTH = 40
 MAX_VISITS = 50_000
-"""Of actions: a function that launch calls may hand itself back, several times."""
+"""Of actions: a function that launch calls may return itself, several times."""
 
 
 def python_events(evaluator: LaunchEvaluator) -> tuple[LaunchEvent, ...] | None:
-    """Return the events of a file; None where the description that it returns can't be told."""
+    """Return the events of a file; None where the description that it returns is unknown."""
     for function, value in evaluator.results.values():
         if function.name in ENTRIES and function.scope is evaluator.scope:
             described = value.items[0] if isinstance(value, Sequence) and value.items else value
@@ -52,7 +52,7 @@ class ExecutionOrder:
         self.deferred: list[LaunchEvent] = []
         """What timers and event handlers do."""
         self.visits = 0
-        self.performed = [call for call in evaluator.calls if call.certain and call.callee in PERFORMS]
+        self.performed = [call for call in evaluator.calls if call.is_certain and call.callee in PERFORMS]
         self.added: dict[int, list[Value]] = {}
         for call in evaluator.calls:
             if call.callee in ADDS and call.receiver is not None and call.arguments:
@@ -132,7 +132,7 @@ class ExecutionOrder:
             yield LaunchEvent("pop")
 
     def opaque(self, call: Call, depth: int) -> Iterator[LaunchEvent]:
-        """Yield what a function does that launch calls: all that stands in it, and what it returns."""
+        """Yield the events of a function that launch calls: those in its body and those of its result."""
         yield from uses_in(call, but=("function",))
         function = call.get("function", 0)
         if not isinstance(function, Function):
@@ -192,7 +192,7 @@ def passed(name: Value, value: Value) -> Iterator[LaunchEvent]:
 
 
 def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[LaunchEvent]:
-    """Yield what the arguments of a call ask for, but for some of them."""
+    """Yield the uses in the arguments of a call, except some of them."""
     named = SIGNATURES.get(class_of(call))
     for name, argument in named_arguments(call, named) if named is not None else ():
         if name not in but:
@@ -200,7 +200,7 @@ def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[LaunchEvent]:
 
 
 def used(value: Value, depth: int) -> Iterator[LaunchEvent]:
-    """Yield the launch configurations that a value asks for when it is performed."""
+    """Yield the launch configurations that a value uses when it is performed."""
     if depth > MAX_DEPTH:
         return
     match value:

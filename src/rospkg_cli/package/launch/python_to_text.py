@@ -1,4 +1,4 @@
-"""From the evaluator's values to launch texts: what the classes of launch and launch_ros would make of them."""
+"""Convert the evaluator's values to launch texts, as the classes of launch and launch_ros do."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NAMED: Mapping[str, tuple[str, tuple[tuple[str, int], ...]]] = {
     "ThisLaunchFileDir": ("dirname", ()),
     "ThisLaunchFile": ("filename", ()),
 }
-"""Classes and functions that stand for a substitution: its name in XML, and its arguments by keyword and place."""
+"""Classes and functions that are a substitution: its name in XML, and its arguments by keyword and place."""
 
 WRAPPERS: Mapping[str, tuple[str, int]] = {
     "TextSubstitution": ("text", 0),
@@ -37,7 +37,7 @@ WRAPPERS: Mapping[str, tuple[str, int]] = {
     "ParameterFile": ("param_file", 0),
     "ParameterValue": ("value", 0),
 }
-"""Classes that only hold a text."""
+"""Classes that only wrap a text."""
 
 PASSING = frozenset({"perform", "as_posix", "resolve", "absolute"})
 """Methods that give the same text."""
@@ -68,7 +68,7 @@ def text_of(value: Value, depth: int = 0) -> LaunchText:
         case Constant():
             return plain_text(str(value.value), value.span)
         case Sequence():
-            return one_after_another(value.items, value.span, depth) if value.complete else unknown_text(value.span)
+            return one_after_another(value.items, value.span, depth) if value.is_complete else unknown_text(value.span)
         case PartialText():
             return one_after_another(list(value.parts), value.span, depth)
         case AttributeValue(of=of, name="parent" | "as_posix"):
@@ -99,7 +99,7 @@ def of_call(call: Call, depth: int) -> LaunchText:
 
 def path_join(call: Call, depth: int) -> LaunchText:
     items = call.get("substitutions", 0)
-    if not isinstance(items, Sequence) or not items.complete:
+    if not isinstance(items, Sequence) or not items.is_complete:
         return unknown_text(call.span)
     parts: list[Literal | Substitution] = []
     for index, item in enumerate(items.items):

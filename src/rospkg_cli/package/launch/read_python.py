@@ -1,4 +1,4 @@
-"""Read a Python launch file by evaluating it: what it builds, as far as its own text tells."""
+"""Read a Python launch file by evaluating it: what it builds, as far as that is known."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Constant, Mapping, PartialText, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from .argument_defaults import literal_defaults
-from .collect_texts import named_paths
+from .collect_texts import file_references
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import ABSENT, guarded_in
 from .launch_classes import class_of
@@ -41,7 +41,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
         commands=tuple(map(command_of, [*of.get("ExecuteProcess", ()), *of.get("ExecuteLocal", ())])),
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
         assigned=assigned,
-        paths=tuple(named_paths(calls, posixpath.dirname(file.source.path), bare, defaults)),
+        paths=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
         complete=not evaluator.gave_up,
         entry=any(has_name(file, evaluator, name) for name in ENTRIES),
         events=python_events(evaluator),
@@ -58,22 +58,22 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
 
 def has_name(file: PythonFile, evaluator: Evaluator, name: str) -> bool:
     """Return whether a file defines a name, may have it from elsewhere, or is a program that needs none."""
-    told = not (file.stars or file.dynamic or "__main__" in file.source.text)
+    told = not (file.star_imports or file.has_dynamic_names or "__main__" in file.source.text)
     return not told or name in file.definitions or evaluator.get(name) is not None
 
 
 def once(calls: Iterable[Call]) -> Iterator[Call]:
-    """Yield calls without those that say the same at the same place: loops come by several times."""
+    """Yield calls without equal ones at the same span, which loops make."""
     seen = set()
     for call in calls:
-        key = (call.span, call.callee, tuple((a.name, shown(a.value)) for a in call.arguments), call.certain)
+        key = (call.span, call.callee, tuple((a.name, shown(a.value)) for a in call.arguments), call.is_certain)
         if key not in seen:
             seen.add(key)
             yield call
 
 
 def shown(value: Value, depth: int = 0) -> object:
-    """Return what tells two values apart that came of the same place."""
+    """Return a key that differs for different values of the same span."""
     if depth > MAX_DEPTH:
         return value.span
     match value:

@@ -1,4 +1,4 @@
-"""What a launch file takes from whoever includes it."""
+"""The arguments that a launch file takes from the files that include it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .launch_file import DeclaredArgument, LaunchFile
 from .launch_signature import LaunchSignature
 
 KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}
-"""Packages whose functions declare no arguments and ask for none by themselves."""
+"""Packages whose functions neither declare nor use arguments by themselves."""
 
 ASKED = re.compile(
     r"(?:launch_configurations(?:\.get\(|\[)|LaunchConfiguration(?:Not)?Equals\()\s*['\"]([\w/.-]+)['\"]"

@@ -1,7 +1,7 @@
 """Parse `$(name arguments)` as the XML and YAML frontends do: by the grammar of ros2/launch (frontend/grammar.lark).
 
-Arguments stand one blank apart; a quoted argument (`'…'`, `"…"`) may hold blanks; a backslash takes the meaning away
-from what follows it.
+Arguments are one blank apart; a quoted argument (`'…'`, `"…"`) may hold blanks; a backslash escapes
+what follows it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ARGUMENT = {
     "'": re.compile(r"""(?:[^ '\\$()]|\\['$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
     '"': re.compile(r"""(?:[^ "\\$()]|\\["$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
 }
-"""A piece of an argument, by the quotes that stand around the whole substitution."""
+"""A piece of an argument, by the quotes around the whole substitution."""
 
 QUOTED = {
     "'": re.compile(r"(?:[^'\\$]|\\'|\$(?!\()|(?<=\\)\$|\\)+"),
@@ -92,7 +92,7 @@ class SubstitutionParser:
         if self.at >= len(self.text):
             self.at = start
             raise self.fail(f"`$({name}` is never closed")
-        raise self.fail(f"`{self.text[self.at]}` can't stand here, inside of `$({name} …)`: quote it")
+        raise self.fail(f"`{self.text[self.at]}` is not allowed inside of `$({name} …)`: quote it")
 
     def argument(self, quote: str, depth: int) -> LaunchText:
         """Read one argument: a quoted text where the quotes are not used around it, or pieces without a blank."""
@@ -114,5 +114,5 @@ class SubstitutionParser:
             else:
                 break
         if not parts:
-            raise self.fail("an argument is missing: exactly one blank stands between two")
+            raise self.fail("an argument is missing: exactly one blank separates two")
         return LaunchText(self.written.part(start, self.at), tuple(parts))

@@ -1,4 +1,4 @@
-"""What stands where a launch file takes text: literal pieces and substitutions, whatever the frontend."""
+"""Texts of launch files, whatever the frontend: literal pieces and substitutions."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ...source import Span
 
 UNKNOWN = "?"
-"""The name of a substitution that can't be told."""
+"""The name of an unknown substitution."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class LaunchText:
 
     @property
     def literal(self) -> str | None:
-        """The whole text, where no substitution stands in it."""
+        """The whole text; None where it holds a substitution."""
         if any(isinstance(part, Substitution) for part in self.parts):
             return None
         return "".join(part.text for part in self.parts if isinstance(part, Literal))
@@ -53,7 +53,7 @@ class LaunchText:
 
     @property
     def shown(self) -> str:
-        """The text as XML writes it; `…` stands for what can't be told."""
+        """The text as XML writes it; `…` for what is unknown."""
         return "".join(part.text if isinstance(part, Literal) else part.shown for part in self.parts)
 
     def substitutions(self, *names: str) -> Iterator[Substitution]:

@@ -14,7 +14,7 @@ class WorkspaceLaunchFiles:
     def __init__(self, summaries: Iterable[ConfigurationSummary]) -> None:
         self.by_name: dict[str, list[ConfigurationSummary]] = {}
         self.told: dict[tuple[str, str], frozenset[str] | None] = {}
-        """What was asked before: every file may include every other."""
+        """Results so far: every file may include every other."""
         for each in summaries:
             self.by_name.setdefault(each.name, []).append(each)
 
@@ -28,13 +28,13 @@ class WorkspaceLaunchFiles:
         return found
 
     def inherited(self, name: str) -> frozenset[str] | None:
-        """Return what is defined by files that include a file of this name; None where that can't be told."""
+        """Return what is defined by files that include a file of this name; None where that is unknown."""
         if ("inherited", name) not in self.told:
             self.told["inherited", name] = self.all_inherited(name)
         return self.told["inherited", name]
 
     def defined_by(self, name: str) -> frozenset[str] | None:
-        """Return what files of this name define, also by what they include; None where that can't be told."""
+        """Return what files of this name define, also by what they include; None where that is unknown."""
         if ("defined", name) not in self.told:
             self.told["defined", name] = self.all_defined_by(name)
         return self.told["defined", name]

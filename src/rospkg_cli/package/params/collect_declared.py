@@ -1,4 +1,4 @@
-"""All parameters that a package's code declares, for whoever writes files of them."""
+"""All parameters that a package's code declares."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ NAMED = re.compile(r"declare_parameter|declare_parameter_if_not_declared|(?:get_
 NODE = re.compile("node|parent|shared_from_this", re.IGNORECASE)
 """What is in the name of a first argument that is the node, where the function is none of its own."""
 MAX_LENGTH = 500
-"""Of a name, a type or a value, in characters; what is longer is none that can be told."""
+"""Of a name, a type or a value, in characters; a longer one is unknown."""
 
 WRAPPED = re.compile(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
 TAIL = re.compile(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
@@ -40,7 +40,7 @@ RCL_TYPES = {
 }  # fmt: skip
 
 TypeOf = Callable[[str], str]
-"""The type of a variable by its name, "" where that can't be told."""
+"""The type of a variable by its name, "" where it is unknown."""
 
 
 def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
@@ -58,7 +58,7 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
         if name is not None:
             rest = arguments[place + 1 :]
             kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
-            required = bool(call.template) and not rest and not call.conditional
+            required = bool(call.template) and not rest and not call.is_conditional
             required = required and call.span.start in certain
             yield DeclaredParameter(name[0], name[1], kind, required, file.path)
 
@@ -98,7 +98,7 @@ def typed(text: str) -> str:
 
 
 def inferred(text: str, type_of: TypeOf) -> str:
-    """Return the type of a default value, "" where that can't be told."""
+    """Return the type of a default value, "" where it is unknown."""
     if len(text) > MAX_LENGTH:
         return ""
     if found := OUTER.fullmatch(text):
@@ -120,7 +120,7 @@ def inferred(text: str, type_of: TypeOf) -> str:
 
 
 def variables_of(texts: Iterable[Source], names: Iterable[str]) -> dict[str, str]:
-    """Return the types of the variables of these names, as far as all texts declare them with one type."""
+    """Return the types of the variables of these names, if all files declare them with one type."""
     wanted = "|".join(sorted(set(names)))
     if not wanted:
         return {}
@@ -136,7 +136,7 @@ def variables_of(texts: Iterable[Source], names: Iterable[str]) -> dict[str, str
 
 
 def asked_variables(file: CppFile) -> Iterator[str]:
-    """Yield the variables whose types the declarations of a file ask for."""
+    """Yield the variables whose types determine those of a file's parameters."""
     asked: list[str] = []
     list(declared_in(file, lambda name: asked.append(name) or ""))  # type: ignore[func-returns-value]
     yield from asked

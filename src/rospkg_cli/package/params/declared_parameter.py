@@ -11,17 +11,17 @@ class DeclaredParameter:
     """One declaration, or one read, of a parameter."""
 
     name: str
-    """As rcl names it, with dots; where `tail`, what stands behind a piece that is made when the node runs."""
+    """As rcl names it, with dots; where `tail`, what follows a part that is only known at run time."""
     tail: bool
     type: str
-    """bool, int, double or string, with `[]` for a list of them; "" where that can't be told."""
+    """bool, int, double or string, with `[]` for a list of them; "" where it is unknown."""
     required: bool
-    """Declared without a default value: the node stops where nobody gives one."""
+    """Declared without a default value: the node stops where none is set."""
     path: str
-    """The file that says so."""
+    """The file that declares it."""
 
     def fits(self, name: str) -> bool:
-        """Return whether a parameter of this name is meant."""
+        """Return whether a parameter of this name is this one."""
         if not self.tail:
             return name == self.name
         return name.endswith(self.name if self.name.startswith(".") else f".{self.name}") or name == self.name
@@ -31,7 +31,7 @@ NONE = ""
 
 
 def type_named(declared: Iterable[DeclaredParameter], name: str) -> str:
-    """Return the one type that all declarations of a name have; "" where they differ, or one can't be told."""
+    """Return the one type that all declarations of a name have; "" where they differ, or one is unknown."""
     types = {each.type for each in declared if each.fits(name)}
     return types.pop() if len(types) == 1 else NONE
 

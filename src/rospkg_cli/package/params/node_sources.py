@@ -29,7 +29,7 @@ def node_code(reading: ReaderInput) -> tuple[NodeCode, ...]:
             names = [component.plugin.text, *([component.executable.text] if component.executable else [])]
             found += [NodeCode(name, frozenset({path})) for name in names]
     for target in cmake.targets:
-        if target.is_executable and target.word.known:
+        if target.is_executable and target.word.is_known:
             found.append(NodeCode(target.name, frozenset(sources(cmake, target))))
     return tuple(found)
 
@@ -53,4 +53,4 @@ def sources(cmake: CMake, target: Target) -> Iterator[str]:
             yield path
     folder = path_in_package(target.folder.text, target.call.folder) if target.folder else None
     if folder is not None:
-        yield from (path for path in cmake.package.below(folder) if path.endswith(SUFFIXES))
+        yield from (path for path in cmake.package_files.below(folder) if path.endswith(SUFFIXES))

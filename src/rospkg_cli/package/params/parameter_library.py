@@ -27,7 +27,7 @@ MAP = "__map_"
 
 @dataclass(frozen=True, slots=True)
 class Definition:
-    """One parameter: its keys without the first, and what stands below the last."""
+    """One parameter: its keys without the first, and the fields below the last."""
 
     keys: tuple[str, ...]
     key: ScalarNode
@@ -49,7 +49,7 @@ class ParameterLibrary:
     """A mapping with one key, the namespace; anything else is refused, and defines nothing."""
     definitions: tuple[Definition, ...]
     has_validators: bool
-    """Whether a header with validators of the package's own is given with it."""
+    """Whether a header with validators of the package's own is passed with it."""
 
     @property
     def path(self) -> str:
@@ -57,7 +57,7 @@ class ParameterLibrary:
 
 
 def read_parameter_libraries(reading: ReaderInput) -> Iterator[ParameterLibrary | Unreadable]:
-    """Read the definitions that CMakeLists.txt or setup.py hands to the generator."""
+    """Read the definitions that CMakeLists.txt or setup.py passes to the generator."""
     for path, has_validators in dict(library_files(reading)).items():
         if reading.files.exists(path):
             try:
@@ -68,7 +68,7 @@ def read_parameter_libraries(reading: ReaderInput) -> Iterator[ParameterLibrary 
 
 
 def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
-    """Yield each file of definitions, and whether a header with validators is given."""
+    """Yield each file of definitions, and whether a header with validators is passed with it."""
     cmake = reading.parts(CMake).only
     for call in cmake.named(*COMMANDS) if cmake else ():
         if len(call.words) > 1 and (path := path_in_package(call.words[1].text, call.folder)):

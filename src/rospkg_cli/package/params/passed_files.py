@@ -1,4 +1,4 @@
-"""The parameter files that a package's own launch files hand to nodes."""
+"""The parameter files that a package's own launch files pass to nodes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MAX_DEPTH = 5
 
 
 def handed_files(reading: ReaderInput) -> frozenset[str]:
-    """Return the paths of this package's files that are handed over under a name that is known for certain."""
+    """Return the paths of this package's files that are passed to nodes by a literal name."""
     manifest = reading.parts(Manifest).only
     own = manifest.name if manifest else ""
     return frozenset(

@@ -48,7 +48,7 @@ def declaration(
 
 
 def type_of(value: ast.expr) -> str:
-    """Return the type of parameter that a default value makes; "" where that can't be told."""
+    """Return the type of parameter that a default value makes; "" where it is unknown."""
     match value:
         case ast.Constant(value=plain):
             return PLAIN_TYPES.get(type(plain), "")

@@ -20,7 +20,7 @@ TEMPLATE = re.compile(r"\{\{|\{%|<%")
 
 
 def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unreadable]:
-    """Read the YAML files that have a block of ROS parameters, rightly written or nearly so, or that nodes get."""
+    """Read the YAML files that have a block of ROS parameters, correctly spelt or nearly, or that launch files pass to nodes."""
     handed = handed_files(reading)
     for path in reading.files.paths:
         if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside"):
@@ -33,7 +33,7 @@ def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unrea
 
 
 def text_of(reading: ReaderInput, path: str) -> Source | None:
-    """Return a file's text; None where it has none: nothing says then that it holds parameters."""
+    """Return a file's text; None where it can't be decoded, and so is no parameter file."""
     try:
         return reading.files.source(path)
     except UnreadableError:
@@ -41,6 +41,6 @@ def text_of(reading: ReaderInput, path: str) -> Source | None:
 
 
 def is_parameter_file(source: Source, handed: bool = False) -> bool:
-    """Return whether a text is one by what it holds; `handed` says that a launch file gives it to a node."""
+    """Return whether a text is one by its content; `handed` says that a launch file passes it to a node."""
     text = source.text
     return bool(handed or MENTIONS.search(text) or WILD.search(text)) and not TEMPLATE.search(text)

@@ -38,7 +38,7 @@ YAML_DOUBLE = re.compile(
 def type_of(scalar: ScalarNode) -> ValueType:
     """Return the type of the parameter that rcl makes of a scalar."""
     text = scalar.text
-    if scalar.quoted or scalar.tag == STRING_TAG:
+    if scalar.is_quoted or scalar.tag == STRING_TAG:
         return "string"
     if text in TRUE or text in FALSE:
         return "bool"

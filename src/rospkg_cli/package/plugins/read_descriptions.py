@@ -49,7 +49,7 @@ def is_like_one(files: PackageFiles, path: str) -> bool:
 def by_cmake(reading: ReaderInput) -> Iterator[tuple[str, DescriptionExport]]:
     for cmake in reading.parts(CMake).good:
         for call in cmake.named(EXPORT):
-            if len(call.words) > 1 and call.words[0].known and call.words[1].known:
+            if len(call.words) > 1 and call.words[0].is_known and call.words[1].is_known:
                 base, file = call.words[:2]
                 path = path_in_package(file.text, call.folder)
                 if path:

@@ -111,7 +111,7 @@ def is_python(files: PackageFiles, path: str) -> bool:
     name = path.rpartition("/")[2]
     if "." in name:
         return name.endswith(".py")
-    if not files.executable(path):
+    if not files.is_executable(path):
         return False
     try:
         first = files.source(path).text.partition("\n")[0]

@@ -63,7 +63,7 @@ def has_project_table(reading: ReaderInput) -> bool:
 def setup_call(evaluator: Evaluator) -> tuple[Call | None, Unknown | None]:
     """Return the one call of setup(), or why there is none to rely on."""
     found = [call for call in evaluator.calls if call.callee.rpartition(".")[2] == "setup" and call.receiver is None]
-    if len(found) == 1 and found[0].certain:
+    if len(found) == 1 and found[0].is_certain:
         return found[0], None
     why = evaluator.gave_up or ("setup() is not called" if not found else "which setup() is called can't be determined")
     return None, Unknown(found[0].span if found else Span(0, 0), why)

@@ -25,7 +25,7 @@ def references(document: Document) -> Iterator[ResourceReference]:
         use: Use = "include" if element.tag == "xacro:include" else "resource"
         for attribute in element.attributes.values():
             yield from named_in(document.source, attribute.value_span, use, properties)
-        if element.chunks and not element.self_closing:
+        if element.chunks and not element.is_self_closing:
             for span in text_spans(element):
                 yield from named_in(document.source, span, use, properties)
 

@@ -38,7 +38,7 @@ def project_name_mismatch(package: CMakePackage) -> Iterator[Hit]:
     ament_package() stops the build when they differ. This is what is left when a package was copied or renamed.
     """
     name, word = package.manifest.name, package.cmake.project
-    if not package.is_ament or not name or word is None or not word.known or word.maybe or word.text == name:
+    if not package.is_ament or not name or word is None or not word.is_known or word.maybe or word.text == name:
         return
     span = literal_span(package.cmake.file(word.path).source, word.span, word.text)
     valid = NAME.fullmatch(name)

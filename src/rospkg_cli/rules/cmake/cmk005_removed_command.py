@@ -78,8 +78,8 @@ def removed_command(linked: AmentTargetDependencies) -> Iterator[Hit]:
     for removed in linked.removed():
         replacement = linked.replacement(removed)
         message = (
-            '`ament_target_dependencies` is deprecated in Kilted and gone in Lyrical, where CMake stops with "Unknown '
-            f'CMake command"; {advice(replacement)}'
+            "`ament_target_dependencies` is deprecated in Kilted and removed in Lyrical, where CMake stops with "
+            f'"Unknown CMake command"; {advice(replacement)}'
         )
         yield Hit(removed.file.path, removed.command.name_span, message, level, fix=fix(removed, replacement))
 

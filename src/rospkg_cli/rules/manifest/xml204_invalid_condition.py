@@ -86,13 +86,13 @@ def misleading_part(comparison: Comparison) -> tuple[int, int, str] | None:
     """Return the offset and length of what is misleading in a comparison, and why; None where nothing is."""
     operands = (comparison.left, comparison.right)
     for each in operands:
-        if not each.variable and not each.quoted and each.text in ENVIRONMENT:
+        if not each.is_variable and not each.is_quoted and each.text in ENVIRONMENT:
             why = f"`{each.text}` is a string here, not the variable; write `${each.text}`"
             return each.at, len(each.text), why
-        if each.variable and each.text not in ENVIRONMENT:
+        if each.is_variable and each.text not in ENVIRONMENT:
             why = f"`${each.text}` is no variable of a ROS environment{did_you_mean(each.text, ENVIRONMENT)}"
             return each.at, len(each.text) + 1, f"{why}; where it is not set, the condition compares with nothing"
-    numbers = [each for each in operands if not each.variable and each.text.replace(".", "").isdecimal()]
+    numbers = [each for each in operands if not each.is_variable and each.text.replace(".", "").isdecimal()]
     if numbers and "<" not in comparison.operator and ">" not in comparison.operator:
         return None
     for each in numbers:

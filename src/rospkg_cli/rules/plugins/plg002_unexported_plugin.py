@@ -131,7 +131,7 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
     where = next(((e.path, e.span) for e in description.exported), (description.file, description.document.root.open))
     before = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None)
     fix = None
-    if before is not None and before.path == package.cmake.root.path and not before.inside:
+    if before is not None and before.path == package.cmake.root.path and not before.function:
         edit = add_before(package.cmake.root, before.command, call)
         fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
     fix = only_plain_names(fix, description.file, base)

@@ -113,7 +113,7 @@ def fixed(libraries: PluginLibraries, wrong: WrongLibraryPath) -> Fix | None:
         return Fix(f"write `{wrong.suggestion}`", (edit,), safety)
     root = libraries.cmake.root
     before = next(iter(libraries.cmake.named("ament_package", "ament_auto_package")), None)
-    if wrong.fault == "absent" and before is not None and before.path == root.path and not before.inside:
+    if wrong.fault == "absent" and before is not None and before.path == root.path and not before.function:
         places = ("ARCHIVE DESTINATION lib", "LIBRARY DESTINATION lib", "RUNTIME DESTINATION bin")
         lines = "".join(f"\n{root.indent}{place}" for place in places)
         edit = add_before(root, before.command, f"install(TARGETS {wrong.suggestion}{lines}\n)")

@@ -58,7 +58,7 @@ class Calls(Containers):
         if receiver is not None:
             return call_method(self, receiver, call)
         if isinstance(function, Function):
-            return None if function.decorated else self.run(function, call)
+            return None if function.is_decorated else self.run(function, call)
         if isinstance(function, Symbol) and function.name in self.library:
             if call.rest is not None:
                 return None

@@ -94,8 +94,8 @@ class CompoundStatements(SimpleStatements):
         if items is None:
             items = [self.unknown(span, getattr(source, "why", f"{self.quoted(span)} can't be evaluated"), many=True)]
         for index, item in enumerate(items):
-            perhaps = isinstance(item, Unknown) and item.many
-            if isinstance(item, Unknown) and item.many:
+            perhaps = isinstance(item, Unknown) and item.is_many
+            if isinstance(item, Unknown) and item.is_many:
                 self.assign(node.target, Unknown(item.span, item.why), scope)
                 flow = self.branch([node.body], scope, item.why)
             else:

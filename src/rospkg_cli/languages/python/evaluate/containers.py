@@ -30,7 +30,7 @@ class Containers(Expressions):
 
     def on_List(self, node: ast.List | ast.Tuple | ast.Set, scope: Namespace) -> Value:
         kind: Kind = "list" if isinstance(node, ast.List) else "tuple" if isinstance(node, ast.Tuple) else "set"
-        result = Sequence(self.span(node), kind, display=True, open_conditions=len(self.conditions))
+        result = Sequence(self.span(node), kind, is_display=True, open_conditions=len(self.conditions))
         for each in node.elts:
             if not isinstance(each, ast.Starred):
                 self.add_item(result, self.evaluate(each, scope), self.span(each))
@@ -48,7 +48,7 @@ class Containers(Expressions):
     on_Tuple = on_Set = on_List
 
     def on_Dict(self, node: ast.Dict, scope: Namespace) -> Value:
-        result = Mapping(self.span(node), display=True, open_conditions=len(self.conditions))
+        result = Mapping(self.span(node), is_display=True, open_conditions=len(self.conditions))
         for key, item in zip(node.keys, node.values, strict=True):
             value = self.evaluate(item, scope)
             if key is not None:
@@ -106,7 +106,7 @@ class Containers(Expressions):
             why = getattr(source, "why", f"{self.quoted(self.span(generators[0].iter))} can't be evaluated")
             items = [self.unknown(self.span(generators[0].iter), why, many=True)]
         for item in items:
-            if isinstance(item, Unknown) and item.many:
+            if isinstance(item, Unknown) and item.is_many:
                 with self.assuming(item.why):
                     yield from self.iteration(generators, Unknown(item.span, item.why), scope)
             else:

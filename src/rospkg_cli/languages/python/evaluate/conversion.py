@@ -97,7 +97,7 @@ def from_python(found: object, span: Span, *, path: bool = False) -> Value:
     """Return the value of a plain Python object."""
     if isinstance(found, str):
         spend(len(found))
-        return Text(span, found, path=path)
+        return Text(span, found, is_path=path)
     if isinstance(found, list | tuple | set | frozenset | dict):
         spend(len(found) * STEP)
     if isinstance(found, list | tuple | set | frozenset):
@@ -175,7 +175,7 @@ def join_texts(parts: Iterable[Value], span: Span, *, path: bool = False) -> Val
         texts = [each for each in several if isinstance(each, Text)]
         flat += merge_texts(texts, span) if texts else several
     if not flat:
-        return Text(span, "", path=path)
+        return Text(span, "", is_path=path)
     if len(flat) == 1 and isinstance(flat[0], Text):
         return replace(flat[0], span=span, literal=None, path=path)
     return PartialText(span, tuple(flat), path)

@@ -28,7 +28,7 @@ def as_text(value: Value, span: Span) -> Value:
     """Return the result of str(); an unknown value becomes a part of a PartialText."""
     match value:
         case Text():
-            return replace(value, span=span, path=False) if value.path else value
+            return replace(value, span=span, path=False) if value.is_path else value
         case PartialText():
             return replace(value, path=False)
         case Constant():

@@ -26,7 +26,7 @@ class Functions(CompoundStatements):
 
     def do_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Namespace) -> None:
         function = Function(self.span(node), node.name, node, scope, self.defaults(node.args, scope))
-        function.decorated = bool(node.decorator_list)
+        function.is_decorated = bool(node.decorator_list)
         scope.bind(node.name, function)
 
     do_AsyncFunctionDef = do_FunctionDef

@@ -23,7 +23,7 @@ def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
             spend(len(value.items) * ITEM)
             rest = [state.unknown(value.span, each.why, many=True) for each in value.rest[:1]]
             return [key for key, _ in value.items.values()] + rest
-        case Text() if not value.path:
+        case Text() if not value.is_path:
             state.tick(len(value.text))
             return [Text(value.span, char) for char in value.text]
         case OpenedFile():
@@ -46,7 +46,7 @@ def read_rest(state: EvaluationState, opened: OpenedFile) -> str | None:
 
 
 def is_many(item: Value) -> bool:
-    return isinstance(item, Unknown) and item.many
+    return isinstance(item, Unknown) and item.is_many
 
 
 def plain_function(function: Callable[..., Any]) -> Intrinsic:

@@ -103,7 +103,7 @@ def any_or_all(over: Callable[[list[bool]], bool]) -> Intrinsic:
 
 def as_len(state: EvaluationState, call: Call) -> Value | None:
     value = call.positional[0] if call.positional else None
-    if isinstance(value, Sequence) and value.complete:
+    if isinstance(value, Sequence) and value.is_complete:
         return Constant(call.span, len(value.items))
     if isinstance(value, MappingValue) and not value.rest:
         return Constant(call.span, len(value.items))

@@ -42,7 +42,7 @@ def is_instance(state: EvaluationState, call: Call) -> Value | None:
     names = {symbol.name for symbol in wanted if isinstance(symbol, Symbol)}
     match value:
         case Text():
-            own = {"pathlib.Path", "pathlib.PurePath"} if value.path else {"str"}
+            own = {"pathlib.Path", "pathlib.PurePath"} if value.is_path else {"str"}
         case Sequence():
             own = {value.kind}
         case MappingValue():

@@ -70,7 +70,7 @@ def remove(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
 
 def pop(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0].value if call.positional and isinstance(call.positional[0], Constant) else -1
-    if not value.complete or not isinstance(at, int) or len(state.conditions) > value.open_conditions:
+    if not value.is_complete or not isinstance(at, int) or len(state.conditions) > value.open_conditions:
         return mark_unknown(state, value, call)
     if not -len(value.items) <= at < len(value.items):
         return None

@@ -37,7 +37,7 @@ def call_method(state: EvaluationState, value: Value, call: Call) -> Value | Non
     if call.rest is not None and not isinstance(value, Sequence | MappingValue):
         return None
     match value:
-        case Text() if value.path:
+        case Text() if value.is_path:
             return path_method(state, value, call)
         case Text():
             return text_method(state, value, call)
@@ -121,14 +121,14 @@ def path_method(state: EvaluationState, value: Text, call: Call) -> Value | None
         case "with_suffix" | "with_name" if isinstance(first, Text) and len(value.text) + len(first.text) > MAX_TEXT:
             return None
         case "with_suffix" if isinstance(first, Text):
-            return Text(call.span, posixpath.splitext(value.text)[0] + first.text, path=True)
+            return Text(call.span, posixpath.splitext(value.text)[0] + first.text, is_path=True)
         case "with_name" if isinstance(first, Text):
-            return Text(call.span, posixpath.join(posixpath.dirname(value.text), first.text), path=True)
+            return Text(call.span, posixpath.join(posixpath.dirname(value.text), first.text), is_path=True)
         case "relative_to" if isinstance(first, Text):
             start = posixpath.join(state.cwd, first.text)
             whole = posixpath.join(state.cwd, value.text)
             inside = posixpath.relpath(whole, start)
-            return None if inside.startswith("..") else Text(call.span, inside, path=True)
+            return None if inside.startswith("..") else Text(call.span, inside, is_path=True)
         case "read_text":
             opened = path_method(state, value, replace(call, callee="open", arguments=()))
             content = read_rest(state, opened) if isinstance(opened, OpenedFile) else None
@@ -152,7 +152,7 @@ def path_listing(state: EvaluationState, value: Text, call: Call, first: Value |
 
 def path_attribute(value: Value, name: str, call: Call) -> Value | None:
     """Return a data attribute of a path."""
-    if not isinstance(value, Text) or not value.path:
+    if not isinstance(value, Text) or not value.is_path:
         return None
     span, head, tail = call.span, posixpath.dirname(value.text), posixpath.basename(value.text)
     match name:
@@ -163,7 +163,7 @@ def path_attribute(value: Value, name: str, call: Call) -> Value | None:
         case "suffix":
             return Text(span, posixpath.splitext(tail)[1])
         case "parent":
-            return Text(span, head or ".", path=True)
+            return Text(span, head or ".", is_path=True)
         case "parents":
             return from_python(ancestors(value.text), span, path=True)
         case "parts":

@@ -95,7 +95,7 @@ def concatenate_sequences(left: Value, right: Value, span: Span) -> Value | None
             result.places += side.places
         elif isinstance(side, Unknown | Call | AttributeValue | Symbol):
             why = side.why if isinstance(side, Unknown) else "it comes from a call that can't be evaluated"
-            result.add(Unknown(side.span, why, many=True), side.span)
+            result.add(Unknown(side.span, why, is_many=True), side.span)
         else:
             return None
     return result
@@ -117,7 +117,7 @@ def repeat(left: Sequence | Text, right: Value, span: Span) -> Value | None:
 
 
 def is_path(value: Value) -> bool:
-    return isinstance(value, Text | PartialText) and value.path
+    return isinstance(value, Text | PartialText) and value.is_path
 
 
 def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
@@ -136,12 +136,12 @@ def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | 
     first = parts[0]
     if isinstance(first, Text):
         found = posixpath.join(first.text, *texts)
-        return Text(span, normalized_path(found) if path else found, path=path)
+        return Text(span, normalized_path(found) if path else found, is_path=path)
     if not isinstance(first, Call | PartialText | Unknown | AttributeValue):
         return None
     rest = posixpath.join("/", *texts) if texts else ""
     if any(text.startswith("/") for text in texts):
-        return Text(span, rest, path=path)
+        return Text(span, rest, is_path=path)
     return join_texts([first, Text(span, rest)], span, path=path)
 
 
@@ -165,18 +165,18 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
         if isinstance(value, Sequence) and value.kind != "set":
             before = value.items[: at + 1] if at >= 0 else value.items[at:]
             spend(len(before))
-            return None if any(isinstance(i, Unknown) and i.many for i in before) else value.items[at]
+            return None if any(isinstance(i, Unknown) and i.is_many for i in before) else value.items[at]
         return Text(span, value.text[at]) if isinstance(value, Text) else None
     except IndexError:
         return None
 
 
 def slice_of(value: Value, bounds: slice, span: Span) -> Value | None:
-    if isinstance(value, Text) and not value.path:
+    if isinstance(value, Text) and not value.is_path:
         part = value.text[bounds]
         spend(len(part))
         return Text(span, part)
-    if isinstance(value, Sequence) and value.kind != "set" and value.complete:
+    if isinstance(value, Sequence) and value.kind != "set" and value.is_complete:
         spend(len(value.items) * ITEM)
         return replace(value, span=span, items=value.items[bounds], places=value.places[bounds], display=False)
     return None

@@ -109,7 +109,7 @@ def record_glob(state: EvaluationState, call: Call, pattern: str, found: list[st
         matches = tuple(state.folder.inside(each, state.cwd) for each in found)
     except OutsideError:
         shown, matches = pattern, tuple(found)
-    result = state.computed_list(call.span, [Text(call.span, each, path=path) for each in found])
+    result = state.computed_list(call.span, [Text(call.span, each, is_path=path) for each in found])
     result.origin = GlobResult(call.span, shown, matches, state.certain)
     state.globs.append(result.origin)
     return result
@@ -191,7 +191,7 @@ PATH_FUNCTIONS: Mapping[str, Intrinsic] = {
     "pathlib.PurePath": as_path,
     "pathlib.PosixPath": as_path,
     "pathlib.PurePosixPath": as_path,
-    "pathlib.Path.cwd": lambda state, call: Text(call.span, state.cwd, path=True),
+    "pathlib.Path.cwd": lambda state, call: Text(call.span, state.cwd, is_path=True),
     "open": open_file,
     "io.open": open_file,
     "codecs.open": open_file,

@@ -13,7 +13,7 @@ class Text:
     text: str
     literal: Span | None = None
     """The span between the quotes, where the file holds the text literally."""
-    path: bool = False
+    is_path: bool = False
     """Whether it is a pathlib.Path."""
 
     def part(self, start: int, end: int) -> Span:
@@ -57,4 +57,7 @@ class GlobResult:
     pattern: str
     """Relative to the folder of the package; as pathlib and glob would be given it."""
     matches: tuple[str, ...]
-    certain: bool = True
+    is_certain: bool = True
+
+
+ScalarValue = Text | Constant | Symbol | OpenedFile

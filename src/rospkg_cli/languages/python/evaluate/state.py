@@ -85,7 +85,7 @@ class EvaluationState(ABC):
         self.tick()
         if len(into.items) >= MAX_ITEMS:
             raise LimitError(f"a list of more than {MAX_ITEMS} items")
-        if len(self.conditions) > into.open_conditions and not (isinstance(item, Unknown) and item.many):
+        if len(self.conditions) > into.open_conditions and not (isinstance(item, Unknown) and item.is_many):
             item = self.unknown(place, self.conditions[-1], many=True, options=(item,))
         into.add(item, place)
 

@@ -29,7 +29,7 @@ def truth(value: Value) -> bool | None:
     match value:
         case Symbol() | Function() | Class() | OpenedFile():
             return True
-        case Sequence() if any(not (isinstance(item, Unknown) and item.many) for item in value.items):
+        case Sequence() if any(not (isinstance(item, Unknown) and item.is_many) for item in value.items):
             return True
         case Mapping() if value.items:
             return True

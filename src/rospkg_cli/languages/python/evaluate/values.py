@@ -11,6 +11,7 @@ from .limits import spend
 from .scalar_values import Constant as Constant
 from .scalar_values import GlobResult as GlobResult
 from .scalar_values import OpenedFile as OpenedFile
+from .scalar_values import ScalarValue as ScalarValue
 from .scalar_values import Symbol as Symbol
 from .scalar_values import Text as Text
 
@@ -27,7 +28,7 @@ class Unknown:
     span: Span
     why: str
     """A sentence's part: "`os.environ` depends on the environment"."""
-    many: bool = False
+    is_many: bool = False
     """Inside a sequence: any number of unknown items."""
     options: tuple[Value, ...] = ()
     """Possible values, as far as they could be followed."""
@@ -43,7 +44,7 @@ class Sequence:
     """An `Unknown` with `many` represents any number of unknown items."""
     places: list[Span] = field(default_factory=list)
     """The span of each item: the expression between the commas, or the argument of `append`."""
-    display: bool = False
+    is_display: bool = False
     """Whether it was written with brackets at its span."""
     origin: GlobResult | None = None
     """The glob that it is the result of."""
@@ -51,9 +52,9 @@ class Sequence:
     """How many unknown conditions were open when it was made."""
 
     @property
-    def complete(self) -> bool:
+    def is_complete(self) -> bool:
         spend(len(self.items) * 4)
-        return not any(isinstance(item, Unknown) and item.many for item in self.items)
+        return not any(isinstance(item, Unknown) and item.is_many for item in self.items)
 
     def add(self, item: Value, place: Span) -> None:
         self.items.append(item)
@@ -67,7 +68,7 @@ class Mapping:
     """By plain key: the key and the value."""
     rest: list[Unknown] = field(default_factory=list)
     """Why there may be other keys, or other values for these."""
-    display: bool = False
+    is_display: bool = False
     open_conditions: int = 0
 
     def get(self, key: Hashable) -> Value | None:
@@ -81,7 +82,7 @@ class PartialText:
 
     span: Span
     parts: tuple[Value, ...]
-    path: bool = False
+    is_path: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -93,7 +94,7 @@ class Function:
     node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
     scope: Namespace
     defaults: dict[str, Value] = field(default_factory=dict)
-    decorated: bool = False
+    is_decorated: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -125,7 +126,7 @@ class Call:
     """The full name (`launch_ros.actions.Node`), or the method's alone where `receiver` is given."""
     arguments: tuple[Argument, ...] = ()
     receiver: Value | None = None
-    certain: bool = True
+    is_certain: bool = True
     """False under an unknown condition or in a loop over unknown items."""
     rest: Unknown | None = None
     """Why there may be other arguments."""
@@ -187,17 +188,4 @@ class Namespace:
         return at
 
 
-Value = (
-    Unknown
-    | Text
-    | Constant
-    | Sequence
-    | Mapping
-    | PartialText
-    | Symbol
-    | Function
-    | Class
-    | Call
-    | AttributeValue
-    | OpenedFile
-)
+Value = Unknown | ScalarValue | Sequence | Mapping | PartialText | Function | Class | Call | AttributeValue
