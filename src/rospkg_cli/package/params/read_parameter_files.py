@@ -20,7 +20,7 @@ TEMPLATE = re.compile(r"\{\{|\{%|<%")
 
 
 def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unreadable]:
-    """Read the YAML files that have a block of ROS parameters, correctly spelt or nearly, or that launch files pass to nodes."""
+    """Read the YAML files that have a block of ROS parameters (perhaps misspelt) or are passed to nodes."""
     handed = handed_files(reading)
     for path in reading.files.paths:
         if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside"):
