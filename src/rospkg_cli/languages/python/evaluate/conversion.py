@@ -177,5 +177,5 @@ def join_texts(parts: Iterable[Value], span: Span, *, path: bool = False) -> Val
     if not flat:
         return Text(span, "", is_path=path)
     if len(flat) == 1 and isinstance(flat[0], Text):
-        return replace(flat[0], span=span, literal=None, path=path)
+        return replace(flat[0], span=span, literal=None, is_path=path)
     return PartialText(span, tuple(flat), path)

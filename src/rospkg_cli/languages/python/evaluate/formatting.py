@@ -28,9 +28,9 @@ def as_text(value: Value, span: Span) -> Value:
     """Return the result of str(); an unknown value becomes a part of a PartialText."""
     match value:
         case Text():
-            return replace(value, span=span, path=False) if value.is_path else value
+            return replace(value, span=span, is_path=False) if value.is_path else value
         case PartialText():
-            return replace(value, path=False)
+            return replace(value, is_path=False)
         case Constant():
             return format_known(str, value, span)
         case Sequence() | MappingValue():

@@ -111,7 +111,7 @@ def path_method(state: EvaluationState, value: Text, call: Call) -> Value | None
     if call.callee in BY_FUNCTION:
         arguments = (Argument("", value, value.span), *call.arguments)
         found = PATH_FUNCTIONS[BY_FUNCTION[call.callee]](state, replace(call, arguments=arguments))
-        return replace(found, path=True) if isinstance(found, Text) else found
+        return replace(found, is_path=True) if isinstance(found, Text) else found
     first = call.positional[0] if call.positional else None
     match call.callee:
         case "as_posix" | "__str__" | "__fspath__":

@@ -178,5 +178,5 @@ def slice_of(value: Value, bounds: slice, span: Span) -> Value | None:
         return Text(span, part)
     if isinstance(value, Sequence) and value.kind != "set" and value.is_complete:
         spend(len(value.items) * ITEM)
-        return replace(value, span=span, items=value.items[bounds], places=value.places[bounds], display=False)
+        return replace(value, span=span, items=value.items[bounds], places=value.places[bounds], is_display=False)
     return None
