@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, present
+from rospkg_cli.example import BACKDROPS, existing_files
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.readers import READERS, readers_of
@@ -28,7 +28,7 @@ BROKEN = {
 @pytest.mark.parametrize("path", BROKEN)
 @pytest.mark.parametrize("backdrop", [name for name in BACKDROPS if name])
 def test_what_all_readers_find_those_of_the_file_find(backdrop: str, path: str) -> None:
-    files = MemoryTree.of({**present(BACKDROPS[backdrop]), path: BROKEN[path]})
+    files = MemoryTree.of({**existing_files(BACKDROPS[backdrop]), path: BROKEN[path]})
     every = [each for each in Package(PackageFiles(files)).unreadable() if each.path == path]
     assert [each for each in Package(PackageFiles(files)).unreadable([path]) if each.path == path] == every
 
