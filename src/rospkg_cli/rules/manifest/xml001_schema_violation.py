@@ -15,7 +15,7 @@ from ...source import Span
 from ...suggest import did_you_mean
 
 LOST = "colcon does not stop: it builds the folder as a plain package, without its dependencies, and ROS won't find it"
-ONLY_THE_SCHEMA = "colcon reads over it, the schema does not: ament_xmllint fails in `colcon test`"
+ONLY_THE_SCHEMA = "colcon ignores it, the schema does not: ament_xmllint fails in `colcon test`"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
 """Values that other rules judge; an attribute of any other tag is theirs as well."""
 
@@ -27,7 +27,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
     "schema-violation",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "only the schema forbids it, while colcon reads over it"},
+    levels={Severity.WARNING: "only the schema forbids it, while colcon ignores it"},
     examples=(
         Example(
             bad={"package.xml": manifest("  «<run_depend>rclpy</run_depend>»\n")},

@@ -19,7 +19,7 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
     "feature-needs-format-3",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is `compatibility`, which colcon reads over"},
+    levels={Severity.WARNING: "it is `compatibility`, which colcon ignores"},
     examples=(
         Example(
             bad={"package.xml": BAD.replace('condition="$ROS_VERSION == 2"', '«condition="$ROS_VERSION == 2"»')},

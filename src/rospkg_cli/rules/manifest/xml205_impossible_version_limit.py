@@ -77,5 +77,5 @@ def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
 
 def surplus(dependency: Dependency) -> str:
     if "version_eq" in dependency.limits:
-        return "`version_eq` allows one version alone; remove the others"
+        return "`version_eq` allows only one version; remove the others"
     return "one lower and one upper limit are enough; remove the others" if len(dependency.limits) > 2 else ""

@@ -90,6 +90,6 @@ def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:
     if not shared.is_missing(file):
         return ""
     if "*" in text:
-        return f"`{text}` is no file: `data_files` knows no wildcards, the build stops; write `glob('{text}')`"
+        return f"`{text}` is no file: `data_files` supports no wildcards, the build stops; write `glob('{text}')`"
     hint = did_you_mean(file.source, package.files.paths)
     return f"`{text}` does not exist{hint}: the build stops with \"can't copy '{text}'\""

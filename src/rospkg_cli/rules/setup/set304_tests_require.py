@@ -52,7 +52,7 @@ def tests_require(package: PythonPackage) -> Iterator[Hit]:
     level = Severity.WARNING if package.targets.named(lambda each: each.setuptools >= GONE) else None
     edits = move_tests_require(setup)
     message = (
-        "`tests_require` is gone from setuptools 72 (Lyrical has 78): `colcon test` then no longer picks pytest and "
+        "`tests_require` was removed in setuptools 72 (Lyrical has 78): `colcon test` then no longer picks pytest and "
         "runs no test; write `extras_require={'test': ['pytest']}`, which works from Humble on"
     )
     fix = Fix("move it to extras_require={'test': …}", edits) if edits else None

@@ -47,7 +47,7 @@ def license_classifier(setup: SetupPy) -> Iterator[Hit]:
     for said in setup.texts("classifiers"):
         if said.text.startswith("License ::"):
             edits = remove_item(setup, "classifiers", said)
-            fix = Fix("take the license classifier out", edits) if edits else None
+            fix = Fix("remove the license classifier", edits) if edits else None
             message = (
                 f"`{said.text}`: setuptools from 77 on warns about license classifiers; `license=` says it already"
             )

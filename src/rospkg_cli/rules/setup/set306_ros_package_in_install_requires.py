@@ -37,7 +37,7 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
     """
     for said, name in requirements.ros_requirements:
         edits = remove_item(requirements.package.setup, "install_requires", said)
-        fix = Fix(f"take `{name}` out of install_requires", edits, Safety.UNSAFE) if edits else None
+        fix = Fix(f"remove `{name}` from install_requires", edits, Safety.UNSAFE) if edits else None
         message = (
             f"`{name}` is no Python distribution: on Humble the executables stop with DistributionNotFound; remove it "
             f"here, and declare it in package.xml as `<exec_depend>{name}</exec_depend>`"
