@@ -82,7 +82,7 @@ def test_thousands_of_targets(each: str) -> None:
 @pytest.mark.parametrize("text", ["set(\n" * 50_000, "set(" + 'x"' * 50_000, "#[[\n" * 50_000, "${" * 90_000])
 def test_cmake_that_is_never_closed_is_not_read_again_and_again(text: str) -> None:
     found = lint_files({**package(""), "CMakeLists.txt": text}, ["RPK001"]).findings
-    assert [finding.place.path for finding in found] == ["CMakeLists.txt"]
+    assert [finding.location.path for finding in found] == ["CMakeLists.txt"]
 
 
 def test_a_cmake_file_that_is_too_large_is_skipped_and_that_is_said() -> None:

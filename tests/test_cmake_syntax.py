@@ -152,7 +152,7 @@ def test_bad_nesting(text: str, at: int, said: str) -> None:
 
 def findings(files: dict[str, str]) -> list[tuple[str, int, int]]:
     found = lint_files({**BACKDROPS["ament_cmake"], **files}, ["RPK001"]).findings
-    return [(f.place.path, f.place.line, f.place.column) for f in found]
+    return [(f.location.path, f.location.line, f.location.column) for f in found]
 
 
 def test_one_finding_a_file_where_the_fault_begins() -> None:
@@ -174,4 +174,4 @@ def test_nobody_reads_it_in_a_python_package() -> None:
 def test_bytes_that_are_no_text() -> None:
     files = {**BACKDROPS["ament_cmake"], "CMakeLists.txt": b"project(my_pkg)\n# \xff\n"}
     found = lint_files(files, ["RPK001"]).findings
-    assert [f.place.path for f in found] == ["CMakeLists.txt"]
+    assert [f.location.path for f in found] == ["CMakeLists.txt"]

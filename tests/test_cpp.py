@@ -42,18 +42,18 @@ def test_any_text_can_be_read_and_spans_lie_where_they_say(text: str) -> None:
 def test_includes() -> None:
     text = '#include <a/b.hpp>  // why\n  #  include "c.h"\n// #include <no>\n/*\n#include <no>\n*/\n#include MACRO\n'
     found = read(text).includes
-    assert [(i.path, i.angled) for i in found] == [("a/b.hpp", True), ("c.h", False)]
+    assert [(i.path, i.is_angled) for i in found] == [("a/b.hpp", True), ("c.h", False)]
     assert [text[i.span.start : i.span.end] for i in found] == ["a/b.hpp", "c.h"]
 
 
 def test_a_guard_is_no_condition() -> None:
     text = "#ifndef A_HPP\n#define A_HPP\n#include <a>\n#ifdef WIN32\n#include <b>\n#else\n#include <c>\n#endif\n"
     text += "#include <d>\n#endif\n"
-    assert {i.path: i.conditional for i in read(text).includes} == {"a": False, "b": True, "c": True, "d": False}
+    assert {i.path: i.is_conditional for i in read(text).includes} == {"a": False, "b": True, "c": True, "d": False}
 
 
 def test_another_ifndef_is_one() -> None:
-    assert [i.conditional for i in read("#ifndef FAST\n#include <a>\n#endif\n").includes] == [True]
+    assert [i.is_conditional for i in read("#ifndef FAST\n#include <a>\n#endif\n").includes] == [True]
 
 
 def test_what_is_never_compiled_is_not_there() -> None:

@@ -307,7 +307,7 @@ SCRIPT = PYTHON["setup.py"].replace(
 
 def starts(inside: str, **more: str | None) -> list[str]:
     files = {**PYTHON, "setup.py": SCRIPT, "my_pkg/talker.py": "", "launch/a.launch.xml": xml(inside), **more}
-    return [f.place.path for f in lint_files(existing_files(files), ["LCH002"]).findings]
+    return [f.location.path for f in lint_files(existing_files(files), ["LCH002"]).findings]
 
 
 def test_executables_of_the_own_package() -> None:

@@ -42,7 +42,7 @@ def test_each_is_written_without_a_finding(template: str, asked: dict[str, objec
     found = plans(template=template, **asked)
     assert list(found) == MEMBERS
     for plan in found.values():
-        assert [(f.code, f.place.path, f.message) for f in plan.findings] == []
+        assert [(f.code, f.location.path, f.message) for f in plan.findings] == []
 
 
 @pytest.mark.parametrize("distro", [each.name for each in DISTROS])

@@ -37,7 +37,7 @@ def findings(rule: Rule) -> str:
 
 
 def described(finding: Finding) -> Iterator[str]:
-    yield f"{where(finding.place)} {finding.severity.value}: {one_line(finding.message)}"
+    yield f"{where(finding.location)} {finding.severity.value}: {one_line(finding.message)}"
     for place, message in finding.related:
         yield f"  see {where(place)}: {one_line(message)}"
     if finding.fix:

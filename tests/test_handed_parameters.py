@@ -12,7 +12,7 @@ BARE = "talker:\n  rate: 1.0\n"
 
 def found(clean: dict[str, str], path: str, text: str = BARE, pkg: str = "my_pkg") -> list[str]:
     files = {**clean, "launch/a.launch.xml": LAUNCH.format(path=path, pkg=pkg), "config/numbers.yaml": text}
-    return [f.place.path for f in lint_files(files, ["PRM001"]).findings]
+    return [f.location.path for f in lint_files(files, ["PRM001"]).findings]
 
 
 def test_what_a_node_is_given_holds_parameters(clean) -> None:

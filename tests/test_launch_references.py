@@ -294,7 +294,7 @@ def test_tests_and_parts_may_be_called_otherwise() -> None:
     text = python("return LaunchDescription([Node(package='a', executable='b')])")
     files = {**BASE, "launch/robot.py": text, "launch/test/robot.py": text}
     findings = lint_files(files, ["LCH010"]).findings
-    assert [f.place.path for f in findings] == ["launch/robot.py"]
+    assert [f.location.path for f in findings] == ["launch/robot.py"]
     whole = '<launch><include file="$(find-pkg-share my_pkg)/launch/robot.py"/></launch>'
     assert said({**files, "launch/all.launch.xml": whole}, "LCH010") == []
 
@@ -327,7 +327,7 @@ def test_what_an_include_gives_is_what_the_file_takes(inner: str, given: list[st
         "launch/hand.launch.xml": hand,
         "launch/robot.launch.xml": include(*given),
     }
-    findings = [f for f in lint_files(files, ["LCH015"]).findings if f.place.path == "launch/robot.launch.xml"]
+    findings = [f for f in lint_files(files, ["LCH015"]).findings if f.location.path == "launch/robot.launch.xml"]
     assert [name for f in findings for name in found if f"`{name}`" in f.message] == found
     assert len(findings) == len(found)
 

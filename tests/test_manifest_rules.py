@@ -304,7 +304,7 @@ def test_a_license_text_may_lie_above_the_package() -> None:
 
 def test_something_else_called_package_xml_is_one_finding() -> None:
     results = lint_files({"package.xml": "<launch><node/></launch>\n", "CMakeLists.txt": CMAKE})
-    assert [f.code for f in results.findings if f.place.path == "package.xml"] == ["RPK001"]
+    assert [f.code for f in results.findings if f.location.path == "package.xml"] == ["RPK001"]
 
 
 def test_export_for_ros_1_may_name_what_is_not_there() -> None:

@@ -7,7 +7,7 @@ from rospkg_cli.testing import lint_files
 
 
 def codes(files: dict[str, str], *only: str) -> list[tuple[str, str]]:
-    return [(f.code, f.place.path) for f in lint_files(files, list(only)).findings]
+    return [(f.code, f.location.path) for f in lint_files(files, list(only)).findings]
 
 
 def test_a_launch_test_among_the_modules_is_a_module(clean) -> None:

@@ -69,14 +69,14 @@ def test_no_character_comes_out_raw(name: str) -> None:
 def test_nothing_in_a_package_is_a_command_to_a_runner(name: str) -> None:
     for text in (COMMANDS, "::error::x", " ::error::x", "a\u2028::error::x"):
         finding = hostile(text)
-        shown = reported(name, replace(finding, place=replace(finding.place, path=f"../x\n::y/{text}")), finding)
+        shown = reported(name, replace(finding, location=replace(finding.location, path=f"../x\n::y/{text}")), finding)
         told = [line for line in obeyed(shown) if not (name == "github" and line.startswith("::error file="))]
         assert not told, text
 
 
 def test_paths_that_begin_like_a_command_do_not_stand_first_in_a_line() -> None:
     finding = hostile("x")
-    finding = replace(finding, place=replace(finding.place, path="::error::x.py"))
+    finding = replace(finding, location=replace(finding.location, path="::error::x.py"))
     for name in set(FORMATS) - {"github"}:
         stream = io.StringIO()
         render(name, Report(Results((finding,)), Path("/w"), Path("/w")), stream)
@@ -96,8 +96,8 @@ def test_the_carets_stand_under_what_is_meant(text: str) -> None:
     if len(finding.excerpt) > 60:
         finding = replace(finding, excerpt=finding.excerpt[:60] + "…")
         start = 50
-        finding = replace(finding, place=replace(finding.place, column=start + 1, end_column=start + 2))
-    meant = finding.excerpt[finding.place.column - 1 : finding.place.end_column - 1]
+        finding = replace(finding, location=replace(finding.location, column=start + 1, end_column=start + 2))
+    meant = finding.excerpt[finding.location.column - 1 : finding.location.end_column - 1]
     lines = reported("text", finding).splitlines()
     at = next(i for i, line in enumerate(lines) if line.lstrip(" |").startswith("^"))
     under = "".join(a for a, b in zip(lines[at - 1], lines[at].ljust(len(lines[at - 1])), strict=False) if b == "^")
@@ -138,7 +138,7 @@ def test_sarif_quotes_the_bytes_of_a_name() -> None:
     finding = hostile("x")
     for path, uri in (("a\udcff b#?%.py", "a%FF%20b%23%3F%25.py"), ("\ud800", "%ED%A0%80"), ("机", "%E6%9C%BA")):
         stream = io.StringIO()
-        renamed = replace(finding, place=replace(finding.place, path=path))
+        renamed = replace(finding, location=replace(finding.location, path=path))
         render("sarif", Report(Results((renamed,)), Path("/w"), Path("/w")), stream)
         (result,) = json.loads(stream.getvalue())["runs"][0]["results"]
         assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == uri
@@ -156,7 +156,7 @@ def test_markdown_shows_text_as_text(text: str) -> None:
     finding = hostile("x")
     parser = MarkdownIt("commonmark").enable(["table", "strikethrough"])
     for message in (text, f"`{text}` is {text}", f"{text}`"):
-        nasty = replace(finding, message=message, place=replace(finding.place, path=f"a/{text}"))
+        nasty = replace(finding, message=message, location=replace(finding.location, path=f"a/{text}"))
         shown = reported("markdown", nasty)
         tokens = parser.parse(shown)
         assert sum(token.type == "td_open" for token in tokens) == 4, shown

@@ -37,7 +37,7 @@ def package(cmake: str = LIBRARY + EXPORT, **files: str) -> dict[str, str]:
 
 
 def said(files: dict[str, str], code: str) -> list[tuple[str, str]]:
-    return [(f.place.path, f.message) for f in lint_files(files, [code]).findings]
+    return [(f.location.path, f.message) for f in lint_files(files, [code]).findings]
 
 
 def test_both_sides_agree() -> None:
@@ -118,7 +118,7 @@ def test_two_that_may_be_meant_are_none() -> None:
     source = MACRO + MACRO.replace("my_pkg", "other")
     found = lint_files(package(plugins_DOT_xml=described("a::Planner"), src__planner_DOT_cpp=source), ["PLG002"])
     first = found.findings[0]
-    assert (first.place.path, first.fix) == ("plugins.xml", None)
+    assert (first.location.path, first.fix) == ("plugins.xml", None)
 
 
 @pytest.mark.parametrize(
@@ -153,7 +153,7 @@ def test_a_description_that_is_missing_is_said_once() -> None:
     files = package()
     del files["plugins.xml"]
     found = lint_files({**files, "plugin.xml": described("my_pkg::Planner")}, ["CMK102", "PLG002", "XML306"]).findings
-    assert [f.code for f in found if f.place.path == "CMakeLists.txt"] == ["CMK102"]
+    assert [f.code for f in found if f.location.path == "CMakeLists.txt"] == ["CMK102"]
     assert "(did you mean `plugin.xml`?): CMake stops" in found[0].message
 
 
@@ -359,8 +359,8 @@ def hardware(name: str) -> str:
 )
 def test_a_name_that_nobody_describes(text: str, path: str) -> None:
     (finding,) = lint_files(robot(text, path), ["PLG003"]).findings
-    assert finding.place.path == path
-    assert finding.excerpt[finding.place.column - 1 : finding.place.end_column - 1] in text
+    assert finding.location.path == path
+    assert finding.excerpt[finding.location.column - 1 : finding.location.end_column - 1] in text
     assert finding.fix is not None
     assert finding.fix.title == "write `my_pkg/Planner`"
 
@@ -386,7 +386,7 @@ def test_what_people_forget_of_a_name() -> None:
     ours = {**NAMED, "plugins.xml": NAMED["plugins.xml"].replace("my_pkg/Planner", "my_pkg/Route Planner")}
     files = {**robot("- Class: my_pkg/Route Planner\n- Class: my_pkg/RoutePlanner\n", "robot/a.rviz"), **beside(ours)}
     (finding,) = lint_files(files, ["PLG003"]).findings
-    assert finding.place.line == 2
+    assert finding.location.line == 2
     assert "has `my_pkg/Route Planner`" in finding.message
 
 
@@ -414,7 +414,7 @@ def test_where_only_the_description_is_checked_it_is_told_there(tmp_path: Path) 
         (tmp_path / path).write_text(text)
     located = locate([tmp_path / "my_pkg"], tmp_path)
     (finding,) = Session(DiskTree(located.root), located.scope, frozenset({"PLG003"})).run().findings
-    assert finding.place.path == "my_pkg/plugins.xml"
+    assert finding.location.path == "my_pkg/plugins.xml"
     assert "`robot` uses the plugin `my_pkg::Planner`" in finding.message
 
 

@@ -57,7 +57,7 @@ def f():
 def test_imports() -> None:
     file = read(IMPORTS)
     shown = [
-        (i.module, i.names, i.level, file.source.slice(i.span), i.optional, i.typing, i.local) for i in file.imports
+        (i.module, i.names, i.level, file.source.slice(i.span), i.is_optional, i.typing, i.local) for i in file.imports
     ]
     assert shown == [
         ("os", (), 0, "os", False, False, False),
@@ -96,13 +96,13 @@ for m in [n for n in x]:
 def test_top_level_names() -> None:
     file = read(NAMES)
     assert set(file.definitions) == set("aexyzwqghiklmo") | {"made"}
-    assert [each.module for each in file.stars] == ["f"]
-    assert not file.dynamic
+    assert [each.module for each in file.star_imports] == ["f"]
+    assert not file.has_dynamic_names
 
 
 @pytest.mark.parametrize("text", ["def __getattr__(name): pass", "globals()['x'] = 1", "setattr(mod, 'x', 1)"])
 def test_a_module_may_have_more_names_than_it_shows(text: str) -> None:
-    assert read(text).dynamic
+    assert read(text).has_dynamic_names
 
 
 @pytest.mark.parametrize(

@@ -57,7 +57,7 @@ def test_what_is_just_not_too_deep_can_be_visited() -> None:
         file = parse_python(Source("a.py", make(MAX_DEPTH - 10)))
         assert file.imports == ()
         assert file.definitions.keys() <= {"x"}
-        assert not file.dynamic
+        assert not file.has_dynamic_names
 
 
 def test_a_line_is_decoded_once(monkeypatch: pytest.MonkeyPatch) -> None:

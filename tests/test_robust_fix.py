@@ -141,7 +141,7 @@ def test_a_fix_that_shows_a_broken_file_for_the_first_time(clean) -> None:
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), EVERYTHING.codes())
     outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     assert "my_pkg/sub/__init__.py" in outcome.changes
-    assert [f.place.path for f in outcome.results.findings if f.code == "RPK001"] == ["my_pkg/sub/x.py"]
+    assert [f.location.path for f in outcome.results.findings if f.code == "RPK001"] == ["my_pkg/sub/x.py"]
 
 
 def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clean, monkeypatch) -> None:

@@ -46,7 +46,7 @@ def fixed(rule: Rule, files: dict[str, str | TreeEntry], example: Example) -> di
 
 @pytest.mark.parametrize("rule, example", CASES)
 def test_fires_at_each_marked_place(rule: Rule, example: Example) -> None:
-    found = [(f.place.path, f.place.span) for f in run(rule, example.bad_files(), example)]
+    found = [(f.location.path, f.location.span) for f in run(rule, example.bad_files(), example)]
     if rule.code in NOWHERE_IN_A_FILE:
         assert found
     else:

@@ -161,7 +161,7 @@ def test_what_is_there_for_its_launch_files_has_some(template: str) -> None:
 
 
 def faultless(planned: Plan) -> None:
-    assert [(f.code, f.place.path, f.message) for f in planned.findings] == []
+    assert [(f.code, f.location.path, f.message) for f in planned.findings] == []
     for path, text in texts(planned).items():
         assert text == "" or (text.endswith("\n") and not text.endswith("\n\n")), path
         assert not [line for line in text.splitlines() if line != line.rstrip()], path

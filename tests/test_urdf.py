@@ -166,4 +166,4 @@ def test_worlds_are_followed_too() -> None:
     files = workspace("")
     files["src/robot/worlds/w.world"] = "<sdf><uri>package://robot/meshes/leg.stl</uri></sdf>\n"
     (finding,) = lint_files(files, ["URD001", "URD002"]).findings
-    assert finding.place.path == "src/robot/worlds/w.world"
+    assert finding.location.path == "src/robot/worlds/w.world"
