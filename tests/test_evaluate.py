@@ -161,7 +161,7 @@ def test_what_perhaps_is_there_is_kept_aside() -> None:
     sure, perhaps = found.items
     assert isinstance(sure, Text)
     assert isinstance(perhaps, Unknown)
-    assert perhaps.many
+    assert perhaps.is_many
     assert [to_python(option) for option in perhaps.options] == ["b"]
     assert "os.environ" in perhaps.why
 

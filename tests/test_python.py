@@ -57,7 +57,8 @@ def f():
 def test_imports() -> None:
     file = read(IMPORTS)
     shown = [
-        (i.module, i.names, i.level, file.source.slice(i.span), i.is_optional, i.typing, i.local) for i in file.imports
+        (i.module, i.names, i.level, file.source.slice(i.span), i.is_optional, i.is_for_typing, i.is_local)
+        for i in file.imports
     ]
     assert shown == [
         ("os", (), 0, "os", False, False, False),

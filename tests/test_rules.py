@@ -74,7 +74,7 @@ def test_fix_makes_good_of_bad(rule: Rule, example: Example) -> None:
 
 def contents(files: dict) -> dict[str, tuple[str, bool]]:
     entries = MemoryTree.of(files).content
-    return {path: (entry.text.text, entry.executable) for path, entry in entries.items()}
+    return {path: (entry.text.text, entry.is_executable) for path, entry in entries.items()}
 
 
 @pytest.mark.parametrize("rule, example", CASES)

@@ -66,8 +66,8 @@ def plain(node: YamlNode | None) -> object:
 def test_a_scalar_knows_where_its_text_stands(text: str, shown: str, exact: bool) -> None:
     (node,) = documents(source(text))
     assert isinstance(node, ScalarNode)
-    assert (source(text).slice(node.written.span), node.written.exact) == (shown, exact)
-    assert node.written.text == node.text
+    assert (source(text).slice(node.located.span), node.located.is_exact) == (shown, exact)
+    assert node.located.text == node.text
 
 
 def test_aliases_are_replaced() -> None:
