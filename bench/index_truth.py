@@ -72,7 +72,7 @@ def rosdep(python: str, environment: Mapping[str, str], distro: Distro, names: S
 
 def ours(names: Names, entries: Mapping[str, Any], name: str, distro: Distro) -> list[Any]:
     """Return what we say of a name: installer and packages."""
-    way = names.way(name, distro)
+    way = names.installer(name, distro)
     if way != NOT_THERE:
         return [way, list(packages(entries.get(name), CODENAMES[distro.ubuntu]))]
     if distro.name in names.packages.get(name, ()):

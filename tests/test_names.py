@@ -9,10 +9,10 @@ import pytest
 
 from rospkg_cli.ros.aliases import key_for_apt, key_for_pip, keys_for_cmake, successors
 from rospkg_cli.ros.distros import DISTROS, Targets, distro
-from rospkg_cli.ros.imports import NO_PYTHON, may_serve, serving
+from rospkg_cli.ros.imports import NO_PYTHON, may_serve, providers
 from rospkg_cli.ros.name_index import Index, dump
 from rospkg_cli.ros.name_suggestions import MOST, suggested_name, typos_between
-from rospkg_cli.ros.names import BUILT_IN, FetchedNames, Known
+from rospkg_cli.ros.names import BUILT_IN, FetchedNames, NameKind
 from rospkg_cli.ros.read_table import rows
 from rospkg_cli.ros.rosdep import installer, merged, pip_names
 
@@ -37,33 +37,33 @@ FETCHED = FetchedNames(
 
 @pytest.mark.parametrize("name", ["rclpy", "rclcpp", "sensor_msgs", "nav2_bringup", "launch_ros", "xacro", "rviz2"])
 def test_core_packages_are_known_without_a_network(name: str) -> None:
-    assert BUILT_IN.what(name) is Known.PACKAGE
+    assert BUILT_IN.kind_of(name) is NameKind.PACKAGE
 
 
 @pytest.mark.parametrize(
     "name", ["python3-opencv", "eigen", "python3-pytest", "libopencv-dev", "python3-ultralytics-pip"]
 )
 def test_keys_are_known_without_a_network(name: str) -> None:
-    assert BUILT_IN.what(name) is Known.KEY
+    assert BUILT_IN.kind_of(name) is NameKind.KEY
 
 
 def test_what_is_built_in_never_says_that_a_name_is_unknown() -> None:
-    assert BUILT_IN.what("my_companys_driver") is Known.CANT_TELL
+    assert BUILT_IN.kind_of("my_companys_driver") is NameKind.CANT_TELL
 
 
 def test_an_index_that_was_fetched_does() -> None:
-    assert FETCHED.what("my_companys_driver") is Known.UNKNOWN
-    assert FETCHED.what("python3-yaml") is Known.KEY
+    assert FETCHED.kind_of("my_companys_driver") is NameKind.UNKNOWN
+    assert FETCHED.kind_of("python3-yaml") is NameKind.KEY
 
 
 def test_a_package_counts_for_the_targets_that_have_it() -> None:
-    assert FETCHED.what("old", Targets(("humble",))) is Known.PACKAGE
-    assert FETCHED.what("old", Targets(("jazzy",))) is Known.UNKNOWN
-    assert FETCHED.what("old") is Known.PACKAGE
+    assert FETCHED.kind_of("old", Targets(("humble",))) is NameKind.PACKAGE
+    assert FETCHED.kind_of("old", Targets(("jazzy",))) is NameKind.UNKNOWN
+    assert FETCHED.kind_of("old") is NameKind.PACKAGE
 
 
 def test_a_key_counts_for_the_targets_whose_ubuntu_has_a_rule() -> None:
-    assert FETCHED.what("python-old") is Known.KEY
+    assert FETCHED.kind_of("python-old") is NameKind.KEY
     assert FETCHED.resolves("python-old", distro("humble")) is True
     assert FETCHED.resolves("python-old", distro("jazzy")) is False
     assert FETCHED.is_pip("python3-new-pip", Targets(("lyrical",)))
@@ -72,17 +72,17 @@ def test_a_key_counts_for_the_targets_whose_ubuntu_has_a_rule() -> None:
 
 def test_what_is_built_in_contradicts_the_no_of_an_index() -> None:
     """A mirror may hold a part of rosdistro."""
-    assert FETCHED.what("sensor_msgs") is Known.CANT_TELL
+    assert FETCHED.kind_of("sensor_msgs") is NameKind.CANT_TELL
     assert FETCHED.resolves("sensor_msgs", distro("jazzy")) is None
     assert not FETCHED.is_package("sensor_msgs")
 
 
 def test_an_index_of_one_distribution_knows_nothing_of_the_others() -> None:
     names = FetchedNames(dump(Index("/a", "2026-11-01T12:00:00Z", ("humble",), {"own": ("humble",)}, {})))
-    assert names.what("my_companys_driver", Targets(("humble",))) is Known.UNKNOWN
-    assert names.what("my_companys_driver", Targets(("humble", "jazzy"))) is Known.CANT_TELL
-    assert names.what("my_companys_driver") is Known.CANT_TELL
-    assert names.what("sensor_msgs", Targets(("jazzy",))) is Known.PACKAGE
+    assert names.kind_of("my_companys_driver", Targets(("humble",))) is NameKind.UNKNOWN
+    assert names.kind_of("my_companys_driver", Targets(("humble", "jazzy"))) is NameKind.CANT_TELL
+    assert names.kind_of("my_companys_driver") is NameKind.CANT_TELL
+    assert names.kind_of("sensor_msgs", Targets(("jazzy",))) is NameKind.PACKAGE
     assert set(names.packages["own"]) == {"humble"}
 
 
@@ -114,14 +114,14 @@ def test_pip_keys() -> None:
     ],
 )
 def test_who_serves_an_import(module: str, name: str) -> None:
-    assert serving(module).preferred == name
+    assert providers(module).preferred == name
 
 
 @pytest.mark.parametrize(
     "module", ["os", "os.path", "distutils.util", "tomllib", "google", "octomap", "no_such_module"]
 )
 def test_nobody_is_named_for_a_standard_or_an_unknown_module(module: str) -> None:
-    assert serving(module).names == ()
+    assert providers(module).names == ()
 
 
 def test_another_way_to_get_a_module_is_seen() -> None:

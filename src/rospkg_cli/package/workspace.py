@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..ros.distros import Distro, Targets
-from ..ros.imports import serving
-from ..ros.names import BUILT_IN, Known, Names
+from ..ros.imports import providers
+from ..ros.names import BUILT_IN, NameKind, Names
 from ..ros.plugins import LOADED_FROM
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .package_facts import PackageFacts, Plugin
@@ -68,13 +68,13 @@ class Workspace:
                 return self._by_folder[path].name
         return ""
 
-    def kind_of(self, name: str, targets: Targets | None = None) -> Known:
-        """Return what a name in package.xml stands for; unknown only where nothing else can add it."""
+    def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
+        """Return the kind of a name in package.xml; unknown only where no other source can provide it."""
         if name in self._by_name:
-            return Known.PACKAGE
-        found = self.index.what(name, targets)
+            return NameKind.PACKAGE
+        found = self.index.kind_of(name, targets)
         unsure = not self.complete or name in self.prefix_names
-        return Known.CANT_TELL if found is Known.UNKNOWN and unsure else found
+        return NameKind.CANT_TELL if found is NameKind.UNKNOWN and unsure else found
 
     def is_available(self, name: str) -> bool:
         """Return whether a package is around, or installed on this machine."""
@@ -90,7 +90,7 @@ class Workspace:
         found = {base: {package} for base, package in LOADED_FROM.items()}
         for facts in self.packages:
             for package, base in facts.loaders:
-                if self.is_available(package) or self.kind_of(package) is Known.PACKAGE:
+                if self.is_available(package) or self.kind_of(package) is NameKind.PACKAGE:
                     found.setdefault(base, set()).add(package)
         return found
 
@@ -135,4 +135,4 @@ class Workspace:
         around = [self._by_module[top]] if top in self._by_module else []
         if top in self._by_name and top not in around:
             around.append(top)
-        return tuple(around) or serving(module, self.index).names
+        return tuple(around) or providers(module, self.index).names

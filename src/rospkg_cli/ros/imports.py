@@ -16,7 +16,7 @@ NO_PYTHON = "?"
 
 
 @dataclass(frozen=True, slots=True)
-class Serving:
+class Providers:
     """What serves an import: any of the names will do, the first is the one to recommend."""
 
     names: tuple[str, ...] = ()
@@ -26,19 +26,19 @@ class Serving:
         return self.names[0]
 
 
-def serving(module: str, names: Names = BUILT_IN) -> Serving:
+def providers(module: str, names: Names = BUILT_IN) -> Providers:
     """Return what serves a dotted module; no name where it is standard or where nobody can tell."""
     table = rows("imports.txt")
     for prefix in prefixes(module):
         if prefix in table:
             found = tuple(name for name in table[prefix] if name != NO_PYTHON)
-            return Serving(found)
+            return Providers(found)
     top = module.partition(".")[0]
     if top in STANDARD:
-        return Serving()
+        return Providers()
     if names.is_package(top):
-        return Serving((top,))
-    return Serving(tuple(key for key in keys_called_like(top) if names.is_key(key)))
+        return Providers((top,))
+    return Providers(tuple(key for key in keys_called_like(top) if names.is_key(key)))
 
 
 def prefixes(module: str) -> Iterator[str]:

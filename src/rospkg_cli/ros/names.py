@@ -12,7 +12,7 @@ from .read_table import marked, rows
 from .rosdep import CODENAMES, NOT_THERE
 
 
-class Known(Enum):
+class NameKind(Enum):
     PACKAGE = "ROS package"
     KEY = "rosdep key"
     UNKNOWN = "unknown"
@@ -51,23 +51,23 @@ class Names:
         """The distributions of which a name that is not here does not exist."""
         return ()
 
-    def what(self, name: str, targets: Targets | None = None) -> Known:
+    def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return what a name is for one of the targets; a package of another distribution can't be told."""
         distros = self.packages.get(name)
         targets = targets or Targets()
         if distros is not None and any(each.name in distros for each in targets):
-            return Known.PACKAGE
+            return NameKind.PACKAGE
         if name in self.keys:
-            return Known.KEY
-        return Known.UNKNOWN if all(self.resolves(name, each) is False for each in targets) else Known.CANT_TELL
+            return NameKind.KEY
+        return NameKind.UNKNOWN if all(self.resolves(name, each) is False for each in targets) else NameKind.CANT_TELL
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
         """Return whether rosdep can install what a name stands for on a distribution; None where nobody can tell."""
-        if distro.name in self.packages.get(name, ()) or self.way(name, distro) != NOT_THERE:
+        if distro.name in self.packages.get(name, ()) or self.installer(name, distro) != NOT_THERE:
             return True
         return False if distro.name in self.covered else None
 
-    def way(self, key: str, distro: Distro) -> str:
+    def installer(self, key: str, distro: Distro) -> str:
         """Return the installer that serves a key on a distribution's Ubuntu, `-` where none does."""
         ways = dict(zip(CODENAMES, self.keys.get(key, ()), strict=False))
         return ways.get(distro.ubuntu, NOT_THERE)
@@ -81,7 +81,7 @@ class Names:
 
     def is_pip(self, key: str, targets: Targets) -> bool:
         """Return whether PyPI serves a key on a target, as far as rosdep serves it at all."""
-        return any(self.way(key, each) == "pip" for each in targets)
+        return any(self.installer(key, each) == "pip" for each in targets)
 
     def all(self) -> Iterable[str]:
         """Return every name, of packages and of keys."""

@@ -29,16 +29,16 @@ def rule(entry: object, codename: str) -> tuple[str, Any] | None:
     found: Any = entry["ubuntu"] if "ubuntu" in entry else entry.get(ANY)
     if "ubuntu" not in entry and not isinstance(found, Mapping):
         return None
-    way = way_of(found)
+    way = named_installer(found)
     if isinstance(found, Mapping) and way is None:
         found = found[codename] if codename in found else found.get(ANY)
-        way = way_of(found)
+        way = named_installer(found)
     if way is not None:
         found = found[way]
     return (way or "apt", found) if isinstance(found, Mapping | list | str) else None
 
 
-def way_of(found: object) -> str | None:
+def named_installer(found: object) -> str | None:
     return next((name for name in INSTALLERS if name in found), None) if isinstance(found, Mapping) else None
 
 

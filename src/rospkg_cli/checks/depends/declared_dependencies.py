@@ -12,7 +12,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
 
@@ -83,7 +83,7 @@ class DeclaredDependencies:
     @cached_property
     def unknown_names(self) -> frozenset[str]:
         """The declared names that are no package and no key."""
-        known = (Known.PACKAGE, Known.KEY)
+        known = (NameKind.PACKAGE, NameKind.KEY)
         return frozenset(d.name for d in self.manifest.dependencies if self.workspace.kind_of(d.name) not in known)
 
     @cached_property

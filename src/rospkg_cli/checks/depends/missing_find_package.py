@@ -10,7 +10,7 @@ from functools import cached_property
 from ...languages.cmake.values import UNKNOWN
 from ...package.cmake.target_links import Links
 from ...ros.manifest import BUILDS
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_includes import IncludeDependencies
@@ -76,7 +76,7 @@ class MissingFindPackages:
 
     def is_declared(self, each: MissingFindPackage) -> bool:
         tags = BUILDS | {"test_depend"} if each.testing else BUILDS
-        package = self.declared.workspace.kind_of(each.name) is Known.PACKAGE
+        package = self.declared.workspace.kind_of(each.name) is NameKind.PACKAGE
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
 
     def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:

@@ -12,7 +12,7 @@ from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
 from ..launch.package_references import every_reference
@@ -80,7 +80,7 @@ class RobotUses:
         if first in PLUGIN_PACKAGES:
             return PLUGIN_PACKAGES[first]
         owner = self.declared.workspace.named(first)
-        if owner is None and self.declared.workspace.kind_of(first) is Known.PACKAGE:
+        if owner is None and self.declared.workspace.kind_of(first) is NameKind.PACKAGE:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first
         if owner is not None and any(plugin.name == use.name for plugin in owner.plugins):
             return first

@@ -13,7 +13,7 @@ from ...package.cmake.find_package import FoundPackage
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
-from ...ros.names import Known
+from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
@@ -86,7 +86,7 @@ class FindPackageDependencies:
         listed = keys_for_cmake(name)
         if NOTHING_NEEDED in listed:
             return ()
-        own = (name,) if self.declared.workspace.kind_of(name) in (Known.PACKAGE, Known.KEY) else ()
+        own = (name,) if self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY) else ()
         itself = self.declared.facts.name
         known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
         return (*known, *self.matching_names(name, self.declared.names)) if known else ()

@@ -12,7 +12,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...source import Span
 from .compiled_sources import compiled_sources
 from .declared_dependencies import DeclaredDependencies
@@ -75,7 +75,7 @@ class IncludeDependencies:
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
         facts = self.declared.workspace.named(folder)
-        known = self.declared.workspace.kind_of(folder) is Known.PACKAGE and folder not in SHARED
+        known = self.declared.workspace.kind_of(folder) is NameKind.PACKAGE and folder not in SHARED
         if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder

@@ -15,7 +15,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import OwnModules, PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
 from ...ros.imports import may_serve
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ..launch.package_references import NAME, PackageReference, package_references
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
@@ -70,7 +70,7 @@ class LaunchDependencies:
     def is_unknown_package(self, name: str) -> bool:
         """Return whether no package of that name is known."""
         workspace = self.declared.workspace
-        return not workspace.is_available(name) and workspace.kind_of(name) is not Known.PACKAGE
+        return not workspace.is_available(name) and workspace.kind_of(name) is not NameKind.PACKAGE
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return each package that is needed and not declared, with the places that need it."""

@@ -15,7 +15,7 @@ from ...package.manifest import Dependency
 from ...package.python.python_imports import PackageImports
 from ...ros.headers import SHARED
 from ...ros.imports import may_serve
-from ...ros.names import Known
+from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .word_index import WordIndex
@@ -84,7 +84,7 @@ class UnusedDependencies:
         """Yield the ROS packages that are declared for the build, or as tools for tests, and that leave no trace."""
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag
-            package = self.declared.workspace.kind_of(name) is Known.PACKAGE or IMPORTED_ONLY.fullmatch(name)
+            package = self.declared.workspace.kind_of(name) is NameKind.PACKAGE or IMPORTED_ONLY.fullmatch(name)
             if not package or self.words.has(name, "test", "docs"):
                 continue
             if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.words.has(name):

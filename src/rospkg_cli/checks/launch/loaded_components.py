@@ -9,7 +9,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...suggest import nearest
 
 
@@ -26,7 +26,7 @@ class UnknownComponent:
     """Package and class of what other packages register under the same or the same last name."""
 
     @property
-    def meant(self) -> str | None:
+    def suggestion(self) -> str | None:
         """The one class of the package that is near."""
         return nearest(self.name, self.facts.components) or same_class(self.name, self.facts) if self.facts else None
 
@@ -38,7 +38,7 @@ class LoadedComponents:
 
     def unknown(self) -> Iterator[UnknownComponent]:
         """Yield components that their package, whose components are all known, does not register."""
-        for node in self.file.nodes if not self.file.ros1 else ():
+        for node in self.file.nodes if not self.file.is_ros1 else ():
             package = node.package.literal if node.package else None
             name = node.plugin.literal if node.plugin else None
             if node.kind != "composable_node" or not package or not name or node.plugin is None:
@@ -53,9 +53,9 @@ class LoadedComponents:
     def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
         """Return who registers the class of an unknown package; nothing where that may be another class."""
         known = self.workspace.kind_of(package)
-        found = () if known is Known.PACKAGE else self.elsewhere(name, None)
+        found = () if known is NameKind.PACKAGE else self.elsewhere(name, None)
         longer = len(found) == 1 and found[0][0].endswith(f"_{package}")
-        return found if known is Known.UNKNOWN or longer else ()
+        return found if known is NameKind.UNKNOWN or longer else ()
 
     def elsewhere(self, name: str, but: PackageFacts | None) -> tuple[tuple[str, str], ...]:
         """Return who registers a class of this name, or else a class of the same last name."""

@@ -13,7 +13,7 @@ from ...package.package_facts import PackageFacts
 from ...package.plugins.description import DescriptionExport, PluginClass, PluginDescription
 from ...package.plugins.loaders import PluginLoader, PluginLoaders
 from ...package.workspace import Workspace
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...suggest import near_names, nearest
 from .plugin_package import PluginPackage, spaceless
 
@@ -78,12 +78,12 @@ class PluginBases:
                 if owners and not serves and self.is_certain(exported.base):
                     base, packages = next(iter(owners.items()))
                     yield WrongExport(description, exported, base, tuple(sorted(packages)))
-                elif self.workspace.kind_of(exported.base) is Known.UNKNOWN:
+                elif self.workspace.kind_of(exported.base) is NameKind.UNKNOWN:
                     yield WrongExport(description, exported, "", ())
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""
-        if not self.workspace.is_available(package) and self.workspace.kind_of(package) is not Known.PACKAGE:
+        if not self.workspace.is_available(package) and self.workspace.kind_of(package) is not NameKind.PACKAGE:
             return True
         around = self.workspace.named(package) is not None
         return around and all(facts.knows("loaders") for facts in self.workspace.packages)
@@ -108,10 +108,10 @@ class PluginBases:
         for loader in self.loaders.loaders if self.facts.is_ament else ():
             package, base = loader.names
             known = self.workspace.kind_of(package)
-            if known is Known.PACKAGE or self.workspace.is_available(package) or package == self.facts.name:
+            if known is NameKind.PACKAGE or self.workspace.is_available(package) or package == self.facts.name:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
-            if package not in served and (served or known is Known.UNKNOWN):
+            if package not in served and (served or known is NameKind.UNKNOWN):
                 suggestion = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
                 yield UnmatchedLoader(loader, suggestion)
 

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
-from ...ros.names import Known
+from ...ros.names import NameKind
 from ...suggest import near_names
 from .exported_classes import tail
 
@@ -61,7 +61,10 @@ class PluginReferences:
 
     def is_nowhere(self, package: str) -> bool:
         """Return whether there certainly is no such package."""
-        known = self.workspace.is_available(package) or self.workspace.kind_of(package) in (Known.PACKAGE, Known.KEY)
+        known = self.workspace.is_available(package) or self.workspace.kind_of(package) in (
+            NameKind.PACKAGE,
+            NameKind.KEY,
+        )
         return self.workspace.complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:
