@@ -11,7 +11,7 @@ from rospkg_cli.ros.aliases import key_for_apt, key_for_pip, keys_for_cmake, suc
 from rospkg_cli.ros.distros import DISTROS, Targets, distro
 from rospkg_cli.ros.imports import NO_PYTHON, may_serve, providers
 from rospkg_cli.ros.name_index import Index, dump
-from rospkg_cli.ros.name_suggestions import MOST, suggested_name, typos_between
+from rospkg_cli.ros.name_suggestions import MAX_TYPOS, suggested_name, typos_between
 from rospkg_cli.ros.names import BUILT_IN, FetchedNames, NameKind
 from rospkg_cli.ros.read_table import rows
 from rospkg_cli.ros.rosdep import installer, merged, pip_names
@@ -186,11 +186,11 @@ def test_what_is_likely_meant(name: str, meant: str | None) -> None:
     [
         ("robot", "robot", 0),
         ("robot", "robor", 1),  # of five letters one may be another
-        ("urdf", "urdg", MOST + 1),
+        ("urdf", "urdg", MAX_TYPOS + 1),
         ("msg", "msgs", 1),  # of three one may be left out
-        ("ms", "msg", MOST + 1),
+        ("ms", "msg", MAX_TYPOS + 1),
         ("navigator", "nabigatos", 2),  # of nine two may be others
-        ("navigate", "nabigats", MOST + 1),
+        ("navigate", "nabigats", MAX_TYPOS + 1),
     ],
 )
 def test_a_slip_wants_a_word_that_is_long_enough(word: str, other: str, far: int) -> None:

@@ -36,9 +36,9 @@ def key_for_apt(name: str, names: Names = BUILT_IN) -> str | None:
 
 
 def keys_for_cmake(name: str) -> tuple[str, ...]:
-    """Return what serves find_package(name), the preferred one first; a pattern (`libopencv-*`) may stand among them.
+    """Return what serves find_package(name), the preferred one first; a pattern (`libopencv-*`) may be among them.
 
-    No name where the table has none; `-` among them says that nothing has to be declared.
+    Empty for an unknown name; `-` among them means that nothing has to be declared.
     """
     return rows("cmake.txt").get(name, ())
 

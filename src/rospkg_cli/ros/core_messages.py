@@ -1,6 +1,6 @@
-"""Messages of the packages that every ROS 2 distribution has: enough to see that a name was meant otherwise.
+"""Messages of the packages that every ROS 2 distribution has: enough to recognise a misspelt name.
 
-Later distributions may add to a package; so nothing may be concluded from a name that is not here and like none.
+Later distributions may add to a package; so a name that is not here, and similar to none, may exist.
 """
 
 from __future__ import annotations

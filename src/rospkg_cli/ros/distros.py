@@ -52,7 +52,7 @@ def fault_of_name(name: str) -> str:
 
 @dataclass(frozen=True)
 class Targets:
-    """The distributions that a run checks for; `names` is empty where nobody said."""
+    """The distributions that a run checks for; `names` is empty where none was given."""
 
     names: tuple[str, ...] = ()
 
@@ -61,7 +61,7 @@ class Targets:
         return iter([each for each in DISTROS if each.name in self.names] or DISTROS)
 
     def named(self, holds: Callable[[Distro], bool]) -> bool:
-        """Return whether it holds for a distribution that was named: an unknown target makes a fault mild."""
+        """Return whether it holds for a distribution that was given; otherwise a problem is reported at a lower level."""
         return any(holds(each) for each in self if each.name in self.names)
 
     def environments(self) -> list[dict[str, str]]:

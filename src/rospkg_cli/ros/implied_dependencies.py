@@ -1,4 +1,4 @@
-"""Dependencies that imply others: nobody declares the one without using the others through it."""
+"""Dependencies that imply others, which need not be declared beside them."""
 
 from __future__ import annotations
 

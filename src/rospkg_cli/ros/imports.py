@@ -17,7 +17,7 @@ NO_PYTHON = "?"
 
 @dataclass(frozen=True, slots=True)
 class Providers:
-    """What serves an import: any of the names will do, the first is the one to recommend."""
+    """The dependencies that install an imported module: any of them is enough, the first is the preferred one."""
 
     names: tuple[str, ...] = ()
 
@@ -27,7 +27,7 @@ class Providers:
 
 
 def providers(module: str, names: Names = BUILT_IN) -> Providers:
-    """Return what serves a dotted module; no name where it is standard or where nobody can tell."""
+    """Return the dependencies that install a dotted module; none for a standard or an unknown module."""
     table = rows("imports.txt")
     for prefix in prefixes(module):
         if prefix in table:
@@ -55,6 +55,6 @@ def keys_called_like(module: str) -> tuple[str, str]:
 
 
 def may_serve(dependency: str, module: str) -> bool:
-    """Return whether a declared name looks like another way to get a module, so that nothing is said about it."""
+    """Return whether a declared name may be another dependency that installs a module, so that none is missing."""
     bare = dependency.lower().removeprefix("python3-").removeprefix("python-").removesuffix("-pip")
     return bare.replace("-", "_").replace(".", "_") == module.partition(".")[0].lower()

@@ -18,11 +18,11 @@ class EntityKind:
     required: frozenset[str] = frozenset()
     optional: frozenset[str] = frozenset()
     inside: frozenset[str] = frozenset()
-    """Entities that stand for an attribute."""
+    """Child entities that set an attribute."""
     actions: bool = False
-    """Whether other actions stand inside."""
+    """Whether it may contain other actions."""
     open: bool = False
-    """Whether anything else may stand there as well."""
+    """Whether it may have any other attributes and children."""
 
     def takes(self, attribute: str) -> bool:
         name = attribute.removesuffix("-sep")
@@ -69,7 +69,7 @@ ROS1_ENTITIES: Mapping[str, str] = {
     "env": "`<set_env>`",
     "machine": "",
 }
-"""Elements that ROS 1 takes among actions and ROS 2 does not, and what stands for each."""
+"""Elements that ROS 1 takes among actions and ROS 2 does not, and what replaces each."""
 
 ROS1_SUBSTITUTIONS: Mapping[str, str] = {"find": "find-pkg-share", "arg": "var", "optenv": ""}
 """Substitutions of ROS 1 that ROS 2 does not have, and what each is called now; "" where another form is needed."""

@@ -1,4 +1,4 @@
-"""Read what people write into a <license>: one name, several, or a story."""
+"""Read what people write into a <license>: one name, several, or prose."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MAX_WORDS = 13
 
 
 MAX_LENGTH = 300
-"""A text that is longer names no license: it tells a story."""
+"""A longer text is prose, not the name of a license."""
 
 
 def licenses_in(text: str) -> list[str]:
@@ -43,7 +43,7 @@ def names_one(text: str) -> bool:
 
 
 def is_prose(text: str) -> bool:
-    """Return whether a text tells where to look, or what one may do, instead of naming a license."""
+    """Return whether a text is prose (where to look, what is permitted) instead of the name of a license."""
     if len(text) > MAX_LENGTH:
         return True
     return spdx_id(text) is None and (STORY.search(text) is not None or len(text.split()) > MAX_WORDS)

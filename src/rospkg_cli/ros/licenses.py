@@ -1,7 +1,7 @@
 """Licenses by their SPDX id: what they are called elsewhere, and which of them `new` can write.
 
 Ids and deprecated ids: https://spdx.org/licenses/.  The sentence of CONTRIBUTING.md and the headers of source files
-are those that ament_copyright (0.13 and later) recognises; the texts stand in `templates/_shared/licenses`.
+are those that ament_copyright (0.13 and later) recognises; the texts are in `templates/_shared/licenses`.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def ids_by_name() -> dict[str, str]:
 
 
 def spdx_id(text: str) -> str | None:
-    """Return the SPDX id that a text stands for, None where that can't be told.
+    """Return the SPDX id of the license that a text names; None where it is unknown.
 
     >>> spdx_id("Apache License, Version 2.0"), spdx_id("BSD-3-Clause"), spdx_id("BSD")
     ('Apache-2.0', 'BSD-3-Clause', None)

@@ -18,13 +18,13 @@ class LinkTargets:
 
     targets: tuple[str, ...] = ()
     includes: tuple[str, ...] = ()
-    """Include directories that the targets don't bring."""
+    """Include directories that the targets don't carry."""
     certain: bool = True
-    """False where it can't be told whether the package exports any targets."""
+    """False where it is unknown whether the package exports any targets."""
 
 
 def link_targets(package: str, exported: tuple[str, ...] = ()) -> LinkTargets:
-    """Return what to link for a package that exports some targets (none: nobody knows).
+    """Return what to link for a package that exports some targets (none: unknown).
 
     ament_target_dependencies took `${name_TARGETS}` where there are any, else the libraries and include directories.
     """

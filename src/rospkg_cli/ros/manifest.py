@@ -46,13 +46,13 @@ ORDER = (
     "member_of_group",
     "export",
 )
-"""The order of the schemas: what stands together in a tuple may stand in any order."""
+"""The order of the schemas; the tags of a tuple may be in any order."""
 
 REQUIRED = ("name", "version", "description", "maintainer", "license")
 """What every package.xml must have."""
 
 ONCE = ("name", "version", "description", "export")
-"""What may stand once; the others may be repeated."""
+"""Tags that may occur once; the others may be repeated."""
 
 CONDITIONAL_TAGS = (*DEPENDENCY_TAGS, "group_depend", "member_of_group")
 """Children of <package> that may carry a condition in format 3; in <export> it is build_type."""

@@ -37,9 +37,9 @@ class Index:
     pip: Named = field(default_factory=dict)
     """Name on PyPI to the keys that install it, where these are not called like it."""
     apt: Named = field(default_factory=dict)
-    """Name of a package of Ubuntu to the keys that stand for it alone, where none is called like it."""
+    """Ubuntu package to the keys that install it alone, where no key has its name."""
     lists: tuple[str, ...] = ()
-    """The lists of the machine's own that were read beside the source's."""
+    """The local rosdep lists that were read in addition to those of the source."""
 
     def count(self, distro: str) -> int:
         """Return how many packages a distribution has."""
@@ -93,7 +93,7 @@ def check(text: str) -> None:
 def parse(text: str) -> Index:
     """Return the index of a text that `check` has nothing against."""
     found: dict[str, dict[str, tuple[str, ...]]] = {kind: {} for kind in ("packages", "keys", "pip", "apt")}
-    said: dict[str, list[str]] = defaultdict(list)
+    fields: dict[str, list[str]] = defaultdict(list)
     for kind, rest in kinds(text.split("\n")[1:]):
         if kind in ("packages", "keys"):
             mark, _, names = rest.partition(" ")
@@ -102,9 +102,9 @@ def parse(text: str) -> Index:
             name, *keys = rest.split()
             found[kind][name] = tuple(keys)
         else:
-            said[kind].append(rest)
-    (source,), (fetched,), (distros,) = said["source"], said["fetched"], said["distros"]
-    return Index(source, fetched, tuple(distros.split()), **found, lists=tuple(said["list"]))
+            fields[kind].append(rest)
+    (source,), (fetched,), (distros,) = fields["source"], fields["fetched"], fields["distros"]
+    return Index(source, fetched, tuple(distros.split()), **found, lists=tuple(fields["list"]))
 
 
 def kinds(lines: Iterable[str]) -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""What is meant by a name that nobody has: the one package or key that is called nearly so."""
+"""Suggestions for unknown names: the one package or key with a similar name."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .names import Names
 from .read_table import rows
 
 SEPARATOR = re.compile(r"[-_.]")
-MOST = 2
-"""More slips than these make another name."""
+MAX_TYPOS = 2
+"""More typos than these make another name."""
 
 
 def suggested_name(name: str, names: Names, targets: Targets) -> str | None:
-    """Return what is meant by an unknown name, of what a target has; None where nothing or several things may be."""
+    """Return the only similar name that a target has; None where there is none, or where there are several."""
     for group in candidate_groups(name, names):
         there = [
             each for each in dict.fromkeys(group) if each != name and any(names.resolves(each, one) for one in targets)
@@ -28,7 +28,7 @@ def suggested_name(name: str, names: Names, targets: Targets) -> str | None:
 
 
 def candidate_groups(name: str, names: Names) -> Iterable[list[str]]:
-    """Yield the names that may be meant, the surest first."""
+    """Yield groups of similar names, the most certain first."""
     bare = re.sub(r"^python3?-|-pip$", "", name)
     for found in (key_for_apt(name, names), key_for_pip(name, names), key_for_pip(bare, names)):
         yield [found] if found else []
@@ -49,7 +49,7 @@ def letters(name: str) -> str:
 
 
 def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
-    """Return the names that differ by slips in single words: those with the fewest first.
+    """Return the names that differ by typos in single words: those with the fewest first.
 
     A number is never taken for another: those are generations, and each is a thing of its own.
     """
@@ -59,23 +59,23 @@ def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
         have = SEPARATOR.split(each)
         if (
             len(have) != len(words)
-            or abs(len(each) - len(name)) > MOST
+            or abs(len(each) - len(name)) > MAX_TYPOS
             or (numbers and digits(each) not in ([], numbers))
         ):
             continue
         far = sum(typos_between(word, other) for word, other in zip(words, have, strict=True))
-        if 0 < far <= MOST:
+        if 0 < far <= MAX_TYPOS:
             found.setdefault(far, []).append(each)
     return [found[far] for far in sorted(found)]
 
 
 def typos_between(word: str, other: str) -> int:
-    """Return how many letters make a word another one; too many where that can't be a slip, as in a short word."""
+    """Return how many letters make a word another one; more than MAX_TYPOS where that is no typo, as in a short word."""
     if word == other:
         return 0
-    short, far = min(len(word), len(other)), distance(word, other, MOST)
+    short, far = min(len(word), len(other)), distance(word, other, MAX_TYPOS)
     kept = far == 1 and (short > 4 or (short > 2 and len(word) != len(other)))
-    return far if kept or (far == 2 and short > 8) else MOST + 1
+    return far if kept or (far == 2 and short > 8) else MAX_TYPOS + 1
 
 
 def digits(name: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""What a name in package.xml stands for: a ROS package, a rosdep key, neither, or nobody can tell."""
+"""What a name in package.xml is: a ROS package, a rosdep key, neither, or unknown."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Names:
 
     @property
     def apt(self) -> Mapping[str, tuple[str, ...]]:
-        """Name of a package of Ubuntu to the keys that stand for it alone, where none is called like it."""
+        """Ubuntu package to the keys that install it alone, where no key has its name."""
         return rows("apt.txt")
 
     @property
@@ -52,7 +52,7 @@ class Names:
         return ()
 
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
-        """Return what a name is for one of the targets; a package of another distribution can't be told."""
+        """Return what a name is for one of the targets; CANT_TELL for a package of another distribution alone."""
         distros = self.packages.get(name)
         targets = targets or Targets()
         if distros is not None and any(each.name in distros for each in targets):
@@ -62,7 +62,7 @@ class Names:
         return NameKind.UNKNOWN if all(self.resolves(name, each) is False for each in targets) else NameKind.CANT_TELL
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
-        """Return whether rosdep can install what a name stands for on a distribution; None where nobody can tell."""
+        """Return whether rosdep can install what a name stands for on a distribution; None where that is unknown."""
         if distro.name in self.packages.get(name, ()) or self.installer(name, distro) != NOT_THERE:
             return True
         return False if distro.name in self.covered else None

@@ -68,7 +68,7 @@ def words(name: str, section: str = "") -> frozenset[str]:
 
 
 def phrases(name: str) -> dict[str, tuple[str, ...]]:
-    """Return each name of a table with what stands behind it, parted by ` | `: there words have blanks."""
+    """Return each name of a table with the phrases behind it, which ` | ` separates."""
     split = (line.split(" | ") for line in lines(name))
     return {first: tuple(rest) for first, *rest in split}
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 CODENAMES = {"22.04": "jammy", "24.04": "noble", "26.04": "resolute"}
-"""The Ubuntu releases that the supported distributions stand on; rosdep's lists go by these names."""
+"""The Ubuntu releases of the supported distributions, and their names in rosdep's lists."""
 
 INSTALLERS = ("apt", "pip", "gem", "npm", "source")
 """The installers that rosdep has for Ubuntu, in the order in which it looks for them; apt where none is named."""
@@ -15,11 +15,11 @@ NOT_THERE = "-"
 """A key that exists and has no rule for a release."""
 
 ANY = "*"
-"""What stands for every operating system, and for every release, that is not named."""
+"""Any operating system, or any release, that is not named."""
 
 
 def rule(entry: object, codename: str) -> tuple[str, Any] | None:
-    """Return the installer that serves one key on one release of Ubuntu and what it is told; None where none does.
+    """Return the installer that serves one key on one release of Ubuntu and its arguments; None where none does.
 
     `entry` is what a list of rosdep says of the key: operating system to rule, a rule being a list of packages, an
     installer's mapping, or either of these by release.
@@ -49,7 +49,7 @@ def installer(entry: object, codename: str) -> str:
 
 
 def packages(entry: object, codename: str) -> tuple[str, ...]:
-    """Return the names that the installer of a key is told on one release of Ubuntu."""
+    """Return the names that the installer of a key gets on one release of Ubuntu."""
     found = rule(entry, codename)
     listed: Any = found[1] if found else ()
     if isinstance(listed, Mapping):
@@ -65,7 +65,7 @@ def pip_names(entry: object, codename: str) -> tuple[str, ...]:
 
 
 def apt_name(entry: object, codename: str) -> str | None:
-    """Return the one package of Ubuntu that a key stands for on a release; None where there is no such one."""
+    """Return the package of Ubuntu that a key installs alone on a release; None where it installs none or several."""
     found = packages(entry, codename) if installer(entry, codename) == "apt" else ()
     return found[0] if len(found) == 1 else None
 

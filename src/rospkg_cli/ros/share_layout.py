@@ -1,4 +1,4 @@
-"""What packages keep in their share directory: folders by custom, and the files in them that are meant for run time."""
+"""What packages keep in their share directory: usual folders, and which of their files are for run time."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FOLDERS: dict[str, re.Pattern[str]] = {
     **dict.fromkeys(("maps", "map"), re.compile(r".*\.(?:ya?ml|pgm|png|pbstream)")),
     **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), re.compile(r".*\.xml")),
 }
-"""The folders that packages keep for run time, and which of their files are meant for it."""
+"""The usual folders for run time, and which of their files are for it."""
 
 
 SHARED = frozenset(
