@@ -1,1 +1,1 @@
-"""Judgements over packages, in folders like those of `rules/`: what is wrong, before a rule says it."""
+"""Checks over packages, in folders like those of `rules/`: what is wrong, before a rule reports it."""

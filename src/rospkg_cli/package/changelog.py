@@ -17,7 +17,7 @@ TITLE = re.compile(
     r"""(?P<line>[=~^"'`*+#<>.:_-])(?P=line){2,}[ \t]*$""",
     re.MULTILINE,
 )
-"""The one form of a title that counts; catkin_pkg passes over all others, `Forthcoming` among them."""
+"""The only form of a title that catkin_pkg reads; it skips all others, `Forthcoming` among them."""
 
 MAX_DIGITS = 100
 """Of a number, so that it can be compared; Python reads none of thousands."""

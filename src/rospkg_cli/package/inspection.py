@@ -83,8 +83,8 @@ def registered(package: Package) -> Iterator[RegisteredComponent]:
 
 
 def launch_files(package: Package) -> tuple[LaunchFile, ...]:
-    found = [file for file in package.parts(LaunchFile).good if role_of(file.path) == "launch" and not file.ros1]
-    return tuple(sorted((file for file in found if file.entry), key=lambda file: file.path))
+    found = [file for file in package.parts(LaunchFile).good if role_of(file.path) == "launch" and not file.is_ros1]
+    return tuple(sorted((file for file in found if file.has_entry_point), key=lambda file: file.path))
 
 
 def unread(build_type: str, broken: list[Unreadable]) -> InstallTable:

@@ -68,7 +68,7 @@ class Manifest:
 
     @cached_property
     def schema_format(self) -> int:
-        """The format whose schema is asked: its own; 3 where there is no such format, or where newer tags say so."""
+        """The format whose schema is used: its own; 3 where there is no such format, or where newer tags are used."""
         if self.declared_format is not None:
             return self.format if self.format in FORMATS else max(FORMATS)
         newer = {tag for tags in NEW_IN.values() for tag in tags}
@@ -76,7 +76,7 @@ class Manifest:
 
     @cached_property
     def verdict(self) -> Verdict:
-        """What the schema says."""
+        """The result of the schema's validation."""
         return validate(self.document, self.schema_format)
 
     @cached_property
@@ -159,7 +159,7 @@ class Manifest:
         )
 
     def build_type(self, targets: Targets) -> str:
-        """Return what colcon builds it as; `catkin` where nothing is said (REP-149)."""
+        """Return the build type for colcon; `catkin` where none is given (REP-149)."""
         found = list(self.build_types(targets))
         return found[-1].text if found else "catkin"
 

@@ -16,7 +16,7 @@ FRAME = re.compile(
 
 
 def is_metapackage(files: PackageFiles, manifest: Manifest) -> bool:
-    """Return whether a package says that it is one, or holds nothing but the frame of a package and runs others."""
+    """Return whether a package declares itself one, or has only the files of an empty package and dependencies."""
     if any(element.tag == "metapackage" for element in manifest.exports):
         return True
     runs = any(d.tag in ("exec_depend", "depend", "run_depend") for d in manifest.dependencies)

@@ -72,7 +72,7 @@ class PackageFacts:
     group_dependencies: tuple[ActiveDependency, ...] = ()
     """The groups it depends on."""
     is_metapackage: bool = False
-    """Whether it has nothing of its own and only names others."""
+    """Whether it has nothing of its own and only depends on others."""
     executables: frozenset[str] = frozenset()
     """The files of lib/<name> after the build."""
     misplaced_executables: frozenset[str] = frozenset()
@@ -99,7 +99,7 @@ class PackageFacts:
     loaders: frozenset[tuple[str, str]] = frozenset()
     """What it loads: the package that the descriptions must be exported to, and the base class."""
     parameters: tuple[DeclaredParameter, ...] = ()
-    """What its code declares, each with the file that says so."""
+    """The parameters that its code declares, each with the file."""
     node_code: tuple[NodeCode, ...] = ()
     """The executables and components that CMake builds, as far as their code declares parameters."""
     given_parameters: tuple[frozenset[str], ...] = ()

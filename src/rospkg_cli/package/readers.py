@@ -13,7 +13,8 @@ from ..languages.cpp.read import read_cpp_files
 from ..languages.python.file import PythonFile
 from ..unreadable import Unreadable
 from .changelog import Changelog, read_changelog
-from .cmake.cmake_project import CMake, read_cmake, read_cmake_files
+from .cmake.cmake_project import CMake
+from .cmake.read_cmake import read_cmake, read_cmake_files
 from .install_table import InstallTable
 from .interfaces.interface_file import InterfaceFile
 from .interfaces.reader import read_interfaces

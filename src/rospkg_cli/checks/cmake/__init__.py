@@ -1,1 +1,1 @@
-"""Judgements over CMakeLists.txt."""
+"""Checks of CMakeLists.txt."""

@@ -13,7 +13,7 @@ DISTRO_TEST = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|amen
 
 
 def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = False) -> Iterator[CommandInvocation]:
-    """Yield, in no order, the commands that stand in an `if` that asks for the distribution or for a command."""
+    """Yield, in no order, the commands inside an `if` that tests for the distribution or for a command."""
     waiting = [(each, inside) for each in body]
     while waiting:
         each, inside = waiting.pop()

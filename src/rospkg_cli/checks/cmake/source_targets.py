@@ -51,7 +51,7 @@ class SourceTargets:
         return frozenset(name for name, (paths, _) in self._sources.items() if path in paths and UNKNOWN not in name)
 
     def is_complete(self, target: str) -> bool:
-        """Return whether all sources of a target are known and stand in the package."""
+        """Return whether all sources of a target are known and in the package."""
         return target in self._sources and self._sources[target][1]
 
 

@@ -1,1 +1,1 @@
-"""Judgements over messages, services and actions."""
+"""Checks of messages, services and actions."""

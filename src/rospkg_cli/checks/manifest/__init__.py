@@ -1,1 +1,1 @@
-"""Judgements over package.xml."""
+"""Checks of package.xml."""

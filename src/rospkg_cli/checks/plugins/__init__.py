@@ -1,1 +1,1 @@
-"""Judgements over plugins."""
+"""Checks of plugins."""

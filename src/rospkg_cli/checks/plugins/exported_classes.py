@@ -41,7 +41,7 @@ def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
 
 
 def is_plain(name: str) -> bool:
-    """Return whether a name is that of a class, and not of a macro that stands for one."""
+    """Return whether a name is that of a class, and not of a macro for one."""
     return CLASS.fullmatch(name) is not None and not any(MACRO_NAME.fullmatch(part) for part in name.split("::"))
 
 
@@ -51,7 +51,7 @@ def tail(name: str) -> str:
 
 
 def is_registered_otherwise(files: Iterable[CppFile], name: str) -> bool:
-    """Return whether a macro that we don't know is given a class (or what it is a template of): it may export it."""
+    """Return whether an unknown macro has a class (or its template) as an argument: it may export it."""
     tails = "|".join(re.escape(tail(each)) for each in re.findall(r"[\w:]+", name))
     pattern = re.compile(rf"\b(?!{HARMLESS})([A-Z][A-Z0-9]*_[A-Z0-9_]+)\s*\([^;{{}}()]*\b(?:{tails})\b")
     return any(match.group(1) not in MACROS for file in files for match in pattern.finditer(file.source.text))

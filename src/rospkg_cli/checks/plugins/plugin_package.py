@@ -103,7 +103,7 @@ class PluginPackage:
 
     @cached_property
     def prebuilt(self) -> frozenset[str]:
-        """The names of the libraries that stand in the package as files, without `lib`."""
+        """The names of the library files in the package, without `lib`."""
         names = (path.rpartition("/")[2] for path in self.files.paths if path.endswith(PREBUILT) or ".so." in path)
         return frozenset(name.partition(".")[0].removeprefix("lib") for name in names)
 

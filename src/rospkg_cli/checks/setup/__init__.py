@@ -1,1 +1,1 @@
-"""Judgements over setup.py and setup.cfg."""
+"""Checks of setup.py and setup.cfg."""

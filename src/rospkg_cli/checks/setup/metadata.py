@@ -21,7 +21,7 @@ REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
 """An address that is one, and not a template's."""
 
 Difference = tuple[str, SetupText, str, Element]
-"""The argument of setup(), what it says, what it should say ("" where that is not one text), and who says so."""
+"""The argument of setup(), its text, the text of package.xml ("" where that is not one), and the element with it."""
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,1 @@
-"""Judgements over robot descriptions."""
+"""Checks of robot descriptions."""

@@ -134,7 +134,7 @@ class ElementCheck:
                 yield Fault(found.value_span, f"`{name}` of `<{element.tag}>` is no number: `{text}`")
 
     def raw(self, attribute: Attribute) -> str | None:
-        """Return a value as it stands: urdfdom does not turn line ends into blanks. None where xacro fills it in."""
+        """Return a value as written: urdfdom does not turn line ends into blanks. None where xacro fills it in."""
         text = self.source.slice(attribute.value_span)
         return None if "$" in text else text
 

@@ -63,7 +63,7 @@ def robot_element(root: Element) -> Iterator[Fault]:
 
 
 def is_whole(root: Element, parts: Sequence[Element]) -> bool:
-    """Return whether all links and joints of a robot stand in the file, with literal names."""
+    """Return whether all links and joints of a robot are in the file, with literal names."""
     if any(element.tag.startswith("xacro:") and element.tag not in HARMLESS for element in root.walk()):
         return False
     ends = [end for part in parts for end in part.children if end.tag in ("parent", "child")]
@@ -72,7 +72,7 @@ def is_whole(root: Element, parts: Sequence[Element]) -> bool:
 
 
 def repeated(root: Element, tag: str) -> Iterator[Fault]:
-    """Yield what has no name, or one that stands before, among the children of the robot."""
+    """Yield the children of the robot that have no name, or a repeated one."""
     seen: dict[str, Span] = {}
     for element in root.children:
         if element.tag != tag:

@@ -1,1 +1,1 @@
-"""Judgements over several packages together."""
+"""Checks of several packages together."""

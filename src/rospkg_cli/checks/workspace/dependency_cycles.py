@@ -17,7 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.manifest import NOT_ORDERED
 
 Edges = Mapping[str, Mapping[str, ActiveDependency]]
-"""Package → the packages that it needs → the first place that says so."""
+"""Package → the packages that it needs → the first dependency that says so."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix,
 
 
 def auto_package(project: str) -> Callable[[EvaluatedCommand], Iterator[InstallRule]]:
-    """`ament_auto_package(INSTALL_TO_SHARE …)`: folders go to share/, as they are called."""
+    """`ament_auto_package(INSTALL_TO_SHARE …)`: folders are installed in share/, under their own names."""
 
     def make(call: EvaluatedCommand) -> Iterator[InstallRule]:
         _, values, _ = flags_and_values(call.words, ("INSTALL_TO_PATH",), (), ("INSTALL_TO_SHARE",))
@@ -23,7 +23,7 @@ def auto_package(project: str) -> Callable[[EvaluatedCommand], Iterator[InstallR
 
 
 def python_package(call: EvaluatedCommand) -> Iterator[InstallRule]:
-    """`ament_python_install_package(name)`: a folder goes to where Python looks."""
+    """`ament_python_install_package(name)`: a folder is installed in site-packages."""
     _, values, rest = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
     for name in rest[:1]:
         folder = next(iter(values.get("PACKAGE_DIR", [])), name)

@@ -7,19 +7,13 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cached_property
 
-from ...files import PackageFiles, ReaderInput
-from ...languages.cmake.commands import COMMANDS, run_unknown_command
-from ...languages.cmake.control_flow import BLOCKS
+from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT, CMakeFile
-from ...languages.cmake.functions import call_function
-from ...languages.cmake.interpreter import Interpreter
 from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS, Target, targets_by_name, targets_of
 from ...languages.cmake.values import UNKNOWN, Word
-from ...unreadable import Unreadable
 from .ament_installs import install_rules
-from .build import is_built_with_cmake
 from .components import Component, InterfaceTarget, components_of, interface_targets_of
 from .find_package import FoundPackage, found_packages
 from .install_rules import InstallRule
@@ -179,25 +173,3 @@ class CMake:
             if start in texts and name in texts[texts.index(start) : -1]:
                 value = texts[texts.index(name) + 1]
                 yield from ((target, value) for target in texts[: texts.index(start)] if target != "TARGET")
-
-
-def read_cmake_files(reading: ReaderInput) -> Iterator[CMakeFile | Unreadable]:
-    """Yield every CMake file that is read, one by one."""
-    yield from reading.parts(CMake).broken
-    for cmake in reading.parts(CMake).good:
-        yield from cmake.files
-
-
-def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
-    """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
-    if not is_built_with_cmake(reading):
-        return
-    machine = Interpreter(
-        reading.files, commands=COMMANDS, blocks=BLOCKS, invoke=call_function, run_unknown_command=run_unknown_command
-    )
-    machine.run()
-    if machine.broken:
-        yield from machine.broken
-    else:
-        files, calls, unreachable = tuple(machine.read.values()), tuple(machine.calls), tuple(machine.unreachable)
-        yield CMake(reading.files, files, calls, unreachable, machine.stopped, machine.reads_unknown_files)

@@ -50,7 +50,7 @@ def copies(rule: InstallRule, files: PackageFiles) -> Iterator[Copy]:
 
 
 def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFiles) -> Iterator[Copy]:
-    """Yield the files below a folder: `launch` brings its own name with it, `launch/` only what is in it."""
+    """Yield the files below a folder: `launch` is copied with its own name, of `launch/` only the contents."""
     whole = not item.text or item.text.endswith("/") or not folder
     base = folder if whole else posixpath.dirname(folder)
     excluding = [pattern for pattern in rule.patterns if pattern.is_exclude]

@@ -67,7 +67,7 @@ class UninstalledTargets:
                 yield target
 
     def is_used(self, target: Target) -> bool:
-        """Return whether an executable serves the build or a test, or is aside."""
+        """Return whether an executable is used by the build or a test, or is an example."""
         if is_aside(target):
             return True
         return any(call is not target.call for call in self.users.get(target.name, ()))
@@ -139,7 +139,7 @@ class UninstalledTargets:
             yield UninstalledTarget(unused[0], "who links it, as the other parameter libraries can be,")
 
     def interface_of(self, word: Word) -> Iterator[str]:
-        """Yield the package's targets that a target passes on to whoever links it."""
+        """Yield the package's targets that are linked along with a target."""
         static = (target := self.cmake.target(word.text)) is not None and "STATIC" in target.options
         for link in self.links.of(word.text):
             if (link.is_public or static) and not link.package and not link.call.maybe and not link.word.maybe:

@@ -15,7 +15,7 @@ UNIT = re.compile(r"\s*\[([^,\]]+)\]")
 
 @dataclass(frozen=True, slots=True)
 class InterfaceComment:
-    """The text behind the `#` characters of one line, and where it stands."""
+    """The text after the `#` characters of one line, and its offset."""
 
     text: str
     at: int

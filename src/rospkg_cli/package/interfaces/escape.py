@@ -32,7 +32,7 @@ def escape_fault(text: str) -> tuple[int, int] | None:
 
 
 def decode(escape: str) -> str | None:
-    """Return what stands behind a backslash, decoded; None where Python refuses it."""
+    """Return the character of an escape, given without its backslash; None where Python refuses it."""
     if escape in SIMPLE:
         return SIMPLE[escape]
     if escape[:1] in ("x", "u", "U") and len(escape) > 1:

@@ -32,7 +32,7 @@ def stem(path: str) -> str:
 
 
 def all_are_own(reading: ReaderInput) -> bool:
-    """Return whether rosidl_generate_interfaces is given files of the package alone, by names that are known."""
+    """Return whether all arguments of rosidl_generate_interfaces are known files of the package."""
     if not is_built_with_cmake(reading):
         return True
     cmake = reading.parts(CMake).only

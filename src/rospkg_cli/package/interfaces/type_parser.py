@@ -18,7 +18,7 @@ class TypeProblemError(Exception):
 
 
 def parse_type(text: str, at: int) -> FieldType:
-    """Parse the text of a type that stands at an offset; raises TypeProblemError."""
+    """Parse the text of a type at an offset; raises TypeProblemError."""
     span = Span(at, at + len(text))
     base, array, size, bounded = text, False, None, False
     if text.endswith("]"):

@@ -88,7 +88,7 @@ def string_value(value: str) -> str:
 
 
 def elements_of(kind: FieldType, text: str) -> list[str] | None:
-    """Split what stands between the brackets; None where rosidl can't."""
+    """Split the text between the brackets; None where rosidl can't."""
     if kind.base not in ("string", "wstring"):
         return text.split(",") if text else []
     found = []

@@ -67,7 +67,7 @@ class OwnModules:
         return found
 
     def has(self, module: str, importer: str) -> bool:
-        """Return whether a file that stands at `importer` may mean one of these."""
+        """Return whether an import in the file `importer` may refer to one of these."""
         top = module.partition(".")[0]
         return top in self.everywhere or top in self._beside.get(str(PurePosixPath(importer).parent), ())
 

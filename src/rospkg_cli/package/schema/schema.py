@@ -1,6 +1,6 @@
-"""What the schema of its own format says of a package.xml: libxml2 gives the verdict, xmlschema the reasons.
+"""Validate package.xml by the schema of its format: libxml2 gives the verdict, xmlschema the reasons.
 
-Neither library is imported before a verdict is wanted, nor xmlschema before libxml2 has said no.
+Neither library is imported before validation, nor xmlschema before libxml2 has refused the document.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Item = TypeVar("Item")
 class Verdict:
     is_valid: bool
     is_ordered: bool = True
-    """Whether the children stand in the schema's order, whatever else is wrong."""
+    """Whether the children are in the schema's order, whatever else is wrong."""
     violations: tuple[Violation, ...] = ()
     """The violations that sorting the children does not fix, in document order."""
 
@@ -32,7 +32,7 @@ VALID = Verdict(True)
 
 
 def validate(document: Document, format: int) -> Verdict:
-    """Return what the schema of a format (1, 2, 3) says; children in a wrong order are no violation by themselves."""
+    """Validate by the schema of a format (1, 2, 3); children in a wrong order are no violation by themselves."""
     if accepts(document.source.text, format):
         return VALID
     ordered = not misplaced(document.root.children)
@@ -69,7 +69,7 @@ def libxml2_schema(format: int) -> Any:
 
 
 def misplaced(children: Iterable[Element]) -> list[Element]:
-    """Return the fewest children that have to move so that all stand in the schema's order.
+    """Return the fewest children that have to move so that all are in the schema's order.
 
     Tags that it doesn't know have no place in it.
     """

@@ -34,7 +34,7 @@ MAX_ROUNDS = 20
 
 
 def explain(document: Document, format: int) -> tuple[Violation, ...]:
-    """Return everything that the schema forbids once the children stand in order, by place in the document."""
+    """Return everything that the schema forbids once the children are in order, by position in the document."""
     found = list(Explanation(document, format).violations())
     unique = {(v.kind, id(v.element), v.name): v for v in found}
     return tuple(sorted(unique.values(), key=lambda v: (v.element.span.start, v.kind is ViolationKind.MISSING, v.name)))
@@ -46,7 +46,7 @@ def schema_of(format: int) -> Any:
 
 
 class Explanation:
-    """A copy of the document from which one offender after the other is taken.
+    """A copy of the document from which each offender is removed in turn.
 
     Children of the copy are matched with those of the document by identity, never by their index: xmlschema counts
     comments or doesn't, and the copy is sorted.
@@ -94,7 +94,7 @@ class Explanation:
         """Translate one error of xmlschema, and remove the offender."""
         element = error.elem
         if isinstance(error, xmlschema.XMLSchemaChildrenValidationError):
-            # A tag that is known stands in order here: its error is a consequence of one that is not known.
+            # A known tag is in order here: its error is a consequence of one that is not known.
             if child is not None and child.tag not in self.types and child in list(self.root):
                 yield Violation(ViolationKind.CHILD, self.mine[child], self.mine[child].tag)
                 self.root.remove(child)
@@ -139,7 +139,7 @@ class Explanation:
             self.root.remove(element)
 
     def text(self, element: ElementTree.Element) -> Iterator[Violation]:
-        """Take the text out that stands between the children."""
+        """Remove the text between the children."""
         if any((each or "").strip(BLANKS) for each in (element.text, *(child.tail for child in element))):
             yield Violation(ViolationKind.TEXT, self.mine[element], "")
         element.text = None

@@ -26,6 +26,6 @@ class Violation:
 
     kind: ViolationKind
     element: Element
-    """Where it stands; for MISSING the parent, for TEXT the element that holds the text."""
+    """The offender; for MISSING the parent, for TEXT the element that holds the text."""
     name: str
     """Of the tag or the attribute in question; "" where the value is the element's own text."""

@@ -44,7 +44,7 @@ def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
 
 
 def runs_setup_py(reading: ReaderInput) -> bool:
-    """Return whether the package is built with its setup.py: ament_python, or nothing else is said or there."""
+    """Return whether the package is built with its setup.py: by its build type, or without one and without CMake."""
     manifest = reading.parts(Manifest).only
     types = {element.text for element in manifest.exports if element.tag == "build_type"} if manifest else set()
     return "ament_python" in types or (not types and not reading.files.exists("CMakeLists.txt"))

@@ -24,7 +24,7 @@ COMMANDS = frozenset(
     " clean develop dist_info easy_install editable_wheel egg_info install install_data install_egg_info"
     " install_headers install_lib install_scripts register rotate saveopts sdist setopt test upload upload_docs".split()
 )
-"""The commands of distutils and setuptools, whose options stand in sections of that name."""
+"""The commands of distutils and setuptools, whose options are in sections of that name."""
 
 FREE_KEYS = frozenset({"options.extras_require", "options.data_files", "options.entry_points", "options.package_data"})
 """Sections whose keys are names of the user's own."""
@@ -162,7 +162,7 @@ def strip(source: Source, span: Span) -> Span:
 
 
 def add(source: Source, section: CfgSection, key: tuple[str, Span], lines: list[Span]) -> None:
-    """Put an option into its section; the value is taken as it stands, from its first line to its last."""
+    """Add an option to its section; the value is the text from its first line to its last."""
     name, span = key
     filled = [line for line in lines if line.start < line.end] or lines[:1]
     whole = Span(filled[0].start, filled[-1].end)

@@ -87,7 +87,7 @@ class SetupPy(SetupArguments):
 
     @cached_property
     def package_dir(self) -> Mapping[str, str]:
-        """Where packages lie: name of a package, or "" for all, to folder."""
+        """The folders of packages: name of a package, or "" for all, to folder."""
         value = self.value("package_dir")
         if value is None:
             return self.from_cfg.package_dir
@@ -135,7 +135,7 @@ class SetupPy(SetupArguments):
             return "unknown"
 
     def file_of(self, module: str) -> str | None:
-        """Return the file of a module as it lies on disk, whether it is installed or not."""
+        """Return the file of a module in the package, whether it is installed or not."""
         package, _, name = module.rpartition(".")
         folder = self.folder_of(package) if package else self.package_dir.get("", "")
         for path in (posixpath.join(folder, f"{name}.py"), posixpath.join(self.folder_of(module), "__init__.py")):

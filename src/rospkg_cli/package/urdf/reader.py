@@ -43,7 +43,7 @@ def robot_file(source: Source) -> RobotFile:
 
 
 def without_declaration(source: Source) -> Source:
-    """Blank out the `<?xml …?>` line: urdfdom and sdformat do not mind what stands before it."""
+    """Blank out the `<?xml …?>` line: urdfdom and sdformat accept text before it."""
     match = DECLARATION.match(source.text)
     if match is None:
         return source

@@ -26,7 +26,7 @@ class ResourceReference:
 
 @dataclass(frozen=True, slots=True)
 class LocalInclude:
-    """A file that xacro includes by a path relative to the one that says so; `path` is relative to the package."""
+    """A file that xacro includes by a path relative to the including file; `path` is relative to the package."""
 
     span: Span
     path: str
