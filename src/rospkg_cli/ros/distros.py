@@ -61,7 +61,7 @@ class Targets:
         return iter([each for each in DISTROS if each.name in self.names] or DISTROS)
 
     def named(self, holds: Callable[[Distro], bool]) -> bool:
-        """Return whether it holds for a distribution that was given; otherwise a problem is reported at a lower level."""
+        """Return whether it holds for a distribution that was given; if not, a problem has a lower level."""
         return any(holds(each) for each in self if each.name in self.names)
 
     def environments(self) -> list[dict[str, str]]:

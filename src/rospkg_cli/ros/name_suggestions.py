@@ -70,7 +70,7 @@ def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
 
 
 def typos_between(word: str, other: str) -> int:
-    """Return how many letters make a word another one; more than MAX_TYPOS where that is no typo, as in a short word."""
+    """Return by how many letters two words differ; more than MAX_TYPOS where that is no typo, as in a short word."""
     if word == other:
         return 0
     short, far = min(len(word), len(other)), distance(word, other, MAX_TYPOS)
