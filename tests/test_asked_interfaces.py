@@ -45,7 +45,7 @@ def test_what_has_no_fields_gets_some(form: str, separators: int) -> None:
 REFUSED = {
     ("msg", "robot_status"): "try `RobotStatus`",
     ("msg", "Robot-Status"): "try `RobotStatus`",
-    ("msg", "2D"): "capital first",
+    ("msg", "2D"): "uppercase letter first",
     ("msg", "A:int x"): "write `int32`",
     ("msg", "A:Header header"): "std_msgs/Header",
     ("msg", "A:time stamp"): "builtin_interfaces/Time",

@@ -107,7 +107,7 @@ def test_what_was_typed_is_not_asked_and_the_config_is_the_default(
 def test_answers_that_end_too_soon_write_nothing(tmp_path: Path) -> None:
     done = talk("my_pkg\n\n", tmp_path)
     assert done.returncode == 2
-    assert "the answers ended at `Nodes, by commas" in done.stderr
+    assert "the answers ended at `Nodes (comma-separated)" in done.stderr
     assert list(tmp_path.iterdir()) == []
 
 

@@ -41,7 +41,7 @@ def test_it_writes_and_twice_is_once(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert path.read_text() == SORTED
     said = capsys.readouterr()
     assert said.out.startswith("formatted: ")
-    assert "1 formatted, 1 in order already" in said.err
+    assert "1 formatted, 1 already in order" in said.err
     before = other.stat().st_mtime_ns
     assert format_manifests([tmp_path]) == 0
     assert capsys.readouterr().out == ""

@@ -123,7 +123,7 @@ def test_a_source_cannot_name_files_without_end(run: Run, tmp_path: Path, write)
 def test_a_fifo_is_not_waited_for(run: Run, folder: Path) -> None:
     (folder / "rosdep/base.yaml").unlink()
     os.mkfifo(folder / "rosdep/base.yaml")
-    fails(run("update", "--source", folder), "rosdep/base.yaml can't be read: it is no file")
+    fails(run("update", "--source", folder), "rosdep/base.yaml can't be read: it is not a file")
 
 
 def start(folder: Path, cwd: Path, environment: dict[str, str], code: str = "") -> subprocess.Popen[bytes]:

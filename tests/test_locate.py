@@ -89,8 +89,8 @@ def test_repositories(workspace: Path) -> None:
 @pytest.mark.parametrize(
     "marks, says",
     [
-        (["a/COLCON_IGNORE"], "2 stand below, hidden by `a/COLCON_IGNORE`"),
-        (["a/AMENT_IGNORE", "a/one/COLCON_IGNORE"], "2 stand below, hidden by `a/AMENT_IGNORE`"),
+        (["a/COLCON_IGNORE"], "2 packages below, hidden by `a/COLCON_IGNORE`"),
+        (["a/AMENT_IGNORE", "a/one/COLCON_IGNORE"], "2 packages below, hidden by `a/AMENT_IGNORE`"),
         (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE"], "hidden by `a/one/CATKIN_IGNORE` and another marker"),
     ],
 )
@@ -106,5 +106,5 @@ def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says:
 def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:
     (tmp_path / "third_party" / "one").mkdir(parents=True)
     (tmp_path / "third_party" / "one" / "package.xml").write_text("<package/>")
-    assert locate([tmp_path]).hidden == "one stands below, hidden by `third_party`"
+    assert locate([tmp_path]).hidden == "1 package below, hidden by `third_party`"
     assert locate([tmp_path / "third_party"]).scope.given

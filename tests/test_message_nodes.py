@@ -74,7 +74,7 @@ REFUSED = {
     "a_node:some_msgs/Node": "another name",
     "a_node:some_messages_of_an_old_friend_of_mine/" + "A" * 38: "too long",
     "a_node:some_msgs/" + "Ab" * 14: "too long",
-    "a_node:std_msgs/String:std_msgs/Bool": "says too much",
+    "a_node:std_msgs/String:std_msgs/Bool": "has too many parts",
 }
 
 

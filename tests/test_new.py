@@ -115,13 +115,13 @@ def test_a_bad_node_is_refused(name: str) -> None:
 LANGUAGES = {
     ("ament_python", ("a_node:cpp",)): "no nodes in C\\+\\+; --type ament_cmake or mixed",
     ("ament_cmake", ("a_node:python",)): "no nodes in Python; --type ament_python or mixed",
-    ("mixed", ("a_node:component:python",)): "component in C\\+\\+ alone",
+    ("mixed", ("a_node:component:python",)): "component nodes are available in C\\+\\+ only",
     ("mixed", ("a_node",)): "--type ament_cmake is for; .*--node NAME:python",
     ("mixed", ("a_node:python",)): "--type ament_python is for; .*--node NAME:cpp",
     ("ament_python", ("demo_nodes_cpp/talker",)): "--type bringup starts such ones",
     ("mixed", ("a_node:timer:empty",)): "NAME:KIND:LANGUAGE",
     ("mixed", ("a_node:cpp:python",)): "NAME:KIND:LANGUAGE",
-    ("ament_python", ("a_node:component",)): "component in C\\+\\+ alone",
+    ("ament_python", ("a_node:component",)): "component can be written only in C\\+\\+",
 }
 
 

@@ -13,7 +13,7 @@ import pytest
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.fixing.signals import stopped_by_signals
-from rospkg_cli.scaffold import existing_folder as existing
+from rospkg_cli.scaffold import existing_folder
 from rospkg_cli.scaffold.answers import Request
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}
@@ -163,7 +163,7 @@ def test_a_file_in_the_place_of_the_package_is_refused() -> None:
 def test_whatever_fails_all_is_as_it_was(
     there: Path, monkeypatch: pytest.MonkeyPatch, after: int, error: BaseException
 ) -> None:
-    before, real, moved = content(there), existing.move, []
+    before, real, moved = content(there), existing_folder.move, []
 
     def move(source: Path, target: Path, undo: list) -> None:
         real(source, target, undo)
@@ -171,7 +171,7 @@ def test_whatever_fails_all_is_as_it_was(
         if len(moved) > after:
             raise error
 
-    monkeypatch.setattr(existing, "move", move)
+    monkeypatch.setattr(existing_folder, "move", move)
     with pytest.raises((UsageError, KeyboardInterrupt)):
         again(existing="force")
     assert len(moved) == after + 1
@@ -202,7 +202,7 @@ sys.exit(main())
     [
         ("write.write", 2, ["new_pkg"]),
         ("write.write", 20, ["my_r2", "--family"]),
-        ("existing.move", 2, [NAME, "--force"]),
+        ("existing_folder.move", 2, [NAME, "--force"]),
     ],
 )
 def test_a_signal_leaves_nothing_half_written(

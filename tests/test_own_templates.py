@@ -206,7 +206,7 @@ def test_links_within_a_template_are_read(template: Path) -> None:
 def test_what_is_no_file_is_not_waited_for(template: Path) -> None:
     (template / "files/CMakeLists.txt.j2").unlink()
     os.mkfifo(template / "files/CMakeLists.txt.j2")
-    with pytest.raises(ScaffoldError, match="is no file"):
+    with pytest.raises(ScaffoldError, match="is not a file"):
         plan(template)
 
 

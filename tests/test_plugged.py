@@ -77,9 +77,13 @@ def test_they_can_be_ignored_listed_and_explained(package: Path, site: Path) -> 
 @pytest.mark.parametrize(
     "module, name, says",
     [
-        (MODULE.format(code="OUR001"), "our-hose", "there is no plug-in `our-house` (did you mean `our-hose`?)"),
-        (MODULE.format(code="XML104"), "our-house", "has a rule `XML104`, and that code is that of our `placeholder"),
-        (MODULE.format(code="our1"), "our-house", "is not three capitals and three digits"),
+        (MODULE.format(code="OUR001"), "our-hose", "there is no plugin `our-house` (did you mean `our-hose`?)"),
+        (
+            MODULE.format(code="XML104"),
+            "our-house",
+            "has a rule `XML104`, and that code is that of the built-in rule `placeholder",
+        ),
+        (MODULE.format(code="our1"), "our-house", "is not three uppercase letters and three digits"),
         (EMPTY, "our-house", "offers no rules"),
         ("import nowhere_at_all\n", "our-house", "can't be loaded: ModuleNotFoundError"),
     ],
@@ -98,5 +102,8 @@ def test_what_lies_in_a_linted_folder_is_not_run(package: Path, tmp_path: Path, 
     done = rospkg(place, "lint", str(package), cwd=site if of_root else tmp_path)
     assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
     assert f"`our-house` lies in `{place}`, below `" in done.stderr
-    assert "and nothing of what is linted is run: install it beside rospkg, or take it out of PYTHONPATH" in done.stderr
+    assert (
+        "and nothing of what is linted is run: install it where rospkg is installed, or take it out of PYTHONPATH"
+        in done.stderr
+    )
     assert not (site / "ran").exists()

@@ -127,7 +127,7 @@ def test_a_fault_of_ours_is_told_safely(tmp_path: Path, monkeypatch, capsys) -> 
 
 
 def test_progress_is_no_markup() -> None:
-    assert progress.drawn("reading [red]\x1b[31m[/nonsense]").plain == "reading [red]\\x1b[31m[/nonsense]"
+    assert progress.plain_text("reading [red]\x1b[31m[/nonsense]").plain == "reading [red]\\x1b[31m[/nonsense]"
 
 
 def test_colour_is_ours() -> None:

@@ -63,6 +63,6 @@ def test_what_is_no_file_is_not_replaced_by_one(tmp_path: Path, kind: str) -> No
     target = tmp_path / "__init__.py"
     {"fifo": os.mkfifo, "folder": Path.mkdir, "dead link": lambda path: path.symlink_to("nowhere")}[kind](target)
     before = target.lstat()
-    with pytest.raises(WriteError, match="is there and is no file; it was left alone"):
+    with pytest.raises(WriteError, match="exists and is not a file; it was not changed"):
         write_changes(tmp_path, DiskTree(tmp_path), {"__init__.py": TreeEntry("file", b"")})
     assert target.lstat().st_mode == before.st_mode

@@ -26,7 +26,7 @@ def launch_lines(file: LaunchFile, color: bool) -> Iterator[str]:
         yield f"      includes {visible(include.file.shown)}" + (paint(f"  ({passed})", "dim", color) if passed else "")
     for command in file.commands:
         yield f"      runs {visible(' '.join(word.shown for word in command.words))}"
-    if not file.told:
+    if not file.is_fully_known:
         yield paint("      … and what can't be determined", "yellow", color)
 
 
@@ -55,7 +55,7 @@ def launch_document(file: LaunchFile, at: At) -> dict[str, Any]:
     return {
         "said": at(file.path, 0),
         "frontend": file.frontend,
-        "complete": file.told,
+        "complete": file.is_fully_known,
         "arguments": [argument_document(argument, file, at) for argument in file.arguments],
         "nodes": [node_document(node, file, at) for node in file.nodes],
         "includes": [include_document(include, file, at) for include in file.includes],

@@ -10,6 +10,7 @@ from typing import Any
 from ...finding import Finding, Hit
 from ...package.run_events import RuleCrash
 from ...rule import Rule
+from ...suggest import refill
 from .finding_builder import FindingBuilder
 
 InputsOf = Callable[[type], list[Any]]
@@ -21,6 +22,7 @@ MAX_HITS = 2_000
 
 def run_rule(rule: Rule[Any], inputs: Iterable[Any], package: str) -> Iterator[Hit]:
     """Yield the hits of a rule, at most MAX_HITS and one that says that others are not shown; raises what it raises."""
+    refill()
     hits = (hit for each in inputs for hit in rule.check(each))
     for count, hit in enumerate(hits, 1):
         if count > MAX_HITS:
