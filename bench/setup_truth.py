@@ -125,8 +125,8 @@ def ours(setup: SetupPy) -> dict[str, Any]:
     pairs = []
     for each in setup.data_entries:
         into = posixpath.normpath(each.destination.text or ".") if each.destination else ""
-        pairs += [(into, posixpath.normpath(file.said.text)) for file in each.files]
-    texts = {name: said.text if (said := setup.said(name)) else None for name in ("name", "version")}
+        pairs += [(into, posixpath.normpath(file.setup_text.text)) for file in each.files]
+    texts = {name: said.text if (said := setup.setup_text(name)) else None for name in ("name", "version")}
     return {
         **texts,
         "packages": sorted(said.text for said in setup.packages),
