@@ -8,6 +8,26 @@ from difflib import SequenceMatcher
 LONGEST = 200
 """Characters; a longer word is not a misspelt name, and comparing it is slow."""
 
+ALIKE = 0.75
+"""The share of letters in common from which two names are alike."""
+
+MAX_STEPS = 100_000_000
+"""Of some 25 ns each between two calls of `refill`: enough for 100 wrong names among 1,000 right ones."""
+
+NAME_STEPS, MATCHER_STEPS, EDIT_STEPS = 20, 800, 16
+"""What it costs to look at a name, to compare its letters by SequenceMatcher, and each letter pair of a distance."""
+
+
+class Effort:
+    """How much may still be compared: thousands of wrong names among thousands of right ones get no guess."""
+
+    left = MAX_STEPS
+
+
+def refill() -> None:
+    """Start anew, as each rule does for each package."""
+    Effort.left = MAX_STEPS
+
 
 def distance(a: str, b: str, limit: int = 3) -> int:
     """Return the number of edits (insert, delete, replace, swap) between two words, or limit + 1."""
@@ -28,24 +48,48 @@ def distance(a: str, b: str, limit: int = 3) -> int:
 
 
 def near_names(word: str, names: Iterable[str], limit: int = 2) -> list[str]:
-    """Return the names within a distance, nearest first; short words allow fewer edits."""
+    """Return the names within a distance, nearest first; short words allow fewer edits; none when effort is used up."""
     limit = min(limit, max(1, len(word) // 3))
-    found = sorted((distance(word, name, limit), name) for name in set(names) if name != word)
-    return [name for far, name in found if far <= limit]
+    if Effort.left < 0:
+        return []
+    names = set(names) - {word}
+    Effort.left -= NAME_STEPS * len(names)
+    found = sorted((distance(word, name, limit), name) for name in names if is_affordable(word, name, limit))
+    return [name for far, name in found if far <= limit] if Effort.left >= 0 else []
 
 
 def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     """Return the near name if there is exactly one, else one that shares most of its letters, else None."""
     if len(word) > LONGEST:
         return None
-    names = sorted(set(names) - {word})
-    found = near_names(word, names, limit)
+    different = set(names) - {word}
+    found = near_names(word, different, limit)
     if len(found) == 1:
         return found[0]
-    if not found:
-        alike = [name for name in names if SequenceMatcher(None, word, name).ratio() >= 0.75]
-        return alike[0] if len(alike) == 1 else None
-    return None
+    alike = [name for name in different if not found and is_alike(word, name)]
+    return alike[0] if len(alike) == 1 and Effort.left >= 0 else None
+
+
+def is_affordable(word: str, name: str, limit: int) -> bool:
+    """Return whether a distance may be within a limit, and pay for finding out."""
+    if abs(len(word) - len(name)) > limit:
+        return False
+    Effort.left -= EDIT_STEPS * len(word) * len(name)
+    return Effort.left >= 0
+
+
+def is_alike(word: str, name: str) -> bool:
+    """Return whether two names share most of their letters; the cheap bounds of SequenceMatcher are asked first."""
+    if 2 * min(len(word), len(name)) < ALIKE * (len(word) + len(name)):
+        return False
+    Effort.left -= MATCHER_STEPS
+    if Effort.left < 0:
+        return False
+    matcher = SequenceMatcher(None, word, name)
+    if matcher.quick_ratio() < ALIKE:
+        return False
+    Effort.left -= MATCHER_STEPS + len(word) * len(name)
+    return Effort.left >= 0 and matcher.ratio() >= ALIKE
 
 
 def did_you_mean(word: str, names: Iterable[str]) -> str:

@@ -56,7 +56,8 @@ class DependencyNames:
             if (
                 each.name
                 and each.tag not in NO_NEEDS
-                and each.name not in seen | BUILD_TYPES_ALONE
+                and each.name not in seen
+                and each.name not in BUILD_TYPES_ALONE
                 and each.active(self.targets)
             ):
                 seen.add(each.name)
@@ -64,7 +65,14 @@ class DependencyNames:
 
     def repeated(self, first: Dependency) -> list[Dependency]:
         """Return the dependencies of the same name that come later."""
-        return [d for d in self.declared.manifest.dependencies if d.name == first.name and d is not first]
+        return [each for each in self.by_name[first.name] if each is not first]
+
+    @cached_property
+    def by_name(self) -> dict[str, list[Dependency]]:
+        found: dict[str, list[Dependency]] = {}
+        for each in self.declared.manifest.dependencies:
+            found.setdefault(each.name, []).append(each)
+        return found
 
     def unknown(self) -> Iterator[UnknownDependency]:
         """Yield the dependencies that are neither a package nor a rosdep key, as far as that is certain.

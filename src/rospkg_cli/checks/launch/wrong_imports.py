@@ -28,6 +28,7 @@ class WrongImport:
 
 def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
     """Yield imports of names that another module of launch has, or that are misspelt."""
+    meant: dict[tuple[str, str], tuple[str, str]] = {}
     optional = {each.module for each in file.imports if each.is_optional}
     for node in ast.walk(file.tree):
         if not isinstance(node, ast.ImportFrom) or node.level or not node.module:
@@ -40,7 +41,14 @@ def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
                 continue
             start = file.span(alias).start
             span = Span(start, start + len(alias.name))
-            home = exporting_module(alias.name)
-            near = "" if home or alias.name.islower() else nearest(alias.name, EXPORTS[module], 1) or ""
+            if (module, alias.name) not in meant:
+                meant[module, alias.name] = meant_by(module, alias.name)
+            home, near = meant[module, alias.name]
             if home or near:
                 yield WrongImport(alias.name, module, span, home, near)
+
+
+def meant_by(module: str, name: str) -> tuple[str, str]:
+    """Return the module that exports a name, and else the name of this module that is nearest; "" for none."""
+    home = exporting_module(name)
+    return home, "" if home or name.islower() else nearest(name, EXPORTS[module], 1) or ""
