@@ -145,6 +145,7 @@ NOT_KNOWN = [
     "import os\ndef f():\n    if os.environ.get('Q'):\n        return 1\n    return 2\nx = f()",
     "import os\nx = {'a': 1}\nif os.environ.get('Q'):\n    x['a'] = 2",
     "import os\nx = ''\nfor n in 'ab':\n    x = n\n    if os.environ.get('Q'):\n        break",
+    "import os\nfor x in 'ab':\n    if os.environ.get('Q'):\n        break",
     "x = 'a' % ()['b']",
 ]
 

@@ -113,8 +113,11 @@ class CompoundStatements(SimpleStatements):
         """Run the rounds after one that perhaps was the last."""
         why = f"{self.quoted(self.span(node.iter))} may end early"
         for item in items:
+            before = dict(scope.names)
+            spend(len(before))
             self.assign(node.target, item, scope)
             self.branch([node.body], scope, why)
+            scope.names = self.join_scopes([scope.names, before], why)
         return Flow.MAYBE if any(isinstance(each, ast.Return) for each in ast.walk(node)) else Flow.NEXT
 
     do_AsyncFor = do_For
