@@ -154,6 +154,8 @@ def test_broken_yaml_with_parameters_is_unreadable() -> None:
     [
         ("1e-9", "a string for PyYAML, which launch files read it with: write `1.0e-9`"),
         ("089", "`089` is not a whole number, because of the zero before it: write `89`"),
+        ("-089", "`-089` is not a whole number, because of the zero before it: write `-89`"),
+        ("+010", "`+010` is octal, that is 8, because of the zero before it: write `10`"),
         ("010", "`010` is octal, that is 8, because of the zero before it: write `10`"),
         ("1_000", "is a string for rcl, and a number for PyYAML: write `1000`"),
         ("089.5", ""),
