@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from ..python_modules import Modules
@@ -16,6 +17,9 @@ from .read_xml_yaml import read_xml_launch, read_yaml_launch
 
 NAMED = re.compile(r"(^|[._/-])launch\.(py|xml|ya?ml)$|\.launch$|(^|/)launch(es)?/(.*/)?[^/]*\.(py|xml|ya?ml)$")
 """Files that their name or their folder makes launch files."""
+
+MAX_CHARACTERS = 500_000
+"""Of the launch files of one package together, some 5 s of reading: the largest known package of them has 150,000."""
 
 ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
 
@@ -43,6 +47,8 @@ class LaunchReader:
     def __init__(self, files: PackageFiles, modules: Modules) -> None:
         self.files, self.modules = files, modules
         self.folder: SandboxFilesystem | None = None
+        self.characters = 0
+        """Of the launch files so far."""
 
     def read(self, path: str) -> LaunchFile | None:
         """Return the launch file at a path; None for another file; raises UnreadableError."""
@@ -51,12 +57,15 @@ class LaunchReader:
         if not NAMED.search(path):
             return None
         source = self.files.source(path)
+        if "<launch" in source.text or "launch:" in source.text:
+            self.spend(source)
         return read_yaml_launch(source) if path.endswith(("yaml", "yml")) else read_xml_launch(source)
 
     def read_python(self, path: str) -> LaunchFile | None:
         source = self.files.source(path)
         if not NAMED.search(path) and not ENTRY.search(source.text):
             return None
+        self.spend(source)
         if self.folder is None:
             self.folder = SandboxFilesystem(self.files)
         parsed = self.modules.read(path)
@@ -65,3 +74,11 @@ class LaunchReader:
                 parsed.path, parsed.span, parsed.message, grammar=parsed.grammar, skipped=parsed.skipped
             )
         return read_python_launch(parsed, self.folder)
+
+    def spend(self, source: Source) -> None:
+        """Raise UnreadableError where the launch files of the package get too long."""
+        self.characters += len(source.text)
+        if self.characters > MAX_CHARACTERS:
+            self.characters -= len(source.text)
+            why = f"the launch files of the package have more than {MAX_CHARACTERS:,} characters together"
+            raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
