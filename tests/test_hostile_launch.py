@@ -5,17 +5,21 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.launch.missing_references import LaunchContext
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.xml.parser import MAX_ATTRIBUTES, MAX_ELEMENTS, read_xml
 from rospkg_cli.package.launch.configuration_events import ConfigurationSummary
+from rospkg_cli.package.launch.included_arguments import IncludedArguments
 from rospkg_cli.package.launch.launch_evaluator import LaunchEvaluator
+from rospkg_cli.package.launch.launch_signature import LaunchSignature
 from rospkg_cli.package.launch.python_events import MAX_VISITS, ExecutionOrder
 from rospkg_cli.package.launch.read_python import read_python_launch
 from rospkg_cli.package.launch.workspace_launch_files import WorkspaceLaunchFiles
 from rospkg_cli.package.setup.setup_cfg import parse_setup_cfg
 from rospkg_cli.source import Source
+from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 from rospkg_cli.unreadable import UnreadableError
 
@@ -90,4 +94,39 @@ def test_a_manifest_that_is_no_text_breaks_no_launch_rule() -> None:
     tree = MemoryTree.of({"launch/a.launch": "<launch><node pkg='a' type='b' name='c'/></launch>\n"})
     scope = LaunchContext(*[None] * 6)  # type: ignore[arg-type]
     object.__setattr__(scope, "files", PackageFiles(tree))
-    assert scope.left_over is False
+    assert scope.is_ros1_leftover is False
+
+
+def test_what_files_that_include_each_other_take_is_found_out_once() -> None:
+    names = [f"launch/{i}.launch.xml" for i in range(150)]
+    includes = tuple(("", name) for name in names)
+    known = IncludedArguments(
+        ("my_pkg", LaunchSignature(name, frozenset(), frozenset({name}), includes=includes)) for name in names
+    )
+    first = known.takes("my_pkg", names[0])
+    assert first == frozenset(names)
+    assert all(known.takes("my_pkg", name) == first for name in names for _ in range(50))
+    assert known.takes("my_pkg", names[0]) is first
+
+
+def test_a_long_chain_of_includes() -> None:
+    chain = [
+        (
+            "my_pkg",
+            LaunchSignature(f"{i}", frozenset({f"{i}"}), frozenset({f"a{i}"}), includes=(("my_pkg", f"{i + 1}"),)),
+        )
+        for i in range(3_000)
+    ]
+    assert IncludedArguments(chain).takes("my_pkg", "0") is None
+    last = ("my_pkg", LaunchSignature("3000", frozenset({"3000"})))
+    taken = IncludedArguments([*chain, last]).takes("my_pkg", "0")
+    assert taken is not None
+    assert len(taken) == 3_000
+
+
+def test_launch_files_that_are_too_long_together_are_skipped_and_that_is_said() -> None:
+    one = f"<launch><!--{'a' * 120_000}--></launch>"
+    files = {f"launch/{i}.launch.xml": one for i in range(6)}
+    found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **files}, ["RPK007"])
+    assert [each.location.path for each in found.findings] == ["launch/4.launch.xml", "launch/5.launch.xml"]
+    assert "500,000 characters" in found.findings[0].message

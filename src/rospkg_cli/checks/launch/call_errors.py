@@ -23,7 +23,7 @@ AT_RUN_TIME = "its text is known only when the launch runs"
 
 def call_faults(file: LaunchFile) -> list[Fault]:
     """Return the faults in the order of the text, one for each place; none where launch can't start the file."""
-    if file.evaluated is None or not file.entry:
+    if file.evaluated is None or not file.has_entry_point:
         return []
     truths = truth_values(file.evaluated)
     found: dict[Span, Fault] = {}

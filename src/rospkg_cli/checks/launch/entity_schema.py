@@ -14,7 +14,7 @@ from ..fault import Fault
 
 def entity_faults(file: LaunchFile) -> Iterator[Fault]:
     """Yield what launch refuses in an XML or YAML launch file; nothing in one for ROS 1."""
-    if file.root is None or file.ros1:
+    if file.root is None or file.is_ros1:
         return
     for problem in file.syntax_problems:
         yield Fault(problem.span, problem.message)

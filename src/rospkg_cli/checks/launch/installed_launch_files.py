@@ -45,8 +45,8 @@ class InstalledLaunchFiles:
         sources = {row.source for _, row in self.table.below(f"share/{self.package.name}")}
         for file in self.files:
             name = posixpath.basename(file.path)
-            told = file.path.endswith(LAUNCH_SUFFIXES) or file.path in self.parts or role_of(file.path) == "test"
-            if file.path in sources and not told and starts_something(file):
+            is_usual = file.path.endswith(LAUNCH_SUFFIXES) or file.path in self.parts or role_of(file.path) == "test"
+            if file.path in sources and not is_usual and starts_something(file):
                 suffix = "py" if file.frontend == "python" else file.frontend
                 stem = name.rpartition(".")[0].removesuffix(".launch")
                 yield file, f"{stem}.launch.{suffix}"
@@ -54,4 +54,5 @@ class InstalledLaunchFiles:
 
 def starts_something(file: LaunchFile) -> bool:
     """Return whether a file is one to be started: in Python, with the function that launch calls."""
-    return file.entry and not file.ros1 and (file.frontend != "python" or bool(file.nodes or file.includes))
+    has_actions = file.frontend != "python" or bool(file.nodes or file.includes)
+    return file.has_entry_point and not file.is_ros1 and has_actions

@@ -33,9 +33,9 @@ class MissingReference:
     """Relative to the share directory of the package."""
     state: State
     use: ReferenceKind
-    meant: str | None = None
+    better_path: str | None = None
     """The file with the closest path; or, for `elsewhere`, where the file is installed."""
-    again: tuple[Span, ...] = ()
+    other_spans: tuple[Span, ...] = ()
     """Other places that name it."""
 
 
@@ -55,46 +55,46 @@ class LaunchContext:
         return tuple(path for path, row in rows if row.source == self.file.path)
 
     @cached_property
-    def idle(self) -> bool:
+    def is_unused_test(self) -> bool:
         """Whether it is a test that CMake, which is all known, does not run."""
         test = role_of(self.file.path) == "test"
-        told = self.cmake is not None and self.cmake.complete
-        return test and told and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
+        is_known = self.cmake is not None and self.cmake.complete
+        return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
     @property
-    def left_over(self) -> bool:
+    def is_ros1_leftover(self) -> bool:
         """Whether the file is one for ROS 1 that a package for ROS 2 alone installs."""
         try:
             manifest = self.files.source("package.xml").text
         except UnreadableError:
             return False
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
-        return self.file.ros1 and bool(self.places) and alone
+        return self.file.is_ros1 and bool(self.places) and alone
 
     def missing(self) -> Iterator[MissingReference]:
         """Yield each file that is named and missing, once."""
         found: dict[tuple[str, str], list[MissingReference]] = {}
-        for named in self.file.paths if not (self.file.ros1 or self.idle) else ():
-            missing = self.judge(named) if not self.file.reckons_with(named.span) else None
+        for named in self.file.paths if not (self.file.is_ros1 or self.is_unused_test) else ():
+            missing = self.missing_at(named) if not self.file.catches_missing(named.span) else None
             if missing is not None:
                 found.setdefault((missing.package, missing.path), []).append(missing)
         for first, *others in found.values():
-            yield replace(first, again=tuple(other.span for other in others if other.span != first.span))
+            yield replace(first, other_spans=tuple(other.span for other in others if other.span != first.span))
 
-    def judge(self, named: FileReference) -> MissingReference | None:
+    def missing_at(self, named: FileReference) -> MissingReference | None:
         if not named.package:
-            return self.beside(named)
+            return self.local_missing(named)
         own = named.package == self.package.name
         facts = self.package if own else self.workspace.named(named.package)
         if facts is None or not facts.knows("share_files") or facts.may_write(named.path):
             return None
         there = named.path in facts.share_files
-        if not named.parted:
+        if not named.has_slash:
             return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
         if there:
             return None
-        state, meant = self.state(facts, named.path)
-        return MissingReference(named.span, facts.name, named.path, state, named.use, meant)
+        state, better_path = self.state(facts, named.path)
+        return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
 
     def state(self, facts: PackageFacts, path: str) -> tuple[State, str | None]:
         if facts is self.package and self.files.is_there(path):
@@ -109,7 +109,7 @@ class LaunchContext:
         rows = self.table.rows if self.table is not None else ()
         return next((row.destination for row in rows if row.source == path), None)
 
-    def beside(self, named: FileReference) -> MissingReference | None:
+    def local_missing(self, named: FileReference) -> MissingReference | None:
         """Return a missing file that is named relative to the launch file, in the source and where it is installed."""
         if self.files.is_there(named.path) or self.package.may_write(named.path):
             return None
@@ -119,5 +119,5 @@ class LaunchContext:
         for place in self.places:
             if posixpath.normpath(posixpath.join(posixpath.dirname(place), away)) in self.package.share_files:
                 return None
-        meant = closest_path(named.path, self.files.paths)
-        return MissingReference(named.span, self.package.name, named.path, "absent", named.use, meant)
+        better_path = closest_path(named.path, self.files.paths)
+        return MissingReference(named.span, self.package.name, named.path, "absent", named.use, better_path)

@@ -24,7 +24,7 @@ class ExecutableUse:
     facts: PackageFacts
 
     @property
-    def meant(self) -> str | None:
+    def suggestion(self) -> str | None:
         """The one executable whose name is near, or that differs by words that a rename put on or took off."""
         if near := nearest(self.executable, self.facts.executables):
             return near
@@ -53,7 +53,7 @@ class NodeExecutables:
 
         Launch files of tests that CMake does not run are left alone.
         """
-        if self.scope.idle:
+        if self.scope.is_unused_test:
             return
         for node in self.nodes():
             facts = node.facts

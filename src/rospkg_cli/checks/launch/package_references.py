@@ -29,7 +29,7 @@ class PackageReference:
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:
     """Yield the packages that are named for certain, in the order of the text; none of a file for ROS 1."""
-    if file.ros1:
+    if file.is_ros1:
         return
     found = {(use.name, use.span): use for use in every_reference(file)}
     for use in sorted(found.values(), key=lambda each: each.span):

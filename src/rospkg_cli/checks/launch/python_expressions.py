@@ -22,7 +22,7 @@ MAX_TEXT = 4000
 
 def expression_faults(file: LaunchFile) -> Iterator[Fault]:
     """Yield the bad expressions of a file, each place once, with the defaults of its own arguments filled in."""
-    if not file.entry or file.ros1:
+    if not file.has_entry_point or file.is_ros1:
         return
     assigned = {text.literal for text in file.assigned}
     defaults: dict[str, str] = {}

@@ -43,8 +43,8 @@ class ReferenceInstall:
         CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.
         """
         project = self.cmake.project_name if self.cmake is not None else self.name
-        astray = ("/", f"share/{project}/") if project != self.name else ("/",)
-        if missing.state == "elsewhere" and (missing.meant or "").startswith(astray):
+        misplaced = ("/", f"share/{project}/") if project != self.name else ("/",)
+        if missing.state == "elsewhere" and (missing.better_path or "").startswith(misplaced):
             return True
         top = missing.path.partition("/")[0]
         if missing.package == self.name:

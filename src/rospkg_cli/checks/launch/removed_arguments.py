@@ -28,7 +28,7 @@ def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
     if file.evaluated is not None:
         found = dict(python_arguments(file.evaluated, file.source))
         yield from (removed(span, name, RENAMED[name], both) for span, (name, both) in found.items())
-    for entity in file.root.walk() if file.root is not None and not file.ros1 else ():
+    for entity in file.root.walk() if file.root is not None and not file.is_ros1 else ():
         if entity.name == "node" and "type" in entity.attributes:
             yield removed(entity.attribute_spans["type"], "type", "exec", "exec" in entity.attributes)
 

@@ -13,7 +13,7 @@ from ..fault import Fault, TextRepair
 
 def ros1_syntax(file: LaunchFile) -> Iterator[Fault]:
     """Yield the places of a file for ROS 2 that are still written for ROS 1."""
-    if file.root is None or file.ros1:
+    if file.root is None or file.is_ros1:
         return
     yield from ros1_entities(file.root)
     for each in file.substitutions:

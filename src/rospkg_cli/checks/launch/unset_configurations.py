@@ -29,7 +29,7 @@ class UnsetConfiguration:
     state: State
     declared: tuple[str, ...]
     """The arguments that the file declares."""
-    handed_on: bool = False
+    is_passed_on: bool = False
     """Whether it is only passed on to an included file, under its own name."""
 
 
@@ -39,24 +39,25 @@ class LaunchConfigurations:
     file: LaunchFile
 
     @cached_property
-    def started(self) -> bool:
+    def is_startable(self) -> bool:
         """Whether this is a launch file for users, of which everything is known."""
-        told = self.file.entry and self.file.complete and self.file.events is not None and not self.file.ros1
-        return told and role_of(self.file.path) == "launch" and not any(entity_faults(self.file))
+        file = self.file
+        is_known = file.has_entry_point and file.complete and file.events is not None and not file.is_ros1
+        return is_known and role_of(file.path) == "launch" and not any(entity_faults(file))
 
     @property
     def file_name(self) -> str:
         return self.file.path.rpartition("/")[2]
 
     @property
-    def included(self) -> bool:
+    def is_included(self) -> bool:
         """Whether a launch file of the workspace includes it, or its name begins with `include`."""
         named = "include" in self.file.path.rpartition("launch/")[2]
         return named or self.file_name in self.workspace.launch.included
 
     def unset(self) -> Iterator[UnsetConfiguration]:
         """Yield each name once, where it is first used."""
-        if not self.started:
+        if not self.is_startable:
             return
         inherited = self.workspace.launch.inherited(self.file_name)
         if inherited is None:
@@ -80,7 +81,7 @@ class LaunchConfigurations:
             return "late"
         if setting:
             return None
-        return "not added" if name in self.file.set_somewhere else "undeclared"
+        return "not added" if name in self.file.set_configurations else "undeclared"
 
     def missing(self, events: tuple[LaunchEvent, ...], known: frozenset[str]) -> Iterator[tuple[int, LaunchEvent]]:
         """Yield the uses of what nothing has set by then."""
@@ -103,14 +104,14 @@ class LaunchConfigurations:
                     names, open_ = stack.pop()
                 case "later":
                     names |= {each.name for each in events if each.kind in ("declare", "define")}
-                case "use" if event.name and not event.optional and not open_ and event.name not in names:
+                case "use" if event.name and not event.is_optional and not open_ and event.name not in names:
                     yield index, event
 
     def unused(self) -> Iterator[DeclaredArgument]:
         """Yield the arguments that nothing in the file uses; none where it includes files, which see them."""
         events = self.file.events or ()
-        handed_on = any(event.kind in ("include", "open") for event in events)
-        if not self.started or handed_on or "launch_configurations" in self.file.source.text:
+        is_passed_on = any(event.kind in ("include", "open") for event in events)
+        if not self.is_startable or is_passed_on or "launch_configurations" in self.file.source.text:
             return
         used = {event.name for event in events if event.kind == "use"}
         used |= {nearest(each.name, each.declared) or "" for each in self.unset()} - {""}
@@ -119,10 +120,10 @@ class LaunchConfigurations:
             return
         for argument in self.file.arguments:
             name = argument.name.literal
-            if name and name not in used | OWN and not self.said_elsewhere(name, argument.span):
+            if name and name not in used | OWN and not self.has_other_mention(name, argument.span):
                 yield argument
 
-    def said_elsewhere(self, name: str, declared: Span) -> bool:
+    def has_other_mention(self, name: str, declared: Span) -> bool:
         """Return whether a Python file has the name in quotes at another place."""
         text = self.file.source.text
         outside = text[: declared.start] + text[declared.end :]

@@ -72,7 +72,7 @@ class UnknownRead:
     path: str
     span: Span
     name: str
-    meant: str
+    suggestion: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,17 +141,17 @@ class ParameterContext:
         reads = [read for file in self.cpp for read, _ in read_in(file)]
         for file in self.cpp:
             own = [each for each in self.package.parameters if each.path == file.path]
-            idle = {each.name for each in own if not any(same(each, read) for read in reads)}
-            lost = [
+            unread = {each.name for each in own if not any(same(each, read) for read in reads)}
+            unmatched = [
                 (read, call)
                 for read, call in read_in(file)
-                if idle and is_its_own(read.name) and not self.is_declared(read)
+                if unread and is_its_own(read.name) and not self.is_declared(read)
             ]
-            for read, call in lost:
-                only = len(idle) == 1 and len({read.name for read, _ in lost}) == 1
-                meant = next(iter(idle)) if only else nearest(read.name, idle)
-                if meant is not None and call.arguments:
-                    yield UnknownRead(file.path, call.arguments[0].span, read.name, meant)
+            for read, call in unmatched:
+                only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
+                suggestion = next(iter(unread)) if only else nearest(read.name, unread)
+                if suggestion is not None and call.arguments:
+                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion)
 
     def is_declared(self, read: DeclaredParameter) -> bool:
         return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)

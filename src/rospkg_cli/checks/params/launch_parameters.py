@@ -58,7 +58,7 @@ class LaunchParameters:
 
     @cached_property
     def given(self) -> tuple[NodeArguments, ...]:
-        return tuple(self.of(launch, node) for launch in self.launches if not launch.ros1 for node in launch.nodes)
+        return tuple(self.of(launch, node) for launch in self.launches if not launch.is_ros1 for node in launch.nodes)
 
     def is_read_by_python(self, file: ParameterFile) -> bool:
         """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
@@ -111,11 +111,11 @@ class LaunchParameters:
         for file in self.files:
             readers = [each for each in self.given if file in each.files and each.name]
             named = {last(block) for block in file.blocks}
-            lonely = [each for each in readers if each.name not in named]
+            without_block = [each for each in readers if each.name not in named]
             for block in file.blocks:
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
-                    found = [each for each in lonely if is_near(key, each.name or "")]
+                    found = [each for each in without_block if is_near(key, each.name or "")]
                     if found and len({each.name for each in found}) == 1:
                         yield file, block, found[0]
 

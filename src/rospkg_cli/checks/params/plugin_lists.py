@@ -23,7 +23,7 @@ def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
         for item in each.value.items
         if isinstance(item, ScalarNode)
     ]
-    idle = {group for group in groups if "." not in group} - {item.text for item in listed}
-    lost = [item for item in listed if item.text not in used]
-    if len(idle) == 1 and len(lost) == 1:
-        yield lost[0], next(iter(idle))
+    unlisted = {group for group in groups if "." not in group} - {item.text for item in listed}
+    unmatched = [item for item in listed if item.text not in used]
+    if len(unlisted) == 1 and len(unmatched) == 1:
+        yield unmatched[0], next(iter(unlisted))

@@ -22,7 +22,7 @@ class LaunchEvent:
     name: str = ""
     """Of the configuration; of the included file, without its folders; "" where it is unknown."""
     span: Span = NOWHERE
-    optional: bool = False
+    is_optional: bool = False
     """Of a use: it has a default; of a declaration: it has none, so that the user has to set it."""
     passed_as: str = ""
     """Of a use: the argument of an include that is all that it becomes."""
@@ -35,7 +35,7 @@ def uses_of(*texts: LaunchText | None) -> Iterator[LaunchEvent]:
             if found.arguments:
                 name = found.arguments[0]
                 span = name.span if name.literal else found.span
-                yield LaunchEvent("use", name.literal or "", span, optional=len(found.arguments) > 1)
+                yield LaunchEvent("use", name.literal or "", span, is_optional=len(found.arguments) > 1)
 
 
 def passed_uses(uses: Iterable[LaunchEvent], name: str) -> Iterator[LaunchEvent]:
@@ -63,9 +63,9 @@ class ConfigurationSummary:
     """The launch configurations that it declares, sets, or passes on."""
     includes: frozenset[str]
     """The names of the files that it includes."""
-    open: bool
+    may_define_others: bool
     """Whether it may define others, or include others."""
-    inherits: bool = False
+    uses_undefined: bool = False
     """Whether it uses what it does not define itself: then another file sets it."""
 
 
@@ -74,12 +74,12 @@ def summary(name: str, events: Iterable[LaunchEvent], complete: bool) -> Configu
     defined = [event for event in events if event.kind in ("declare", "define", "pass")]
     included = [event for event in events if event.kind == "include"]
     names = {event.name for event in defined}
-    inherits = any(e.kind == "use" and e.name and not e.optional and e.name not in names for e in events)
+    uses_undefined = any(e.kind == "use" and e.name and not e.is_optional and e.name not in names for e in events)
     unknown = any(not event.name for event in (*defined, *included)) or any(event.kind == "open" for event in events)
     return ConfigurationSummary(
         name,
         frozenset(event.name for event in defined if event.name),
         frozenset(event.name for event in included if event.name),
         unknown or not complete,
-        inherits,
+        uses_undefined,
     )

@@ -26,7 +26,7 @@ def events_of(entity: Entity, deferred: list[LaunchEvent]) -> Iterator[LaunchEve
     if name == "arg":
         yield from uses_of(*texts(entity, "default", "if", "unless"))
         yield LaunchEvent(
-            "declare", plain(entity, "name"), entity.name_span, optional="default" not in entity.attributes
+            "declare", plain(entity, "name"), entity.name_span, is_optional="default" not in entity.attributes
         )
     elif name == "let":
         yield from uses_of(*texts(entity))

@@ -175,7 +175,7 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, problems: list
         tuple(visitor.assigned),
         paths=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
         events=xml_events(root),
-        ros1=is_ros1(root),
+        is_ros1=is_ros1(root),
         root=root,
         syntax_problems=tuple(visitor.problems),
     )

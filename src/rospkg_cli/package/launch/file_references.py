@@ -39,7 +39,7 @@ class FileReference:
     path: str
     """Relative to that share directory, or to the folder of package.xml."""
     use: ReferenceKind = "file"
-    parted: bool = True
+    has_slash: bool = True
     """Whether a slash is between the share directory and the path."""
 
 

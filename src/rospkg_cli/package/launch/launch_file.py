@@ -97,9 +97,9 @@ class LaunchFile:
     """The files that it names."""
     complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
-    ros1: bool = False
+    is_ros1: bool = False
     """Whether it is written for ROS 1."""
-    entry: bool = True
+    has_entry_point: bool = True
     """Whether launch can start it: in Python, it has `generate_launch_description`."""
     events: tuple[LaunchEvent, ...] | None = None
     """What happens to launch configurations, in order; None where that is unknown."""
@@ -128,19 +128,19 @@ class LaunchFile:
         """Where a Python file catches that a package is missing."""
         return tuple(guarded_in(self.python)) if self.python else ()
 
-    def reckons_with(self, span: Span) -> bool:
+    def catches_missing(self, span: Span) -> bool:
         """Return whether the file catches that what is used at a span is missing."""
         return any(guard.start <= span.start < guard.end for guard in self.guarded)
 
     @property
-    def told(self) -> bool:
+    def is_fully_known(self) -> bool:
         """Whether all that the file starts is known: nothing in its description is evaluated elsewhere."""
         if not self.complete or self.events is None:
             return False
         return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)
 
     @property
-    def set_somewhere(self) -> frozenset[str]:
+    def set_configurations(self) -> frozenset[str]:
         """The launch configurations that anything in the file declares or sets."""
         return frozenset(text.literal for text in (*self.assigned, *(a.name for a in self.arguments)) if text.literal)
 
@@ -150,7 +150,7 @@ class LaunchFile:
 
     def programs(self) -> Iterator[tuple[str, str, Span]]:
         """Yield package, executable and the executable's span of what it starts under literal names, but for ROS 1."""
-        for node in self.nodes if not self.ros1 else ():
+        for node in self.nodes if not self.is_ros1 else ():
             if node.package and node.executable and node.package.literal and node.executable.literal:
                 yield node.package.literal, node.executable.literal, node.executable.span
 
@@ -163,7 +163,7 @@ def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
 
 def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:
     """Return what other launch files may know of those of a package."""
-    files = [file for file in reading.parts(LaunchFile).good if not file.ros1]
+    files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]
     return tuple(
         summary(file.path.rpartition("/")[2], file.events or (), file.complete and file.events is not None)
         for file in files

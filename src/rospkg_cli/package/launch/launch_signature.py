@@ -18,5 +18,5 @@ class LaunchSignature:
     """The launch configurations that it uses, declared or not."""
     includes: tuple[tuple[str, str], ...] = ()
     """The files that it includes, which see all its arguments: package and path, as in FileReference."""
-    open: bool = False
+    may_take_others: bool = False
     """Whether it may take others."""

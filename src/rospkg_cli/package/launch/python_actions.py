@@ -90,13 +90,13 @@ def pairs_of(value: Value | None) -> Iterator[tuple[LaunchText, LaunchText]]:
 
 def include_of(call: Call) -> Include:
     given = call.get("launch_arguments", 1)
-    told = given is None or (isinstance(given, Sequence) and given.is_complete) or isinstance(given, Mapping)
+    is_known = given is None or (isinstance(given, Sequence) and given.is_complete) or isinstance(given, Mapping)
     return Include(
         call.span,
         argument_text(call, "launch_description_source"),
         tuple(pairs_of(given)),
         certain(call),
-        told and call.rest is None,
+        is_known and call.rest is None,
     )
 
 

@@ -43,7 +43,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
         assigned=assigned,
         paths=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
         complete=not evaluator.gave_up,
-        entry=any(has_name(file, evaluator, name) for name in ENTRIES),
+        has_entry_point=any(has_name(file, evaluator, name) for name in ENTRIES),
         events=python_events(evaluator),
         evaluated=EvaluatedLaunch(
             file,
@@ -58,8 +58,8 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
 
 def has_name(file: PythonFile, evaluator: Evaluator, name: str) -> bool:
     """Return whether a file defines a name, may have it from elsewhere, or is a program that needs none."""
-    told = not (file.star_imports or file.has_dynamic_names or "__main__" in file.source.text)
-    return not told or name in file.definitions or evaluator.get(name) is not None
+    is_known = not (file.star_imports or file.has_dynamic_names or "__main__" in file.source.text)
+    return not is_known or name in file.definitions or evaluator.get(name) is not None
 
 
 def once(calls: Iterable[Call]) -> Iterator[Call]:

@@ -17,10 +17,10 @@ from .launch_signature import LaunchSignature
 KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}
 """Packages whose functions neither declare nor use arguments by themselves."""
 
-ASKED = re.compile(
+NAMED_USE = re.compile(
     r"(?:launch_configurations(?:\.get\(|\[)|LaunchConfiguration(?:Not)?Equals\()\s*['\"]([\w/.-]+)['\"]"
 )
-ASKS = re.compile(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
+ANY_USE = re.compile(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
 
 
 def launch_signatures(reading: ReaderInput) -> tuple[LaunchSignature, ...]:
@@ -30,7 +30,7 @@ def launch_signatures(reading: ReaderInput) -> tuple[LaunchSignature, ...]:
         if row.destination.startswith("share/") and row.source:
             places.setdefault(row.source, set()).add(row.destination.split("/", 2)[-1])
     files = reading.parts(LaunchFile).good
-    return tuple(signature_of(file, frozenset(places.get(file.path, ()))) for file in files if not file.ros1)
+    return tuple(signature_of(file, frozenset(places.get(file.path, ()))) for file in files if not file.is_ros1)
 
 
 def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
@@ -38,18 +38,19 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
     declared = [argument.name.literal for argument in file.arguments]
     used = [use.arguments[0].literal if use.arguments else None for use in file.configurations()]
     included = [next(references_in(include.file, folder, "include"), None) for include in file.includes]
-    asked = ASKED.findall(text)
-    strange = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
-    filled = "allow_substs" in text  # then a file of parameters may ask for anything
-    told = file.complete and not strange and not filled and len(asked) == len(ASKS.findall(text))
+    named = NAMED_USE.findall(text)
+    unknown_imports = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
+    has_substitutions = "allow_substs" in text  # then a file of parameters may ask for anything
+    has_other_uses = len(named) < len(ANY_USE.findall(text))
+    is_known = file.complete and not (unknown_imports or has_substitutions or has_other_uses)
     return LaunchSignature(
         file.path,
         places,
         frozenset(filter(None, declared)),
         frozenset(required_by(file)),
-        frozenset(filter(None, [*used, *asked])),
+        frozenset(filter(None, [*used, *named])),
         tuple((each.package, each.path) for each in included if each is not None),
-        not told or None in declared or None in used or None in included,
+        not is_known or None in declared or None in used or None in included,
     )
 
 

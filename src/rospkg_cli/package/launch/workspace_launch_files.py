@@ -13,7 +13,7 @@ class WorkspaceLaunchFiles:
 
     def __init__(self, summaries: Iterable[ConfigurationSummary]) -> None:
         self.by_name: dict[str, list[ConfigurationSummary]] = {}
-        self.told: dict[tuple[str, str], frozenset[str] | None] = {}
+        self.results: dict[tuple[str, str], frozenset[str] | None] = {}
         """Results so far: every file may include every other."""
         for each in summaries:
             self.by_name.setdefault(each.name, []).append(each)
@@ -29,22 +29,22 @@ class WorkspaceLaunchFiles:
 
     def inherited(self, name: str) -> frozenset[str] | None:
         """Return what is defined by files that include a file of this name; None where that is unknown."""
-        if ("inherited", name) not in self.told:
-            self.told["inherited", name] = self.all_inherited(name)
-        return self.told["inherited", name]
+        if ("inherited", name) not in self.results:
+            self.results["inherited", name] = self.all_inherited(name)
+        return self.results["inherited", name]
 
     def defined_by(self, name: str) -> frozenset[str] | None:
         """Return what files of this name define, also by what they include; None where that is unknown."""
-        if ("defined", name) not in self.told:
-            self.told["defined", name] = self.all_defined_by(name)
-        return self.told["defined", name]
+        if ("defined", name) not in self.results:
+            self.results["defined", name] = self.all_defined_by(name)
+        return self.results["defined", name]
 
     def all_inherited(self, name: str) -> frozenset[str] | None:
         names: set[str] = set()
         seen, queue = {name}, [name]
         while queue:
             for each in self.included.get(queue.pop(), ()):
-                if each.open or each.inherits:
+                if each.may_define_others or each.uses_undefined:
                     return None
                 names |= each.defines
                 if each.name not in seen:
@@ -57,7 +57,7 @@ class WorkspaceLaunchFiles:
         seen, queue = {name}, [name]
         while queue:
             found = self.by_name.get(queue.pop())
-            if not found or any(each.open for each in found):
+            if not found or any(each.may_define_others for each in found):
                 return None
             for each in found:
                 names |= each.defines

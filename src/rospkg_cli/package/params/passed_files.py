@@ -24,7 +24,7 @@ def handed_files(reading: ReaderInput) -> frozenset[str]:
         path
         for launch in reading.parts(LaunchFile).good
         for node in launch.nodes
-        if node.kind in READ_BY_RCL and not launch.ros1
+        if node.kind in READ_BY_RCL and not launch.is_ros1
         for entry in node.parameters
         if entry.file is not None
         for path in path_in_share(entry.file, launch, own)

@@ -50,7 +50,7 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
     """
     name = file.path.rpartition("/")[2]
     installed = role_of(file.path) == "launch"
-    if file.frontend == "python" and not file.entry and installed and STARTABLE.fullmatch(name):
+    if file.frontend == "python" and not file.has_entry_point and installed and STARTABLE.fullmatch(name):
         message = (
             f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define the function, "
             f"or give the file a name that does not end in `launch.py` if others import it"

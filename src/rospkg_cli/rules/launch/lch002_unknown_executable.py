@@ -53,17 +53,17 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     The name is replaced by the only similar one; another program may be right.
     """
     for node in started.unknown_executables():
-        meant = node.meant
+        suggestion = node.suggestion
         there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8]) or "no executable at all"
-        hint = f"did you mean `{meant}`?" if meant else f"it installs {there}"
+        hint = f"did you mean `{suggestion}`?" if suggestion else f"it installs {there}"
         message = (
             f'`{node.facts.name}` installs no executable `{node.executable}`: the launch stops with "executable '
             f"'{node.executable}' not found on the libexec directory\"; {hint}"
         )
-        yield Hit(node.path, node.span, message, fix=rename(node, meant))
+        yield Hit(node.path, node.span, message, fix=rename(node, suggestion))
 
 
-def rename(node: ExecutableUse, meant: str | None) -> Fix | None:
-    if meant is None or not node.plain:
+def rename(node: ExecutableUse, suggestion: str | None) -> Fix | None:
+    if suggestion is None or not node.plain:
         return None
-    return Fix(f"start `{meant}`", (Edit(node.path, node.span, meant),), Safety.UNSAFE)
+    return Fix(f"start `{suggestion}`", (Edit(node.path, node.span, suggestion),), Safety.UNSAFE)

@@ -81,8 +81,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     for each in scope.missing():
         if each.state in ("absent", "no slash"):
             level = Severity.WARNING if each.use == "default" else None
-            again = tuple(Related(scope.file.path, span, "here too") for span in each.again)
-            yield Hit(scope.file.path, each.span, message(each), level, again)
+            others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
+            yield Hit(scope.file.path, each.span, message(each), level, others)
 
 
 def message(missing: MissingReference) -> str:
@@ -91,5 +91,5 @@ def message(missing: MissingReference) -> str:
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
             f"{HARM[missing.use]}; begin it with `/`"
         )
-    hint = f" (did you mean `{missing.meant}`?)" if missing.meant else ""
+    hint = f" (did you mean `{missing.better_path}`?)" if missing.better_path else ""
     return f"`{missing.package}` has no file `{missing.path}`{hint}: {HARM[missing.use]}"

@@ -57,8 +57,8 @@ def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
         edits = repair(files, missing) if missing.state == "not installed" else ()
         fix = Fix(f"install {missing.path}", edits) if edits else None
         level = Severity.WARNING if missing.use == "default" else None
-        again = tuple(Related(files.scope.file.path, span, "here too") for span in missing.again)
-        yield Hit(files.scope.file.path, missing.span, message(missing), level, again, fix)
+        others = tuple(Related(files.scope.file.path, span, "here too") for span in missing.other_spans)
+        yield Hit(files.scope.file.path, missing.span, message(missing), level, others, fix)
 
 
 def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ...]:
@@ -72,8 +72,8 @@ def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ..
 def message(missing: MissingReference) -> str:
     if missing.state == "elsewhere":
         return (
-            f"`{missing.path}` of `{missing.package}` goes to `{missing.meant}`, not to where it is looked for: the "
-            f"build is green, and nothing is found; name it as it is installed, or install it there"
+            f"`{missing.path}` of `{missing.package}` goes to `{missing.better_path}`, not to where it is looked for: "
+            f"the build is green, and nothing is found; name it as it is installed, or install it there"
         )
     return (
         f"`{missing.path}` is there, but `{missing.package}` does not install it: the build is green, and nothing is "

@@ -70,7 +70,7 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     """
     file = scope.file
     yield from hits(file.path, ros1_syntax(file))
-    if scope.left_over:
+    if scope.is_ros1_leftover:
         at = file.source.text.find("<launch") + 1
         message = (
             "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "

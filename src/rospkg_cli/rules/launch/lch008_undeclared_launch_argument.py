@@ -62,9 +62,9 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
     many = len(found) > FEW
-    level = Severity.INFO if many or configurations.included else None
-    for each in found if not (many and configurations.included) else ():
-        if many and each.handed_on:
+    level = Severity.INFO if many or configurations.is_included else None
+    for each in found if not (many and configurations.is_included) else ():
+        if many and each.is_passed_on:
             continue
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"

@@ -68,15 +68,15 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     The name is replaced by the only similar class; another one may be right.
     """
     for each in loaded.unknown():
-        yield Hit(loaded.file.path, each.plugin.span, told(each), fix=rename(loaded, each))
+        yield Hit(loaded.file.path, each.plugin.span, message_for(each), fix=rename(loaded, each))
 
 
-def told(each: UnknownComponent) -> str:
+def message_for(each: UnknownComponent) -> str:
     if each.facts is None:
         whose = " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
         return f"no package `{each.package}` is known, so the container can't load `{each.name}`; there is {whose}"
-    if each.meant:
-        hint = f"did you mean `{each.meant}`?"
+    if each.suggestion:
+        hint = f"did you mean `{each.suggestion}`?"
     elif each.elsewhere:
         hint = "there is " + " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
     else:
@@ -87,6 +87,6 @@ def told(each: UnknownComponent) -> str:
 
 def rename(loaded: LoadedComponents, each: UnknownComponent) -> Fix | None:
     span = each.plugin.span
-    if each.meant is None or loaded.file.source.slice(span) != each.name:
+    if each.suggestion is None or loaded.file.source.slice(span) != each.name:
         return None
-    return Fix(f"load `{each.meant}`", (Edit(loaded.file.path, span, each.meant),), Safety.UNSAFE)
+    return Fix(f"load `{each.suggestion}`", (Edit(loaded.file.path, span, each.suggestion),), Safety.UNSAFE)

@@ -66,23 +66,23 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
     ImportError at once.
     """
-    if file.python is None or not file.entry:
+    if file.python is None or not file.has_entry_point:
         return
-    told = set()
-    for unbound in undefined_names(file.python):
-        if unbound.name not in told:
-            told.add(unbound.name)
-            message = f"`{unbound.name}` is defined nowhere: the launch stops with NameError{hint(unbound)}"
-            yield Hit(file.path, unbound.span, message)
+    reported = set()
+    for found in undefined_names(file.python):
+        if found.name not in reported:
+            reported.add(found.name)
+            message = f"`{found.name}` is defined nowhere: the launch stops with NameError{hint(found)}"
+            yield Hit(file.path, found.span, message)
     for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"
         yield Hit(file.path, each.span, message)
 
 
-def hint(unbound: UndefinedName) -> str:
-    home = exporting_module(unbound.name)
+def hint(found: UndefinedName) -> str:
+    home = exporting_module(found.name)
     if home:
-        return f"; add `from {home} import {unbound.name}`"
-    near = nearest(unbound.name, unbound.known)
+        return f"; add `from {home} import {found.name}`"
+    near = nearest(found.name, found.known)
     return f"; did you mean `{near}`?" if near else ""

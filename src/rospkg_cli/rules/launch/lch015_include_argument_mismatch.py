@@ -57,10 +57,10 @@ def include_argument_mismatch(including: IncludeArguments) -> Iterator[Hit]:
 
 def message(mismatch: ArgumentMismatch) -> str:
     of = "" if not mismatch.package else f" of `{mismatch.package}`"
-    if mismatch.lacks:
+    if mismatch.is_missing:
         return (
             f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which this include does not give: the "
             f'launch stops with "missing required argument"'
         )
-    hint = f" (did you mean `{mismatch.meant}`?)" if mismatch.meant else ""
+    hint = f" (did you mean `{mismatch.suggestion}`?)" if mismatch.suggestion else ""
     return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`{hint}: what is given here has no effect"

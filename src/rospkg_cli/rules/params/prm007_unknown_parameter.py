@@ -81,5 +81,6 @@ def unknown_parameter(scope: ParameterContext) -> Iterator[Hit]:
                 fix = Fix(f"write `{last}`", (edit,), Safety.UNSAFE)
             yield Hit(group.file.path, parameter.key.span, message, fix=only_plain_names(fix, last))
     for read in scope.unknown_reads():
-        message = f"nothing declares the parameter `{read.name}`; this file declares `{read.meant}` and never gets it"
+        other = f"this file declares `{read.suggestion}` and never gets it"
+        message = f"nothing declares the parameter `{read.name}`; {other}"
         yield Hit(read.path, read.span, message)
