@@ -459,7 +459,7 @@ def test_a_mixed_package_installs_what_is_in_python() -> None:
     assert "ament_python_install_package(${PROJECT_NAME})\n" in lists
     assert "install(PROGRAMS\n  scripts/planner\n  DESTINATION lib/${PROJECT_NAME})\n" in lists
     assert files["scripts/planner"].startswith("#!/usr/bin/env python3\n")
-    assert [file.path for file in planned.files if file.has_entry_point.executable] == ["scripts/planner"]
+    assert [file.path for file in planned.files if file.entry.is_executable] == ["scripts/planner"]
     assert "ament_add_gtest(test_greeting " in lists
     assert "ament_add_pytest_test(test_countdown_py test/test_countdown.py)\n" in lists
 
