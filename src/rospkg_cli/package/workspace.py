@@ -9,6 +9,7 @@ from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
 from ..ros.names import BUILT_IN, NameKind, Names
 from ..ros.plugins import LOADED_FROM
+from .launch.included_arguments import IncludedArguments
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
@@ -20,7 +21,7 @@ class Workspace:
     """Of all packages found, sorted by folder."""
     selected: frozenset[str] = frozenset()
     """The folders of the packages that the user selected."""
-    complete: bool = True
+    is_complete: bool = True
     """False where, for example, a `.repos` file lists packages that are not here: then no name is certainly unknown."""
     prefix_names: frozenset[str] = frozenset()
     """Names found in AMENT_PREFIX_PATH and /opt/ros: they may silence a finding, never cause one."""
@@ -50,6 +51,12 @@ class Workspace:
         return WorkspaceLaunchFiles(each for facts in self.packages for each in facts.launch_summaries)
 
     @cached_property
+    def included_arguments(self) -> IncludedArguments:
+        """What the launch files of all packages take; of packages of one name, those of the first."""
+        first = self._by_name.values()
+        return IncludedArguments((facts.name, each) for facts in first for each in facts.launch_files)
+
+    @cached_property
     def names(self) -> frozenset[str]:
         return frozenset(self._by_name)
 
@@ -73,7 +80,7 @@ class Workspace:
         if name in self._by_name:
             return NameKind.PACKAGE
         found = self.index.kind_of(name, targets)
-        unsure = not self.complete or name in self.prefix_names
+        unsure = not self.is_complete or name in self.prefix_names
         return NameKind.CANT_TELL if found is NameKind.UNKNOWN and unsure else found
 
     def is_available(self, name: str) -> bool:
@@ -83,7 +90,7 @@ class Workspace:
     def resolves(self, name: str, distro: Distro) -> bool | None:
         """Return whether a name can be resolved on a distribution; None where that is unknown."""
         found = self.is_available(name) or self.index.resolves(name, distro)
-        return found if found or self.complete else None
+        return found if found or self.is_complete else None
 
     @cached_property
     def _loading(self) -> dict[str, set[str]]:
