@@ -60,7 +60,6 @@ def test_imports() -> None:
         (i.module, i.names, i.level, file.source.slice(i.span), i.is_optional, i.is_for_typing, i.is_local)
         for i in file.imports
     ]
-    ]
     assert shown == [
         ("os", (), 0, "os", False, False, False),
         ("numpy.linalg", (), 0, "numpy.linalg", False, False, False),
