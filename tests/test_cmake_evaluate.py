@@ -201,7 +201,7 @@ def test_words_know_where_they_were_written() -> None:
 def test_runs_are_bounded(text: str) -> None:
     found = read(HEAD + text)
     assert len(found.calls) <= 20_000
-    assert found.complete == ("set(a x)" in text)
+    assert found.is_complete == ("set(a x)" in text)
 
 
 WORDS = st.sampled_from(

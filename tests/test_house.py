@@ -191,7 +191,7 @@ def test_facts_are_frozen_and_pickle() -> None:
     assert pickle.loads(pickle.dumps(facts)) == facts
     with pytest.raises(dataclasses.FrozenInstanceError):
         facts.name = "b"  # type: ignore[misc]
-    known = {"packages", "selected", "complete", "prefix_names", "repositories", "index"}
+    known = {"packages", "selected", "is_complete", "prefix_names", "repositories", "index"}
     assert {f.name for f in dataclasses.fields(Workspace)} <= known
 
 

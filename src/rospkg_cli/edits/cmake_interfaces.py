@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
-from ..checks.interfaces.rosidl_targets import GeneratedInterfaces, UnlistedDependency
+from ..checks.interfaces.rosidl_targets import RosidlTargets, UnlistedDependency
 from ..finding import Edit
 from ..languages.cmake.values import Word
 from ..package.cmake.cmake_project import CMake
@@ -14,7 +14,7 @@ from ..source import Span
 from .cmake_commands import add_argument
 
 
-def add_interface_file(generated: GeneratedInterfaces, interface: InterfaceFile) -> Edit | None:
+def add_interface_file(generated: RosidlTargets, interface: InterfaceFile) -> Edit | None:
     """Add an interface file among those of its kind, sorted where they are; None where none is listed."""
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
@@ -27,7 +27,7 @@ def add_interface_file(generated: GeneratedInterfaces, interface: InterfaceFile)
     return insert_word(generated.cmake, written, path, sort=bool(of_kind))
 
 
-def add_interface_dependency(generated: GeneratedInterfaces, need: UnlistedDependency) -> Edit | None:
+def add_interface_dependency(generated: RosidlTargets, need: UnlistedDependency) -> Edit | None:
     """Put a package among the DEPENDENCIES of a call; None where these are not written out in it."""
     cmake, command = generated.cmake, need.target.call.command
     written = [word for word in need.target.dependencies if is_written(cmake, word)]

@@ -13,7 +13,7 @@ from .setup.setup_py import SetupPy
 
 
 @dataclass(frozen=True)
-class Modules:
+class PythonModules:
     files: PackageFiles
     parsed: dict[str, PythonFile | Unreadable] = field(default_factory=dict)
 
@@ -32,13 +32,13 @@ class Modules:
         return found if isinstance(found, PythonFile) else None
 
 
-def read_modules(reading: ReaderInput) -> Iterator[Modules]:
-    yield Modules(reading.files)
+def read_modules(reading: ReaderInput) -> Iterator[PythonModules]:
+    yield PythonModules(reading.files)
 
 
 def read_installed_modules(reading: ReaderInput) -> Iterator[PythonFile | Unreadable]:
     """Read every module and script that is installed: one that can't be parsed is a fault that shows at run time."""
-    setup, modules = reading.parts(SetupPy).only, reading.parts(Modules).only
+    setup, modules = reading.parts(SetupPy).only, reading.parts(PythonModules).only
     table = reading.parts(InstallTable).only
     rows = table.rows if table is not None else ()
     paths = {row.source for row in rows if row.what in ("module", "executable") and row.source.endswith(".py")}

@@ -28,7 +28,7 @@ from .plugins.description import PluginDescription
 from .plugins.loaders import PluginLoaders, read_plugin_loaders
 from .plugins.read_descriptions import read_plugin_descriptions
 from .python.python_imports import PackageImports, read_package_imports
-from .python_modules import Modules, read_installed_modules, read_modules
+from .python_modules import PythonModules, read_installed_modules, read_modules
 from .read_install_table import read_install_table
 from .setup.read_setup_py import read_setup_py
 from .setup.setup_cfg import SetupCfg, read_setup_cfg
@@ -41,7 +41,7 @@ READERS: dict[type, Callable[[ReaderInput], Iterable[Any | Unreadable]]] = {
     Changelog: read_changelog,
     SetupCfg: read_setup_cfg,
     SetupPy: read_setup_py,
-    Modules: read_modules,
+    PythonModules: read_modules,
     PythonFile: read_installed_modules,
     InstallTable: read_install_table,
     CMake: read_cmake,

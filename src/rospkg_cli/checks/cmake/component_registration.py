@@ -66,7 +66,7 @@ class ComponentRegistration:
         """Yield the components of a target that does not exist."""
         references = TargetReferences(self.package.cmake)
         cmake = self.package.cmake
-        if not cmake.complete or cmake.reads_unknown_files:
+        if not cmake.is_complete or cmake.reads_unknown_files:
             return
         for component in self.sure():
             if component.target.text not in references.names and UNKNOWN not in references.names:
@@ -86,7 +86,7 @@ class ComponentRegistration:
     def without_cmake(self) -> Iterator[RegisteredClass]:
         """Yield the classes that a source of a target registers and no call of CMake does."""
         cmake = self.package.cmake
-        if not cmake.complete or cmake.reads_unknown_files or any(not c.plugin.is_known for c in cmake.components):
+        if not cmake.is_complete or cmake.reads_unknown_files or any(not c.plugin.is_known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
         registered = [each.name for each in self.in_sources]

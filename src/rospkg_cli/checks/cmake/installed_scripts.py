@@ -10,7 +10,7 @@ from typing import Literal
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.copied_files import Copy, copies
+from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...unreadable import UnreadableError
 
 ASIDE = frozenset({"test", "tests"})
@@ -19,7 +19,7 @@ Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit
 
 @dataclass(frozen=True)
 class BrokenScript:
-    copy: Copy
+    copy: CopiedFile
     wrong: Wrong
 
 
@@ -28,7 +28,7 @@ class InstalledScripts:
     package: CMakePackage
 
     @cached_property
-    def copies(self) -> tuple[Copy, ...]:
+    def copies(self) -> tuple[CopiedFile, ...]:
         """The files of the package that are copied to lib/<package> itself."""
         files = self.package.cmake.package_files
         home = f"lib/{self.package.facts.name}"
@@ -36,7 +36,7 @@ class InstalledScripts:
             copy
             for rule in self.package.cmake.installs
             if not rule.call.maybe and not rule.call.testing
-            for copy in copies(rule, files)
+            for copy in copied_files(rule, files)
             if posixpath.dirname(copy.destination) == home and not copy.item.maybe
         )
 
@@ -54,7 +54,7 @@ class InstalledScripts:
                 seen.add(copy.source)
                 yield BrokenScript(copy, wrong)
 
-    def wrong(self, copy: Copy) -> Wrong | None:
+    def wrong(self, copy: CopiedFile) -> Wrong | None:
         shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)
         if posixpath.basename(copy.source) == "__init__.py":
             return None
@@ -86,7 +86,7 @@ class InstalledScripts:
         except OSError:
             return True
 
-    def uninstalled(self) -> Iterator[tuple[str, Copy]]:
+    def uninstalled(self) -> Iterator[tuple[str, CopiedFile]]:
         """Yield the scripts that no rule installs, each with an installed script of its folder."""
         cmake = self.package.cmake
         if any(rule.kind == "CODE" or rule.destination is None for rule in cmake.installs if rule.kind != "TARGETS"):
@@ -102,7 +102,7 @@ class InstalledScripts:
 
     def is_installed(self, path: str) -> bool:
         files = self.package.cmake.package_files
-        return any(path == copy.source for rule in self.package.cmake.installs for copy in copies(rule, files))
+        return any(path == copy.source for rule in self.package.cmake.installs for copy in copied_files(rule, files))
 
     def is_script(self, path: str) -> bool:
         """Return whether a file is a program that a user may want to run."""

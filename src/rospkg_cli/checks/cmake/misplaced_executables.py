@@ -10,9 +10,9 @@ from functools import cached_property
 from ...languages.cmake.values import Word
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.copied_files import copies
+from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rules import InstallRule
-from ...package.cmake.target_links import Links
+from ...package.cmake.target_links import TargetLinks
 from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
@@ -69,7 +69,7 @@ class MisplacedExecutables:
                 yield from self.scripts(rule, rule.destination)
 
     def scripts(self, rule: InstallRule, place: str) -> Iterator[MisplacedExecutable]:
-        for copy in copies(rule, self.package.cmake.package_files):
+        for copy in copied_files(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
             if self.starts(name) or ros or place == "bin":
@@ -81,8 +81,8 @@ class MisplacedExecutables:
         return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
 
     @cached_property
-    def links(self) -> Links:
-        return Links(self.package.cmake)
+    def links(self) -> TargetLinks:
+        return TargetLinks(self.package.cmake)
 
     def uses_ros(self, target: str, depth: int = 0) -> bool:
         """Return whether a target is linked with ROS, itself or through another target of the package."""

@@ -10,7 +10,7 @@ from functools import cached_property
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
-from ...package.cmake.target_links import Link, Links
+from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.read_table import rows
@@ -30,7 +30,7 @@ BY_MACRO = {
 class MissingExportDependency:
     package: str
     word: Word
-    link: Link
+    link: TargetLink
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     is_only_loaded: bool
@@ -47,14 +47,14 @@ class ExportedDependencies:
         don't find, neither by name nor with another one."""
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
-        unclear = not cmake.complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
+        unclear = not cmake.is_complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
         plugins = bool(cmake.named(PLUGINS))
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
         if unclear or not self.headers.installed or unused:
             return
         components = {each.target.text for each in cmake.components}
         seen: set[str] = set()
-        for link in Links(cmake).all:
+        for link in TargetLinks(cmake).all:
             package = self.package_of(link)
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
             if passed and package in self.needed and package not in self.there | seen:
@@ -68,7 +68,7 @@ class ExportedDependencies:
         name = self.headers.package.facts.name
         return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
 
-    def package_of(self, link: Link) -> str:
+    def package_of(self, link: TargetLink) -> str:
         """Return the package that an argument of a link refers to: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""
         if link.package:
             return link.word.text

@@ -28,7 +28,12 @@ class RuntimeFolders:
     def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
         cmake = self.package.cmake
-        if not self.table.knows("share") or not cmake.complete or not cmake.ends_a_package or cmake.reads_unknown_files:
+        if (
+            not self.table.knows("share")
+            or not cmake.is_complete
+            or not cmake.ends_a_package
+            or cmake.reads_unknown_files
+        ):
             return
         for folder in FOLDERS:
             if self.useful(folder) and not self.is_installed(folder) and not self.is_named(folder):

@@ -34,7 +34,7 @@ class TargetReferences:
 
     def broken(self) -> Iterator[TargetReference]:
         """Yield what is referenced and never added, each position once; nothing where a name can't be evaluated."""
-        if not self.cmake.complete or self.cmake.reads_unknown_files:
+        if not self.cmake.is_complete or self.cmake.reads_unknown_files:
             return
         seen: set[tuple[str, int, str]] = set()
         for reference in self.all():

@@ -9,7 +9,7 @@ from functools import cached_property
 from ...languages.python.file import Import
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import PYTHON, InstallTable
-from ...package.python_modules import Modules
+from ...package.python_modules import PythonModules
 from ...source import Span
 
 
@@ -27,7 +27,7 @@ class UninstalledPythonPackage:
 class PythonPackages:
     package: CMakePackage
     table: InstallTable
-    modules: Modules
+    modules: PythonModules
 
     @cached_property
     def folders(self) -> frozenset[str]:
@@ -42,7 +42,7 @@ class PythonPackages:
 
     def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
         """Yield each Python package that an installed script or launch file imports and that is not installed."""
-        if not self.table.knows("module") or not self.package.cmake.complete:
+        if not self.table.knows("module") or not self.package.cmake.is_complete:
             return
         missing = set(self.folders - self.installed)
         for row in self.table.rows:

@@ -76,4 +76,4 @@ def are_sources_known(cmake: CMake) -> bool:
     """Return whether the sources of every target are known."""
     folders = (path_in_package(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
     words = (word.is_known for target in cmake.targets for word in target.sources)
-    return cmake.complete and all(words) and None not in folders
+    return cmake.is_complete and all(words) and None not in folders

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.values import UNKNOWN
-from ...package.cmake.target_links import Links
+from ...package.cmake.target_links import TargetLinks
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
 from ...source import Span
@@ -68,7 +68,7 @@ class MissingFindPackages:
         cmake = self.includes.cmake
         automatic = any(AUTOMATIC.fullmatch(call.name) for call in cmake.calls)
         return (
-            cmake.complete
+            cmake.is_complete
             and not cmake.reads_unknown_files
             and not automatic
             and not any(UNKNOWN in name for name in self.found)
@@ -81,7 +81,7 @@ class MissingFindPackages:
 
     def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:
         own = {target.name for target in self.includes.cmake.targets}
-        for link in Links(self.includes.cmake).all:
+        for link in TargetLinks(self.includes.cmake).all:
             name, colons, _ = link.word.text.partition("::")
             certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
             if certain and (colons or link.package):

@@ -26,7 +26,7 @@ class TestOnlyDependencies:
         declared = self.unused.declared
         python = declared.facts.build_type == "ament_python"
         cmake = self.unused.cmake
-        is_known = self.unused.python.complete if python else cmake is not None and self.unused.is_complete(cmake)
+        is_known = self.unused.python.is_complete if python else cmake is not None and self.unused.is_complete(cmake)
         for each in declared.manifest.dependencies if declared.is_checked and is_known else ():
             tagged = each.tag in BUILT_IN or (each.tag == "exec_depend" and (python or each.name in TEST_TOOLS))
             if tagged and self.is_tested_with(each.name) and not self.is_used(each.name):

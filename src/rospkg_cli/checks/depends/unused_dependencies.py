@@ -68,7 +68,7 @@ class UnusedDependencies:
         dependencies on purpose.
         """
         code = [file for file in self.python.files if not file.path.endswith(("setup.py", "__init__.py"))]
-        if not self.python.complete or not code:
+        if not self.python.is_complete or not code:
             return
         for dependency in self.declared.manifest.dependencies:
             for_import = dependency.tag == "exec_depend" and self.is_for_import(dependency.name)
@@ -109,7 +109,7 @@ class UnusedDependencies:
 
     def is_complete(self, cmake: CMake) -> bool:
         """Return whether all that CMake does is known."""
-        return cmake.complete and not cmake.reads_unknown_files
+        return cmake.is_complete and not cmake.reads_unknown_files
 
     def is_built_with(self, name: str) -> bool:
         """Return whether something that is built may use a package.

@@ -9,6 +9,6 @@ from ...package.package_facts import PackageFacts
 
 
 @dataclass(frozen=True)
-class NamedFiles:
+class FactsAndFiles:
     facts: PackageFacts
     files: PackageFiles

@@ -33,7 +33,7 @@ class UnlistedDependency:
 
 
 @dataclass(frozen=True)
-class GeneratedInterfaces:
+class RosidlTargets:
     cmake: CMake
     interfaces: tuple[InterfaceFile, ...]
     package: PackageFacts
@@ -51,7 +51,7 @@ class GeneratedInterfaces:
     @property
     def is_complete(self) -> bool:
         """Whether every file that is generated is known."""
-        return self.cmake.complete and all(each.word.is_known for each in self.listed) and bool(self.listed)
+        return self.cmake.is_complete and all(each.word.is_known for each in self.listed) and bool(self.listed)
 
     def unlisted(self) -> Iterator[InterfaceFile]:
         """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""

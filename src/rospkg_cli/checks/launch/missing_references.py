@@ -58,7 +58,7 @@ class LaunchContext:
     def is_unused_test(self) -> bool:
         """Whether it is a test that CMake, which is all known, does not run."""
         test = role_of(self.file.path) == "test"
-        is_known = self.cmake is not None and self.cmake.complete
+        is_known = self.cmake is not None and self.cmake.is_complete
         return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
     @property

@@ -77,7 +77,7 @@ class PluginPackage:
     def is_readable(self) -> bool:
         """Whether all sources could be read, and CMake could be followed."""
         paths = sum(path.endswith(SUFFIXES) for path in self.files.paths)
-        return self.cmake.complete and len(self.sources) == paths
+        return self.cmake.is_complete and len(self.sources) == paths
 
     def without_source(self) -> Iterator[DescribedPlugin]:
         """Yield the described plug-ins whose class no source exports, as far as that is known."""
@@ -99,7 +99,7 @@ class PluginPackage:
         fetched = any(call.name in FETCHES for call in self.cmake.calls)
         known = all(each.word.is_known for each in self.cmake.targets if each.is_library)
         known = known and not any(UNKNOWN in new for new in self.cmake.output_names.values())
-        return self.cmake.complete and known and not fetched and not self.prebuilt.intersection(stems(name))
+        return self.cmake.is_complete and known and not fetched and not self.prebuilt.intersection(stems(name))
 
     @cached_property
     def prebuilt(self) -> frozenset[str]:

@@ -65,7 +65,7 @@ class PluginReferences:
             NameKind.PACKAGE,
             NameKind.KEY,
         )
-        return self.workspace.complete and not known
+        return self.workspace.is_complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:
         """Return whether a package has plug-ins in C++, and all of them are known."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ...languages.python.file import Import
-from ...package.python_modules import Modules
+from ...package.python_modules import PythonModules
 from ...package.setup.setup_py import SetupPy
 
 MAX_DEPTH = 10
 
 
-def offers(modules: Modules, setup: SetupPy, path: str, name: str, depth: int = 0) -> bool:
+def offers(modules: PythonModules, setup: SetupPy, path: str, name: str, depth: int = 0) -> bool:
     """Return whether a file defines or imports a name at its top level, or may do so."""
     file = modules.at(path)
     if file is None or depth > MAX_DEPTH or file.has_dynamic_names or name in file.definitions:

@@ -9,7 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
-from ...package.python_modules import Modules
+from ...package.python_modules import PythonModules
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.workspace import Workspace
@@ -26,7 +26,7 @@ class PythonPackage:
 
     manifest: Manifest
     setup: SetupPy
-    modules: Modules
+    modules: PythonModules
     files: PackageFiles
     facts: PackageFacts
     workspace: Workspace

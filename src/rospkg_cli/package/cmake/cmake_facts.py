@@ -16,7 +16,7 @@ def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
         return frozenset(), False
     plugins = [component.plugin for component in cmake.components]
     known = frozenset(plugin.text for plugin in plugins if plugin.is_known)
-    return known, cmake.complete and all(plugin.is_known for plugin in plugins)
+    return known, cmake.is_complete and all(plugin.is_known for plugin in plugins)
 
 
 def exported_targets(reading: ReaderInput) -> tuple[str, ...]:

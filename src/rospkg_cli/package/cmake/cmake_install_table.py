@@ -14,7 +14,7 @@ from ..install_table import PYTHON, InstalledFile, InstallKind, InstallTable, Un
 from .ament_python_install import python_scripts
 from .artifacts import Artifacts
 from .cmake_project import CMake
-from .copied_files import copies
+from .copied_files import copied_files
 from .install_rules import InstallRule
 from .macro_installs import PACKAGE, installed_by_macros
 
@@ -63,7 +63,7 @@ class CMakeTableBuilder:
         return "other"
 
     def files(self, rule: InstallRule) -> Iterator[InstalledFile]:
-        for copy in copies(rule, self.cmake.package_files):
+        for copy in copied_files(rule, self.cmake.package_files):
             yield self.row(copy.destination, copy.source, copy.item, rule.call)
         if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
             for word in filter(made_by_the_build, rule.items):
@@ -100,7 +100,7 @@ class CMakeTableBuilder:
     # ---- what is unknown
 
     def unknown(self) -> Iterator[UnknownPart]:
-        if not self.cmake.complete:
+        if not self.cmake.is_complete:
             for what in ALL:
                 yield UnknownPart(what, self.cmake.stopped, self.cmake.root.path, Span(0, 0))
         yield from (each for each in self.python_scripts() if isinstance(each, UnknownPart))

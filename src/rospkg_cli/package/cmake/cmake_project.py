@@ -34,7 +34,7 @@ class CMake:
     """Whether it includes files that can't be read: they may add any target."""
 
     @property
-    def complete(self) -> bool:
+    def is_complete(self) -> bool:
         return not self.stopped
 
     @property

@@ -14,7 +14,7 @@ from .install_rules import InstallRule, Pattern
 
 
 @dataclass(frozen=True, slots=True)
-class Copy:
+class CopiedFile:
     """One file of the package that is copied below the prefix."""
 
     source: str
@@ -34,7 +34,7 @@ class Copy:
         return "USE_SOURCE_PERMISSIONS" in self.rule.permissions
 
 
-def copies(rule: InstallRule, files: PackageFiles) -> Iterator[Copy]:
+def copied_files(rule: InstallRule, files: PackageFiles) -> Iterator[CopiedFile]:
     """Yield what a rule for files, programs or folders copies; nothing for items that are unknown or not there."""
     if rule.destination is None:
         return
@@ -46,10 +46,10 @@ def copies(rule: InstallRule, files: PackageFiles) -> Iterator[Copy]:
             yield from folder_copies(rule, item, path, files)
         elif rule.kind in ("FILES", "PROGRAMS") and files.is_there(path):
             name = rule.rename.text if rule.rename else posixpath.basename(path)
-            yield Copy(path, posixpath.normpath(posixpath.join(rule.destination, name)), rule, item)
+            yield CopiedFile(path, posixpath.normpath(posixpath.join(rule.destination, name)), rule, item)
 
 
-def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFiles) -> Iterator[Copy]:
+def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFiles) -> Iterator[CopiedFile]:
     """Yield the files below a folder: `launch` is copied with its own name, of `launch/` only the contents."""
     whole = not item.text or item.text.endswith("/") or not folder
     base = folder if whole else posixpath.dirname(folder)
@@ -62,7 +62,7 @@ def folder_copies(rule: InstallRule, item: Word, folder: str, files: PackageFile
         if rule.matching and not any(fits(pattern, path) for pattern in including):
             continue
         place = posixpath.join(rule.destination or ".", posixpath.relpath(path, base or "."))
-        yield Copy(path, posixpath.normpath(place), rule, item)
+        yield CopiedFile(path, posixpath.normpath(place), rule, item)
 
 
 def ancestors(path: str) -> Iterator[str]:

@@ -41,7 +41,7 @@ class PublicHeaders:
 
     def are_uninstalled(self) -> bool:
         """Return whether headers are offered and none of them is installed."""
-        unclear = not self.table.knows("header") or not self.package.cmake.complete
+        unclear = not self.table.knows("header") or not self.package.cmake.is_complete
         automatic = self.package.cmake.named("ament_auto_package", "autoware_ament_auto_package")
         if unclear or automatic or not self.offered or not self.exports:
             return False

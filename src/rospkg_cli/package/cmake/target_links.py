@@ -17,7 +17,7 @@ NO_LIBRARIES = frozenset({"debug", "optimized", "general", "SYSTEM"})
 
 
 @dataclass(frozen=True)
-class Link:
+class TargetLink:
     """One target linked with one library, or with the libraries of one package."""
 
     target: str
@@ -34,14 +34,14 @@ class Link:
 
 
 @dataclass(frozen=True)
-class Links:
+class TargetLinks:
     cmake: CMake
 
     @cached_property
-    def all(self) -> tuple[Link, ...]:
+    def all(self) -> tuple[TargetLink, ...]:
         return tuple(self._all())
 
-    def _all(self) -> Iterator[Link]:
+    def _all(self) -> Iterator[TargetLink]:
         for call in self.cmake.named("target_link_libraries", "ament_target_dependencies"):
             scope = ""
             for word in call.words[1:]:
@@ -49,25 +49,25 @@ class Links:
                     scope = KEYWORDS[word.text]
                 elif word.text not in NO_LIBRARIES:
                     package = call.name == "ament_target_dependencies"
-                    yield Link(call.texts[0], word, scope, package, call)
+                    yield TargetLink(call.texts[0], word, scope, package, call)
 
-    def of(self, target: str) -> Sequence[Link]:
+    def of(self, target: str) -> Sequence[TargetLink]:
         return self._by_target.get(target, ())
 
-    def with_word(self, text: str) -> Sequence[Link]:
+    def with_word(self, text: str) -> Sequence[TargetLink]:
         """Return the links to a library by its name."""
         return self._by_word.get(text, ())
 
     @cached_property
-    def _by_target(self) -> dict[str, list[Link]]:
-        found: dict[str, list[Link]] = {}
+    def _by_target(self) -> dict[str, list[TargetLink]]:
+        found: dict[str, list[TargetLink]] = {}
         for link in self.all:
             found.setdefault(link.target, []).append(link)
         return found
 
     @cached_property
-    def _by_word(self) -> dict[str, list[Link]]:
-        found: dict[str, list[Link]] = {}
+    def _by_word(self) -> dict[str, list[TargetLink]]:
+        found: dict[str, list[TargetLink]] = {}
         for link in self.all:
             found.setdefault(link.word.text, []).append(link)
         return found

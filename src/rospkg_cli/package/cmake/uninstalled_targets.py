@@ -11,7 +11,7 @@ from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from .cmake_project import CMake
 from .installed_headers import HEADERS
-from .target_links import Links
+from .target_links import TargetLinks
 
 MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_auto_add_library", "cuda_add_library",
            "cuda_add_executable", "generate_parameter_library")  # fmt: skip
@@ -38,14 +38,14 @@ class UninstalledTargets:
     cmake: CMake
 
     @cached_property
-    def links(self) -> Links:
-        return Links(self.cmake)
+    def links(self) -> TargetLinks:
+        return TargetLinks(self.cmake)
 
     def all(self) -> Iterator[UninstalledTarget]:
         """Yield the targets that are not installed; nothing where an install rule can't be evaluated."""
         rules = [rule for rule in self.cmake.installs if rule.kind in ("TARGETS", "CODE")]
         unclear = any(rule.kind == "CODE" or any(not word.is_known for word in rule.items) for rule in rules)
-        if unclear or not self.cmake.complete or not self.cmake.ends_a_package:
+        if unclear or not self.cmake.is_complete or not self.cmake.ends_a_package:
             return
         stopping = {each.target.name: each for each in self.unexported()}
         yield from stopping.values()

@@ -36,7 +36,7 @@ def all_are_own(reading: ReaderInput) -> bool:
     if not is_built_with_cmake(reading):
         return True
     cmake = reading.parts(CMake).only
-    if cmake is None or not cmake.complete:
+    if cmake is None or not cmake.is_complete:
         return False
     listed = [(word, target) for target in cmake.interface_targets for word in target.files]
     return all(listed_path(word, target) is not None for word, target in listed)

@@ -17,7 +17,7 @@ NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
+class SeparatorLine:
     """A line that separates sections, or is intended to."""
 
     index: int
@@ -30,7 +30,7 @@ def parse_interface(source: Source, kind: str) -> InterfaceFile:
     raw = source.text.splitlines(keepends=True)
     lines = list(numbered(raw))
     marks = [
-        Mark(index, Span(line.at, line.at + len(line.text)), raw[index].splitlines()[0] == "---")
+        SeparatorLine(index, Span(line.at, line.at + len(line.text)), raw[index].splitlines()[0] == "---")
         for index, line in enumerate(lines)
         if NEARLY.fullmatch(line.text)
     ]
@@ -54,7 +54,7 @@ def numbered(raw: Sequence[str]) -> Iterator[InterfaceLine]:
 
 
 def split(
-    lines: Sequence[InterfaceLine], chosen: Sequence[Mark], marks: Sequence[Mark]
+    lines: Sequence[InterfaceLine], chosen: Sequence[SeparatorLine], marks: Sequence[SeparatorLine]
 ) -> Iterator[list[InterfaceLine]]:
     cuts = [-1, *(mark.index for mark in chosen), len(lines)]
     skipped = {mark.index for mark in marks}
@@ -63,7 +63,7 @@ def split(
 
 
 def separator_problems(
-    kind: str, marks: Sequence[Mark], chosen: Sequence[Mark], lines: Sequence[InterfaceLine]
+    kind: str, marks: Sequence[SeparatorLine], chosen: Sequence[SeparatorLine], lines: Sequence[InterfaceLine]
 ) -> Iterator[GrammarProblem]:
     wanted = SEPARATORS[kind]
     has = {0: "no line `---`", 1: "exactly one line `---`", 2: "exactly two lines `---`"}[wanted]

@@ -32,7 +32,7 @@ class PluginLoaders:
     """The loaders of a package; `complete` says whether the arguments of all of them are literals."""
 
     loaders: tuple[PluginLoader, ...] = ()
-    complete: bool = True
+    is_complete: bool = True
 
 
 def read_plugin_loaders(reading: ReaderInput) -> Iterator[PluginLoaders]:

@@ -23,7 +23,7 @@ class PluginFacts(NamedTuple):
 def plugin_facts(reading: ReaderInput) -> PluginFacts:
     unknown: set[UnknownField] = set()
     loaders = reading.parts(PluginLoaders).only or PluginLoaders()
-    unknown |= set() if loaders.complete else {"loaders"}
+    unknown |= set() if loaders.is_complete else {"loaders"}
     unknown |= set() if are_complete(reading) else {"plugins"}
     plugins = [plugin for each in reading.parts(PluginDescription).good for plugin in plugins_of(each)]
     names = frozenset(each.names for each in loaders.loaders)
@@ -51,5 +51,5 @@ def are_complete(reading: ReaderInput) -> bool:
         return False
     exported = [path for path, _ in by_cmake(reading)]
     calls = sum(len(cmake.named(EXPORT)) for cmake in reading.parts(CMake).good)
-    complete = all(cmake.complete for cmake in reading.parts(CMake).good)
+    complete = all(cmake.is_complete for cmake in reading.parts(CMake).good)
     return complete and len(exported) == calls and all(map(reading.files.exists, exported))

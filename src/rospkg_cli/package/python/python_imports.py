@@ -14,7 +14,7 @@ from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import Role, role_of
 from ..install_table import InstallTable
-from ..python_modules import Modules
+from ..python_modules import PythonModules
 from .installed_python import InstalledPython
 from .node_calls import DescribedNode, described_nodes
 
@@ -39,7 +39,7 @@ class PackageImports:
     """Every Python file of a package that can be read; `complete` says whether all of them could."""
 
     files: tuple[PythonImports, ...] = ()
-    complete: bool = True
+    is_complete: bool = True
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class OwnModules:
 def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
     own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
-    modules = reading.parts(Modules).only
+    modules = reading.parts(PythonModules).only
     assert modules is not None
     found: list[PythonImports] = []
     complete = True

@@ -13,9 +13,12 @@ from ...unreadable import UnreadableError
 from .setup_text import SetupText
 
 SECTION = re.compile(r"\[(?P<name>.+)\]")
-OPTION = re.compile(r"(?P<key>.*?)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
+OPTION = re.compile(r"(?P<key>[^=:\s]*(?:\s+[^=:\s]+)*)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
 APART = re.compile(r"\S[^\S\n]{200,}\S")
-"""What keeps OPTION, and configparser's own pattern, busy for the square of its length."""
+"""What keeps configparser's own pattern busy for the square of its length."""
+
+MAX_CHARACTERS = 200_000
+"""Of a setup.cfg: its lines may still hold 200 blanks each."""
 
 COMMENTS = ("#", ";")
 
@@ -98,6 +101,9 @@ def parse_setup_cfg(source: Source) -> SetupCfg:
 
 def refuse(source: Source) -> None:
     """Raise UnreadableError at the line that configparser complains about."""
+    if len(source.text) > MAX_CHARACTERS:
+        why = f"`{source.path}` is skipped: it has more than {MAX_CHARACTERS:,} characters"
+        raise UnreadableError(source.path, Span(0, 0), why, skipped=True)
     if apart := APART.search(source.text):
         why = f"`{source.path}` is skipped: it has a line with more than 200 blanks in a row; take them out"
         raise UnreadableError(source.path, Span(*apart.span()), why, skipped=True)

@@ -48,7 +48,7 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     environment. `ros2 run` and `find_package()` don't find the package.
     """
     cmake = package.cmake
-    if not package.is_ament or not cmake.complete or cmake.ends_a_package or cmake.only_tests:
+    if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
         return
     root = cmake.root
     projects = [command for command in root.syntax.commands if command.name == "project"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
+from ...checks.interfaces.rosidl_targets import RosidlTargets
 from ...edits.cmake_interfaces import add_interface_file
 from ...edits.plain_names import only_plain_names
 from ...example import INTERFACES_CMAKE, Example
@@ -20,7 +20,7 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
 @rule(
     "IDL005",
     "interface-not-generated",
-    over=GeneratedInterfaces,
+    over=RosidlTargets,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -41,7 +41,7 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
         ),
     ),
 )
-def interface_not_generated(generated: GeneratedInterfaces) -> Iterator[Hit]:
+def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds interface files that no `rosidl_generate_interfaces` of the package lists.

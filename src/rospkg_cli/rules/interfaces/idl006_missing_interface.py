@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
+from ...checks.interfaces.rosidl_targets import RosidlTargets
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -17,7 +17,7 @@ RENAMED = '"srv/SetMode.srv"\n  «"srv/SetModes.srv"»'
 @rule(
     "IDL006",
     "missing-interface",
-    over=GeneratedInterfaces,
+    over=RosidlTargets,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -31,7 +31,7 @@ RENAMED = '"srv/SetMode.srv"\n  «"srv/SetModes.srv"»'
         ),
     ),
 )
-def missing_interface(generated: GeneratedInterfaces) -> Iterator[Hit]:
+def missing_interface(generated: RosidlTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that `rosidl_generate_interfaces` lists and that do not exist.

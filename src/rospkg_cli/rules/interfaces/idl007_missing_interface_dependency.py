@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
+from ...checks.interfaces.rosidl_targets import RosidlTargets
 from ...edits.cmake_find import add_find_package
 from ...edits.cmake_interfaces import add_interface_dependency
 from ...edits.plain_names import only_plain_names
@@ -25,7 +25,7 @@ FILES = {
 @rule(
     "IDL007",
     "missing-interface-dependency",
-    over=GeneratedInterfaces,
+    over=RosidlTargets,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "a listed package that is not available may pass the interfaces on"},
     examples=(
@@ -43,7 +43,7 @@ FILES = {
         ),
     ),
 )
-def missing_interface_dependency(generated: GeneratedInterfaces) -> Iterator[Hit]:
+def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages whose types are used and that are missing in `DEPENDENCIES` of the interfaces.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from ...checks.interfaces.facts_and_files import NamedFiles
+from ...checks.interfaces.facts_and_files import FactsAndFiles
 from ...example import Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -17,7 +17,7 @@ KINDS = ("msg", "srv", "action")
 @rule(
     "IDL008",
     "interfaces-in-python-package",
-    over=NamedFiles,
+    over=FactsAndFiles,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -26,7 +26,7 @@ KINDS = ("msg", "srv", "action")
         ),
     ),
 )
-def interfaces_in_python_package(package: NamedFiles) -> Iterator[Hit]:
+def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds interface files in a package whose build type is ament_python.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.rosidl_targets import GeneratedInterfaces
+from ...checks.interfaces.rosidl_targets import RosidlTargets
 from ...edits.cmake_commands import remove_argument
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -14,7 +14,7 @@ from ...rule import rule
 @rule(
     "IDL009",
     "duplicate-interface",
-    over=GeneratedInterfaces,
+    over=RosidlTargets,
     severity=Severity.WARNING,
     examples=(
         Example(
@@ -29,7 +29,7 @@ from ...rule import rule
         ),
     ),
 )
-def duplicate_interface(generated: GeneratedInterfaces) -> Iterator[Hit]:
+def duplicate_interface(generated: RosidlTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that one `rosidl_generate_interfaces` lists twice.

@@ -75,7 +75,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
 
 
 def message(missing: MissingResource) -> str:
-    harm = "xacro stops here" if missing.include else "it is missing wherever the robot is shown"
+    harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
     if missing.state == "not installed":
         return f"`{missing.path}` is there, but `{missing.package}` does not install it: {harm}"
     hint = f" (did you mean `{missing.suggestion}`?)" if missing.suggestion else ""
