@@ -9,7 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reading import one, package
 
-from rospkg_cli.package.setup.setup_cfg import SetupCfg
+from rospkg_cli.package.setup.setup_cfg import OPTION, SetupCfg, parse_setup_cfg
+from rospkg_cli.source import Source
+from rospkg_cli.unreadable import UnreadableError
 
 TEXT = """\
 # a comment
@@ -95,3 +97,26 @@ def test_what_configparser_refuses(text: str, at: str, why: str) -> None:
     (broken,) = package({"setup.cfg": text}).parts(SetupCfg).broken
     assert text[broken.span.start : broken.span.end] == at
     assert why in broken.message
+
+
+def test_an_option_is_found_in_one_pass() -> None:
+    found = OPTION.match(f"a{' ' * 100_000}b")
+    assert found is not None
+    assert len(found["key"]) == 100_002
+
+
+@pytest.mark.parametrize(
+    ("text", "key", "value"),
+    [("a b = c: d", "a b", "c: d"), ("a", "a", None), ("a  :", "a", ""), ("= b", "", "b"), ("a=b", "a", "b")],
+)
+def test_an_option_ends_at_its_first_sign(text: str, key: str, value: str | None) -> None:
+    found = OPTION.match(text)
+    assert found is not None
+    assert (found["key"], found["value"]) == (key, value)
+
+
+def test_a_file_that_is_too_long_is_skipped_and_that_is_said() -> None:
+    with pytest.raises(UnreadableError) as caught:
+        parse_setup_cfg(Source("setup.cfg", "[a]\n" + "b\n" * 100_000))
+    assert caught.value.unreadable.skipped
+    assert "200,000 characters" in caught.value.unreadable.message
