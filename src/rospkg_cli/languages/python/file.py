@@ -12,7 +12,7 @@ from ...source import Source, Span
 from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
-MACHINE = frozenset({"sys", "os", "platform", "find_spec", "environ"})
+PLATFORM = frozenset({"sys", "os", "platform", "find_spec", "environ"})
 MODULE = re.compile(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
 
 
@@ -29,7 +29,7 @@ class Import:
     span: Span
     """Of the module's name (of the dots and the name)."""
     is_optional: bool = False
-    """In a `try` that survives an ImportError or its handler, or under a condition on the machine."""
+    """In a `try` that survives an ImportError or its handler, or under a condition on the platform."""
     is_for_typing: bool = False
     """Under `if TYPE_CHECKING`."""
     is_local: bool = False
@@ -141,7 +141,7 @@ def suppresses_import_error(manager: ast.expr) -> bool:
 
 def depends_on_platform(test: ast.expr) -> bool:
     """Return whether a condition depends on the platform or the environment: code under it is optional."""
-    return bool(names_in(test) & MACHINE)
+    return bool(names_in(test) & PLATFORM)
 
 
 def names_in(node: ast.expr) -> set[str]:

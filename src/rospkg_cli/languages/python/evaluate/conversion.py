@@ -162,7 +162,7 @@ def merge_texts(texts: list[Text], span: Span) -> list[Text]:
 
 
 def join_texts(parts: Iterable[Value], span: Span, *, path: bool = False) -> Value:
-    """Return the text of parts one after the other: a Text where all of them are, else a Joined."""
+    """Return the text of parts one after the other: a Text where all of them are, else a PartialText."""
     pieces = [each for part in parts for each in (part.parts if isinstance(part, PartialText) else (part,))]
     size = sum(len(each.text) for each in pieces if isinstance(each, Text))
     spend(len(pieces) * 2 * ITEM)
