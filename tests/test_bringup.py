@@ -63,7 +63,7 @@ def test_it_is_written_without_a_finding(asked: str, distro: str, form: str) -> 
 @pytest.mark.parametrize("asked", ASKED)
 def test_every_form_starts_the_same(asked: str) -> None:
     files = [launch_file(bringup(launch=form, **ASKED[asked])) for form in ("py", "xml", "yaml")]
-    assert all(file.complete and not any(entity_faults(file)) for file in files)
+    assert all(file.is_complete and not any(entity_faults(file)) for file in files)
     [wanted, *others] = [started(file) for file in files]
     assert others == [wanted, wanted]
     assert wanted[0] or wanted[1] or asked == "nothing"

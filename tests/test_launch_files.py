@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.launch.entity_schema import entity_faults
-from rospkg_cli.checks.launch.package_references import package_uses
+from rospkg_cli.checks.launch.package_references import package_references
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.launch.text import LaunchText
@@ -141,7 +141,7 @@ def shown(text: LaunchText | None) -> str | None:
 def test_the_three_frontends_say_the_same(path: str) -> None:
     file = read(path, SAME[path])
     assert not any(entity_faults(file))
-    assert file.complete
+    assert file.is_complete
     nodes = {(n.kind, shown(n.package), shown(n.executable), shown(n.plugin), shown(n.name)) for n in file.nodes}
     assert nodes == {
         ("node", "demo", "talker", None, "talker"),
@@ -149,7 +149,7 @@ def test_the_three_frontends_say_the_same(path: str) -> None:
         ("composable_node", "demo", None, "demo::Talker", "t"),
     }
     talker = next(n for n in file.nodes if shown(n.executable) == "talker")
-    assert not talker.certain
+    assert not talker.is_certain
     assert shown(talker.namespace) == "ns"
     assert [(shown(a), shown(b)) for a, b in talker.remappings] == [("a", "b")]
     given, *values = talker.parameters
@@ -169,7 +169,7 @@ def test_the_three_frontends_say_the_same(path: str) -> None:
     assert (target[0].literal, target[1]) == ("other", "launch/x.launch.xml")
     assert [shown(name) for name, _ in include.arguments] == ["speed"]
     assert [shown(name) for name in file.assigned] == ["twice"]
-    assert {use.name for use in package_uses(file)} == {"demo", "other", "rclcpp_components", "xacro"}
+    assert {use.name for use in package_references(file)} == {"demo", "other", "rclcpp_components", "xacro"}
     used = sorted(s.arguments[0].literal or "?" for s in file.configurations())
     assert set(used) == {"config", "needed", "twice"}
 
@@ -177,7 +177,7 @@ def test_the_three_frontends_say_the_same(path: str) -> None:
 @pytest.mark.parametrize("path", SAME)
 def test_names_stand_where_they_say(path: str) -> None:
     file = read(path, SAME[path])
-    for use in package_uses(file):
+    for use in package_references(file):
         assert file.source.slice(use.span) == use.name
     for node in file.nodes:
         for text in (node.package, node.executable, node.plugin, node.name):
@@ -208,21 +208,21 @@ def test_names_stand_where_they_say(path: str) -> None:
     ],
 )
 def test_python_is_evaluated(body: str, packages: set[str]) -> None:
-    assert {use.name for use in package_uses(python(body))} == packages
+    assert {use.name for use in package_references(python(body))} == packages
 
 
 def test_a_function_that_nothing_calls_is_read_as_well() -> None:
     file = python("return []\n")
     assert file.nodes == ()
     text = PYTHON + "\n\ndef spare():\n    return Node(package='spare', executable='x')\n"
-    assert "spare" in {use.name for use in package_uses(read("launch/a.launch.py", text))}
+    assert "spare" in {use.name for use in package_references(read("launch/a.launch.py", text))}
 
 
 def test_a_function_that_calls_itself_comes_to_an_end() -> None:
     text = (
         "def f(d, k):\n    for v in d:\n        if v == k:\n            f(v, k)\n        else:\n            f(k, v)\n"
     )
-    assert python(text + "f(x, y)").complete
+    assert python(text + "f(x, y)").is_complete
 
 
 @pytest.mark.parametrize(
@@ -253,9 +253,9 @@ def test_broken_files_are_told(path: str, text: str) -> None:
 
 def test_files_for_ros_1_are_seen_and_left_alone() -> None:
     file = read("launch/a.launch", '<launch><node pkg="a" type="b" name="c" foo="x"/></launch>')
-    assert file.ros1
+    assert file.is_ros1
     assert not any(entity_faults(file))
-    assert not list(package_uses(file))
+    assert not list(package_references(file))
 
 
 FAULTS = [

@@ -70,7 +70,7 @@ def test_each_part_knows_its_place() -> None:
 
 
 def test_a_value_with_references_has_its_own_place_only() -> None:
-    found = parse_text(LocatedText("a&$(var x)", Span(10, 30), exact=False))
+    found = parse_text(LocatedText("a&$(var x)", Span(10, 30), is_exact=False))
     assert {part.span for part in found.parts} == {Span(10, 30)}
 
 

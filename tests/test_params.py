@@ -90,7 +90,7 @@ def test_types_of_scalars(text: str, rcl: str, yaml: str) -> None:
 @pytest.mark.parametrize("text", ["y", "Y", "yes", "on", "True", "n", "No", "OFF"])
 def test_bools(text: str) -> None:
     assert type_of(ScalarNode(text, Span(0, 0), True)) == "bool"
-    assert type_of(ScalarNode(text, Span(0, 0), False, quoted=True)) == "string"
+    assert type_of(ScalarNode(text, Span(0, 0), False, is_quoted=True)) == "string"
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ def launch_lines(file: LaunchFile, color: bool) -> Iterator[str]:
     yield f"    {visible(file.path)}" + (paint(f"  ({arguments})", "dim", color) if arguments else "")
     for node in file.nodes:
         given = visible(", ".join(parameter_files(node)))
-        maybe = "" if node.certain else paint("  (perhaps)", "dim", color)
+        maybe = "" if node.is_certain else paint("  (perhaps)", "dim", color)
         yield f"      {visible(node_text(node))}" + (paint(f"  <- {given}", "dim", color) if given else "") + maybe
     for include in file.includes:
         passed = visible(", ".join(f"{name.shown}:={value.shown}" for name, value in include.arguments))
@@ -86,7 +86,7 @@ def node_document(node: LaunchedNode, file: LaunchFile, at: At) -> dict[str, Any
         "parameter_files": parameter_files(node),
         "parameters": {name.shown: value.shown for given in node.parameters for name, value in given.values},
         "remappings": [[source.shown, target.shown] for source, target in node.remappings],
-        "certain": node.certain,
+        "certain": node.is_certain,
         "said": at(file.path, node.span.start),
     }
 
@@ -95,6 +95,6 @@ def include_document(include: Include, file: LaunchFile, at: At) -> dict[str, An
     return {
         "file": include.file.shown,
         "arguments": {name.shown: value.shown for name, value in include.arguments},
-        "certain": include.certain,
+        "certain": include.is_certain,
         "said": at(file.path, include.span.start),
     }

@@ -52,5 +52,5 @@ class IncludeArguments:
                 free = signature.declared - given.keys()
                 yield ArgumentMismatch(text.span, name, package, argument, False, nearest(argument, free))
         for argument in sorted(signature.required - given.keys()):
-            if include.complete and None not in given:
+            if include.is_complete and None not in given:
                 yield ArgumentMismatch(include.span, name, package, argument, True)

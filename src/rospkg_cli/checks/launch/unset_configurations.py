@@ -42,7 +42,7 @@ class LaunchConfigurations:
     def is_startable(self) -> bool:
         """Whether this is a launch file for users, of which everything is known."""
         file = self.file
-        is_known = file.has_entry_point and file.complete and file.events is not None and not file.is_ros1
+        is_known = file.has_entry_point and file.is_complete and file.events is not None and not file.is_ros1
         return is_known and role_of(file.path) == "launch" and not any(entity_faults(file))
 
     @property
@@ -68,20 +68,34 @@ class LaunchConfigurations:
         for index, event in self.missing(events, inherited | OWN):
             if event.name not in seen:
                 seen.add(event.name)
-                state = self.state(event.name, events, index)
+                state = self.state(event.name, index)
                 if state is not None:
                     yield UnsetConfiguration(event.name, event.span, state, declared, event.passed_as == event.name)
 
-    def state(self, name: str, events: tuple[LaunchEvent, ...], index: int) -> State | None:
+    def state(self, name: str, index: int) -> State | None:
         """Return why a name is not set at an event; None where it may be set in some scope."""
-        if any(each.kind == "open" for each in events):
-            return "late" if any(each.kind == "declare" and each.name == name for each in events[index:]) else None
-        setting = [at for at, each in enumerate(events) if each.kind in ("declare", "define") and each.name == name]
-        if any(at > index for at in setting):
+        if self.may_set_any:
+            return "late" if self.last_set["declare"].get(name, -1) >= index else None
+        last = max(self.last_set[kind].get(name, -1) for kind in ("declare", "define"))
+        if last > index:
             return "late"
-        if setting:
+        if last >= 0:
             return None
         return "not added" if name in self.file.set_configurations else "undeclared"
+
+    @cached_property
+    def may_set_any(self) -> bool:
+        """Whether something in the file may set configurations of any name."""
+        return any(each.kind == "open" for each in self.file.events or ())
+
+    @cached_property
+    def last_set(self) -> dict[str, dict[str, int]]:
+        """The index of the last event of each kind that sets a name."""
+        found: dict[str, dict[str, int]] = {"declare": {}, "define": {}}
+        for index, event in enumerate(self.file.events or ()):
+            if event.kind in found:
+                found[event.kind][event.name] = index
+        return found
 
     def missing(self, events: tuple[LaunchEvent, ...], known: frozenset[str]) -> Iterator[tuple[int, LaunchEvent]]:
         """Yield the uses of what nothing has set by then."""

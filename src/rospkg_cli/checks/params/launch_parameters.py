@@ -15,6 +15,7 @@ from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
+from .declaring_packages import ParameterContext
 
 WILD = ("*", "**")
 MAX_DEPTH = 5
@@ -28,7 +29,7 @@ class NodeArguments:
     launch: LaunchFile
     node: LaunchedNode
     files: tuple[ParameterFile, ...]
-    complete: bool
+    is_complete: bool
     """Whether these are certainly all."""
 
     @property
@@ -66,14 +67,15 @@ class LaunchParameters:
 
     def of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
         found: list[ParameterFile] = []
-        complete = node.complete and node.certain
+        is_complete = node.is_complete and node.is_certain
         for entry in node.parameters:
-            complete = complete and entry.complete and all(name.literal is not None for name, _ in entry.values)
+            has_names = all(name.literal is not None for name, _ in entry.values)
+            is_complete = is_complete and entry.is_complete and has_names
             if entry.file is not None:
                 files = list(self.files_at(entry.file, launch))
-                complete = complete and len(files) == 1
+                is_complete = is_complete and len(files) == 1
                 found += files
-        return NodeArguments(launch, node, tuple(found), complete)
+        return NodeArguments(launch, node, tuple(found), is_complete)
 
     def files_at(self, text: LaunchText, launch: LaunchFile) -> Iterator[ParameterFile]:
         """Yield the files of this package that a path may mean; what is unknown in it may be any name."""
@@ -125,7 +127,7 @@ class LaunchParameters:
             package = each.node.package.literal if each.node.package else None
             facts = self.workspace.named(package) if package else None
             started = each.node.executable or each.node.plugin
-            if facts is None or not each.complete or started is None or started.literal is None:
+            if facts is None or not each.is_complete or started is None or started.literal is None:
                 continue
             code = next((code for code in facts.node_code if code.starts == started.literal), None)
             if code is not None:
@@ -133,6 +135,14 @@ class LaunchParameters:
                 names = each.names()
                 if missing := [one for one in needed if one.name not in names]:
                     yield each, missing
+
+
+@dataclass(frozen=True)
+class MissingParameters:
+    """What launch files give to nodes, and what the code of packages declares (PRM008)."""
+
+    launched: LaunchParameters
+    code: ParameterContext
 
 
 def last(block: NodeBlock) -> str:

@@ -121,7 +121,7 @@ class EntityVisitor:
             parameters=tuple(self.parameters(child) for child in entity.named("param")),
             remappings=tuple((self.need(c, "from"), self.need(c, "to")) for c in entity.named("remap")),
             arguments=tuple(text for text in arguments[:2] if text is not None),
-            certain=certain,
+            is_certain=certain,
         )
 
     def parameters(self, entity: Entity) -> NodeParameters:

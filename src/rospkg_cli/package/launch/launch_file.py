@@ -29,7 +29,7 @@ class NodeParameters:
     span: Span
     file: LaunchText | None = None
     values: tuple[tuple[LaunchText, LaunchText], ...] = ()
-    complete: bool = True
+    is_complete: bool = True
     """False where there may be other values."""
 
 
@@ -48,9 +48,9 @@ class LaunchedNode:
     parameters: tuple[NodeParameters, ...] = ()
     remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
     arguments: tuple[LaunchText, ...] = ()
-    certain: bool = True
+    is_certain: bool = True
     """False under an unknown condition."""
-    complete: bool = True
+    is_complete: bool = True
     """False where other arguments may be passed."""
 
 
@@ -59,8 +59,8 @@ class Include:
     span: Span
     file: LaunchText
     arguments: tuple[tuple[LaunchText, LaunchText], ...] = ()
-    certain: bool = True
-    complete: bool = True
+    is_certain: bool = True
+    is_complete: bool = True
     """False where other arguments may be passed."""
 
 
@@ -70,7 +70,7 @@ class DeclaredArgument:
     name: LaunchText
     default: LaunchText | None = None
     choices: tuple[str, ...] = ()
-    certain: bool = True
+    is_certain: bool = True
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ class LaunchFile:
     """Names of launch configurations that the file sets itself."""
     paths: tuple[FileReference, ...] = ()
     """The files that it names."""
-    complete: bool = True
+    is_complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
     is_ros1: bool = False
     """Whether it is written for ROS 1."""
@@ -135,11 +135,11 @@ class LaunchFile:
     @property
     def is_fully_known(self) -> bool:
         """Whether all that the file starts is known: nothing in its description is evaluated elsewhere."""
-        if not self.complete or self.events is None:
+        if not self.is_complete or self.events is None:
             return False
         return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)
 
-    @property
+    @cached_property
     def set_configurations(self) -> frozenset[str]:
         """The launch configurations that anything in the file declares or sets."""
         return frozenset(text.literal for text in (*self.assigned, *(a.name for a in self.arguments)) if text.literal)
@@ -165,6 +165,6 @@ def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:
     """Return what other launch files may know of those of a package."""
     files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]
     return tuple(
-        summary(file.path.rpartition("/")[2], file.events or (), file.complete and file.events is not None)
+        summary(file.path.rpartition("/")[2], file.events or (), file.is_complete and file.events is not None)
         for file in files
     )

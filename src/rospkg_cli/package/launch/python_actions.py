@@ -50,8 +50,8 @@ def node_of(call: Call, kind: NodeKind) -> LaunchedNode:
         parameters=tuple(parameters_of(call.get("parameters"))),
         remappings=tuple(pairs_of(call.get("remappings"))),
         arguments=tuple(text_of(item) for name in ("arguments", "ros_arguments") for item in items_of(call.get(name))),
-        certain=certain(call),
-        complete=call.rest is None,
+        is_certain=certain(call),
+        is_complete=call.rest is None,
     )
 
 

@@ -10,7 +10,7 @@ from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
-from ..python_modules import Modules
+from ..python_modules import PythonModules
 from .launch_file import LaunchFile
 from .read_python import read_python_launch
 from .read_xml_yaml import read_xml_launch, read_yaml_launch
@@ -26,7 +26,7 @@ ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
 
 def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]:
     """Read every launch file; those of tests are left out where they are broken."""
-    modules = reading.parts(Modules).only
+    modules = reading.parts(PythonModules).only
     assert modules is not None
     reader = LaunchReader(reading.files, modules)
     for path in reading.files.paths:
@@ -44,7 +44,7 @@ def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]
 
 
 class LaunchReader:
-    def __init__(self, files: PackageFiles, modules: Modules) -> None:
+    def __init__(self, files: PackageFiles, modules: PythonModules) -> None:
         self.files, self.modules = files, modules
         self.folder: SandboxFilesystem | None = None
         self.characters = 0

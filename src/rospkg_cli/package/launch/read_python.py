@@ -42,7 +42,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
         assigned=assigned,
         paths=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
-        complete=not evaluator.gave_up,
+        is_complete=not evaluator.gave_up,
         has_entry_point=any(has_name(file, evaluator, name) for name in ENTRIES),
         events=python_events(evaluator),
         evaluated=EvaluatedLaunch(

@@ -42,7 +42,7 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
     unknown_imports = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
     has_substitutions = "allow_substs" in text  # then a file of parameters may ask for anything
     has_other_uses = len(named) < len(ANY_USE.findall(text))
-    is_known = file.complete and not (unknown_imports or has_substitutions or has_other_uses)
+    is_known = file.is_complete and not (unknown_imports or has_substitutions or has_other_uses)
     return LaunchSignature(
         file.path,
         places,
@@ -63,5 +63,5 @@ def required_by(file: LaunchFile) -> Iterator[str]:
     deferred = file.evaluated.deferred if file.evaluated else ()
     for name, argument in first.items():
         late = any(span.start <= argument.span.start < span.end for span in deferred)
-        if argument.default is None and argument.certain and not late:
+        if argument.default is None and argument.is_certain and not late:
             yield name

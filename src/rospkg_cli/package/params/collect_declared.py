@@ -11,7 +11,7 @@ from ...languages.cpp.read import SUFFIXES
 from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import role_of
-from ..python_modules import Modules
+from ..python_modules import PythonModules
 from . import cpp_parameters as cpp
 from . import python_parameters as python
 from .declared_parameter import DeclaredParameter
@@ -41,7 +41,7 @@ def in_cpp(reading: ReaderInput) -> Iterator[DeclaredParameter]:
 
 
 def in_python(reading: ReaderInput) -> Iterator[DeclaredParameter]:
-    modules = reading.parts(Modules).only
+    modules = reading.parts(PythonModules).only
     for path in reading.files.paths:
         if modules and path.endswith(".py") and role_of(path) == "run":
             for source in text_of(reading, path):

@@ -16,7 +16,7 @@ from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode, documents
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..cmake.cmake_project import CMake
-from ..python_modules import Modules
+from ..python_modules import PythonModules
 from .declared_parameter import DeclaredParameter
 
 COMMANDS = ("generate_parameter_library", "generate_parameter_module")
@@ -73,7 +73,7 @@ def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
     for call in cmake.named(*COMMANDS) if cmake else ():
         if len(call.words) > 1 and (path := path_in_package(call.words[1].text, call.folder)):
             yield path, len(call.words) > 2
-    modules = reading.parts(Modules).only
+    modules = reading.parts(PythonModules).only
     setup = modules.at("setup.py") if modules else None
     for node in ast.walk(setup.tree) if setup else ():
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == COMMANDS[1]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.params.repeated_names import repetition_faults
 from ...edits.fault_hits import hits
 from ...example import Example
-from ...finding import Hit, Related, Severity
+from ...finding import Hit, Severity
 from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.params.missing import MissingParameters
+from ...checks.params.launch_parameters import MissingParameters
 from ...checks.params.plugin_lists import unfound_plugins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
