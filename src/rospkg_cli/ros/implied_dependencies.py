@@ -1,4 +1,4 @@
-"""Dependencies that imply others, which need not be declared beside them."""
+"""Dependencies that imply others, which need not be declared as well."""
 
 from __future__ import annotations
 
