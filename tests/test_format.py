@@ -64,6 +64,7 @@ def test_encoding_mark_and_line_ends_are_kept(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("how", [{"check": True}, {"diff": True}, {"check": True, "diff": True}])
 def test_check_and_diff_write_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str], how: dict[str, bool]) -> None:
+    (tmp_path / ".git").mkdir()  # else the packages of other tests are its neighbours
     path = package(tmp_path, UNSORTED)
     assert format_manifests([path], **how) == 1
     assert path.read_text() == UNSORTED
