@@ -32,7 +32,7 @@ class IncludedArguments:
         return self.by_place.get((package, path)) if package else self.by_source.get((own, path))
 
     def takes(self, package: str, source: str) -> frozenset[str] | None:
-        """Return all that a file and what it includes declare or use; None where that can't be told."""
+        """Return all that a file and what it includes declare or use; None where that is unknown."""
         key = package, source
         if key not in self.known:
             self.known[key] = self.all_taken(key)

@@ -6,23 +6,22 @@ import sys
 from collections.abc import Iterator
 
 from ...languages.python.evaluate.values import (
-    AttributeValue,
     Call,
     Constant,
     Function,
     Mapping,
-    PartialText,
     Sequence,
     Text,
     Unknown,
     Value,
 )
-from ...ros.launch_calls import ACTIONS, SIGNATURES
+from ...ros.launch_calls import ACTIONS
 from ...source import Span
-from .configuration_events import LaunchEvent, file_name, passed_uses, uses_of
-from .launch_classes import class_of, named_arguments
+from .configuration_events import LaunchEvent, file_name, passed_uses
+from .launch_classes import class_of
 from .launch_evaluator import ENTRIES, LaunchEvaluator
-from .python_to_text import substitution, text_of
+from .python_to_text import text_of
+from .python_uses import MAX_DEPTH, uses_in, uses_in_value
 
 LATER = frozenset({"RegisterEventHandler", "TimerAction", "RosTimer", "ROSTimer"})
 ADDS = frozenset({"add_action", "add_entity"})
@@ -30,7 +29,6 @@ PERFORMS = frozenset({"perform", "perform_substitution"})
 HARMLESS = (sys.stdlib_module_names | {"launch_testing", "print"}) - {"functools", "itertools"}
 """Where calls come from that declare nothing, whatever they return."""
 
-MAX_DEPTH = 40
 MAX_VISITS = 50_000
 """Of actions: a function that launch calls may return itself, several times."""
 
@@ -89,7 +87,7 @@ class ExecutionOrder:
         elif isinstance(value, Call) and class_of(value) == "LaunchDescription":
             yield from self.description(value, depth + 1)
         elif not isinstance(value, Constant | Text):
-            yield from used(value, 0)
+            yield from uses_in_value(value, 0)
             if not (isinstance(value, Call) and value.callee.partition(".")[0] in HARMLESS):
                 yield LaunchEvent("open")
 
@@ -140,7 +138,7 @@ class ExecutionOrder:
             return
         for each in self.performed if self.visits <= MAX_VISITS else ():
             if inside(each.span, function.span):
-                yield from used(each, 0)
+                yield from uses_in_value(each, 0)
         _, value = self.evaluator.results.get(id(function.node), (None, None))
         if value is not None:
             yield from self.visit(value, depth + 1)
@@ -153,16 +151,14 @@ def inside(span: Span, around: Span) -> bool:
 
 
 def defined_by(call: Call, name: str) -> Iterator[LaunchEvent]:
+    argument = call.get("name", 0)
+    literal = (text_of(argument).literal or "") if argument is not None else ""
     if name == "DeclareLaunchArgument":
         default = call.get("default_value")
-        none = default is None or (isinstance(default, Constant) and default.value is None)
-        name_given = call.get("name", 0)
-        yield LaunchEvent(
-            "declare", (text_of(name_given).literal or "") if name_given is not None else "", call.span, none
-        )
+        has_none = default is None or (isinstance(default, Constant) and default.value is None)
+        yield LaunchEvent("declare", literal, call.span, has_none)
     elif name == "SetLaunchConfiguration":
-        given = call.get("name", 0)
-        yield LaunchEvent("define", (text_of(given).literal or "") if given is not None else "", call.span)
+        yield LaunchEvent("define", literal, call.span)
     elif name == "UnsetLaunchConfiguration":
         yield LaunchEvent("open")
 
@@ -186,44 +182,6 @@ def included(call: Call) -> Iterator[LaunchEvent]:
 
 def passed(name: Value, value: Value) -> Iterator[LaunchEvent]:
     text = text_of(name).literal or ""
-    yield from used(name, 0)
-    yield from passed_uses(used(value, 0), text)
+    yield from uses_in_value(name, 0)
+    yield from passed_uses(uses_in_value(value, 0), text)
     yield LaunchEvent("pass", text, name.span)
-
-
-def uses_in(call: Call, but: tuple[str, ...] = ()) -> Iterator[LaunchEvent]:
-    """Yield the uses in the arguments of a call, except some of them."""
-    named = SIGNATURES.get(class_of(call))
-    for name, argument in named_arguments(call, named) if named is not None else ():
-        if name not in but:
-            yield from used(argument.value, 0)
-
-
-def used(value: Value, depth: int) -> Iterator[LaunchEvent]:
-    """Yield the launch configurations that a value uses when it is performed."""
-    if depth > MAX_DEPTH:
-        return
-    match value:
-        case Call():
-            found = substitution(value)
-            if found is not None and found.name == "var":
-                yield from uses_of(text_of(value))
-            else:
-                for given in (value.receiver, *[argument.value for argument in value.arguments]):
-                    if given is not None:
-                        yield from used(given, depth + 1)
-        case Sequence():
-            for item in value.items:
-                yield from used(item, depth + 1)
-        case Mapping():
-            for key, item in value.items.values():
-                yield from used(key, depth + 1)
-                yield from used(item, depth + 1)
-        case PartialText():
-            for part in value.parts:
-                yield from used(part, depth + 1)
-        case AttributeValue():
-            yield from used(value.of, depth + 1)
-        case Unknown():
-            for option in value.options:
-                yield from used(option, depth + 1)
