@@ -26,7 +26,7 @@ class ArgumentMismatch:
 
 
 @dataclass(frozen=True)
-class IncludeArguments:
+class IncludeContext:
     scope: LaunchContext
 
     def mismatches(self) -> Iterator[ArgumentMismatch]:
@@ -35,7 +35,7 @@ class IncludeArguments:
             target = self.target(include)
             if target is not None:
                 package, signature = target
-                yield from self.judge(include, package, signature)
+                yield from self.mismatches_of(include, package, signature)
 
     def target(self, include: Include) -> tuple[str, LaunchSignature] | None:
         folder = self.scope.file.path.rpartition("/")[0]
@@ -43,7 +43,7 @@ class IncludeArguments:
         known = self.scope.workspace.included_arguments
         return known.find(self.scope.package.name, named.package, named.path) if named is not None else None
 
-    def judge(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[ArgumentMismatch]:
+    def mismatches_of(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[ArgumentMismatch]:
         name = signature.source.rpartition("/")[2]
         given = {text.literal: text for text, _ in include.arguments}
         takes = self.scope.workspace.included_arguments.takes(package, signature.source)

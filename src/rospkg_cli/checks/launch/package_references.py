@@ -40,14 +40,14 @@ def package_references(file: LaunchFile) -> Iterator[PackageReference]:
 def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
     for node in file.nodes:
         does = "loads a component of" if node.kind == "composable_node" else "starts a node of"
-        yield from named(file, node.package, does)
+        yield from package_named(file, node.package, does)
     for each in file.substitutions:
         yield from found_by(file, each)
     for command in file.commands:
         yield from run_by(file, list(command.words))
 
 
-def named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:
+def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:
     name = text.literal if text is not None else None
     if text is not None and name and NAME.fullmatch(name):
         yield PackageReference(name, file.path, text.span, does)
@@ -56,9 +56,9 @@ def named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[Pack
 def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageReference]:
     match each:
         case Substitution(name="find-pkg-share" | "find-pkg-prefix", arguments=(package, *_)):
-            yield from named(file, package, "looks for files of")
+            yield from package_named(file, package, "looks for files of")
         case Substitution(name="exec-in-pkg", arguments=(_, package, *_)):
-            yield from named(file, package, "runs a program of")
+            yield from package_named(file, package, "runs a program of")
         case Substitution(name="find-exec", arguments=(program, *_)):
             yield from program_of(file, program)
         case Substitution(name="command", arguments=(command, *_)):
@@ -80,7 +80,7 @@ def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReferen
             yield PackageReference(PROGRAMS[program], file.path, span, f"runs `{program}` of")
     literals = [word.literal for word in words]
     if literals[:1] == ["ros2"] and literals[1:2] in (["run"], ["launch"]):
-        yield from named(file, words[2] if len(words) > 2 else None, "runs a program of")
+        yield from package_named(file, words[2] if len(words) > 2 else None, "runs a program of")
 
 
 def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageReference]:

@@ -58,14 +58,16 @@ class LaunchParameters:
     workspace: Workspace
 
     @cached_property
-    def given(self) -> tuple[NodeArguments, ...]:
-        return tuple(self.of(launch, node) for launch in self.launches if not launch.is_ros1 for node in launch.nodes)
+    def node_arguments(self) -> tuple[NodeArguments, ...]:
+        return tuple(
+            self.arguments_of(launch, node) for launch in self.launches if not launch.is_ros1 for node in launch.nodes
+        )
 
     def is_read_by_python(self, file: ParameterFile) -> bool:
         """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
-        return any(each.node.kind == "composable_node" and file in each.files for each in self.given)
+        return any(each.node.kind == "composable_node" and file in each.files for each in self.node_arguments)
 
-    def of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
+    def arguments_of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
         found: list[ParameterFile] = []
         is_complete = node.is_complete and node.is_certain
         for entry in node.parameters:
@@ -109,9 +111,9 @@ class LaunchParameters:
 
     def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
         """Yield the blocks that no node reads, where a node that gets the file and has none has a near name."""
-        started = {each.name for each in self.given}
+        started = {each.name for each in self.node_arguments}
         for file in self.files:
-            readers = [each for each in self.given if file in each.files and each.name]
+            readers = [each for each in self.node_arguments if file in each.files and each.name]
             named = {last(block) for block in file.blocks}
             without_block = [each for each in readers if each.name not in named]
             for block in file.blocks:
@@ -123,7 +125,7 @@ class LaunchParameters:
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
         """Yield each node with the parameters that its code declares without a default and that are not set."""
-        for each in self.given:
+        for each in self.node_arguments:
             package = each.node.package.literal if each.node.package else None
             facts = self.workspace.named(package) if package else None
             started = each.node.executable or each.node.plugin

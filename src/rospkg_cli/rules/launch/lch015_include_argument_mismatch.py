@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.include_arguments import ArgumentMismatch, IncludeArguments
+from ...checks.launch.include_arguments import ArgumentMismatch, IncludeContext
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -33,14 +33,14 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value
 @rule(
     "LCH015",
     "include-argument-mismatch",
-    over=IncludeArguments,
+    over=IncludeContext,
     severity=Severity.WARNING,
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
         Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
     ),
 )
-def include_argument_mismatch(including: IncludeArguments) -> Iterator[Hit]:
+def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds arguments of an included launch file that it does not declare, or that are missing.
@@ -51,8 +51,8 @@ def include_argument_mismatch(including: IncludeArguments) -> Iterator[Hit]:
     An unknown argument has no effect, without a warning. A missing one stops the launch: "Included launch description
     missing required argument 'speed'".
     """
-    for each in including.mismatches():
-        yield Hit(including.scope.file.path, each.span, message(each))
+    for each in context.mismatches():
+        yield Hit(context.scope.file.path, each.span, message(each))
 
 
 def message(mismatch: ArgumentMismatch) -> str:
