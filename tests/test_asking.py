@@ -52,7 +52,7 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
     )  # fmt: skip
     said = capsys.readouterr()
     assert said.out == ""
-    assert "License, as SPDX calls it [Apache-2.0]: " in said.err
+    assert "License (SPDX identifier) [Apache-2.0]: " in said.err
 
 
 def test_a_wrong_answer_is_explained_and_asked_again(
@@ -99,7 +99,7 @@ def test_what_was_typed_is_not_asked_and_the_config_is_the_default(
     typed = Request("my_pkg", "mixed", nodes=("a1", "b1:python"), launch="yaml", tests="none", **ADA)
     assert answer(monkeypatch, typed, "", "", "", license="MIT") == typed
     said = capsys.readouterr().err
-    assert "License, as SPDX calls it [MIT]: " in said
+    assert "License (SPDX identifier) [MIT]: " in said
     assert "Type" not in said
     assert "Launch" not in said
 

@@ -98,7 +98,7 @@ def test_what_else_new_lets_one_choose() -> None:
     types, forms = set(template_names()), set(LAUNCH_FORMATS)
     assert set(names(help_of("new", "--type"))) == types
     assert set(words("docs/new.md", r"\| `--type`, `-t` \| ([^|]*)")) == types
-    assert set(names(help_of("new", "--with").partition(";")[0])) == set(all_extras())
+    assert set(names(help_of("new", "--with").partition("(")[0])) == set(all_extras())
     assert set(words("docs/new.md", r"\| `--with` \| ([^|]*) .comma-separated")) == set(all_extras())
     assert set(words("README.md", r"`--with ([^`]*)`")) == set(all_extras())
     assert set(names(help_of("new", "--launch").partition(":")[2].partition(".")[0])) == forms
