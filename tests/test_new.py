@@ -222,7 +222,7 @@ def test_without_git_and_home_the_login_maintains(capsys: pytest.CaptureFixture[
     assert new(Request("my_robot_nav")) == 0
     said = capsys.readouterr().err
     assert len(said.splitlines()) == 1
-    found = re.search(r"so it is (ada@[a-z0-9-]+\.local).*package.xml line (\d+) and setup.py line (\d+)", said)
+    found = re.search(r"using (ada@[a-z0-9-]+\.local).*package.xml line (\d+) and setup.py line (\d+)", said)
     assert found
     address, line = found.group(1), int(found.group(2))
     manifest = Path("my_robot_nav/package.xml").read_text().splitlines()

@@ -128,7 +128,7 @@ def obstacle_dead_link() -> None:
 @pytest.mark.parametrize("how", ["force", "skip"])
 @pytest.mark.parametrize(
     "obstacle, why",
-    [(obstacle_folder, "no file"), (obstacle_link, "a link"), (obstacle_file, "no folder"), (obstacle_dead_link, "no")],
+    [(obstacle_folder, "not a file"), (obstacle_link, "a link"), (obstacle_file, "not a folder"), (obstacle_dead_link, "no")],
 )
 def test_what_stands_in_the_way_is_left_alone(there: Path, how: str, obstacle, why: str) -> None:
     obstacle()
@@ -153,7 +153,7 @@ def test_a_link_to_a_file_is_never_replaced() -> None:
 def test_a_file_in_the_place_of_the_package_is_refused() -> None:
     Path("taken_name").write_text("mine")
     for how in ("force", "skip"):
-        with pytest.raises(UsageError, match="no folder"):
+        with pytest.raises(UsageError, match="not a folder"):
             new(Request("taken_name", **ADA), existing=how)
     assert Path("taken_name").read_text() == "mine"
 
