@@ -96,10 +96,21 @@ class Manifest:
         return next((each for each in self.document.instructions if each.target == "xml-model"), None)
 
     def all(self, *tags: str) -> list[Element]:
+        """Return the children that have one of some tags, in order."""
+        if len(tags) == 1:
+            return [*self.by_tag.get(tags[0], ())]
         return [child for child in self.root.children if child.tag in tags]
 
     def first(self, tag: str) -> Element | None:
-        return next(iter(self.all(tag)), None)
+        return next(iter(self.by_tag.get(tag, ())), None)
+
+    @cached_property
+    def by_tag(self) -> dict[str, list[Element]]:
+        """The children by tag: rules ask for the name once for each dependency."""
+        found: dict[str, list[Element]] = {}
+        for child in self.root.children:
+            found.setdefault(child.tag, []).append(child)
+        return found
 
     def text(self, tag: str) -> str:
         """Return the text of the first child with a tag, "" where there is none."""
