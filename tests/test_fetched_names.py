@@ -162,7 +162,7 @@ def test_an_old_index_is_said_where_it_told_a_name(tmp_path: Path, write, clean,
     cache_index(replace(INDEX, fetched="2020-01-01T00:00:00Z"), surroundings)
     write(tmp_path / "my_pkg", {**clean, "package.xml": manifest(need(name))})
     done = rospkg("lint", "--select", "DEP001", "my_pkg", cwd=tmp_path, **surroundings)
-    assert ("days old; `rospkg index update` fetches it anew" in done.stderr) is says
+    assert ("days old; `rospkg index update` fetches a new one" in done.stderr) is says
 
 
 def test_the_index_is_read_when_a_name_is_asked_for(tmp_path: Path) -> None:

@@ -77,7 +77,7 @@ BASELINES = [
 @pytest.mark.parametrize("text", BASELINES, ids=lambda text: ascii(text[-30:]))
 def test_a_hostile_baseline_is_one_sentence(tmp_path: Path, text: str) -> None:
     (tmp_path / "baseline.json").write_bytes(text.encode("utf-8", "surrogateescape"))
-    with pytest.raises(BaselineError, match="is no baseline of rospkg; make one with"):
+    with pytest.raises(BaselineError, match="is not a baseline of rospkg; create one with"):
         read_baseline(tmp_path / "baseline.json")
 
 

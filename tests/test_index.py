@@ -99,7 +99,7 @@ def test_status_as_json(run: Run, folder: Path, cache: Path) -> None:
 def test_without_an_index_status_says_so(run: Run) -> None:
     done = run("status")
     assert done.returncode == 0
-    assert "No index was fetched" in done.stdout
+    assert "No index fetched" in done.stdout
 
 
 def test_a_mirror_is_read(run: Run, cache: Path) -> None:
@@ -285,7 +285,7 @@ def test_a_broken_index_is_said_and_passed_over(
     assert done.returncode == 0
     assert says in done.stderr
     assert done.stderr.count("\n") == 1
-    assert "`rospkg index update` makes it anew; until then, what is built in answers" in done.stderr
+    assert "`rospkg index update` makes it anew; until then, the built-in names are used" in done.stderr
     assert run("update", "--source", folder).returncode == 0
     assert run("status").returncode == 0
 

@@ -7,7 +7,7 @@ import pytest
 from rospkg_cli.checks.launch.call_errors import call_faults
 from rospkg_cli.checks.launch.robot_description import robot_parameters
 from rospkg_cli.checks.launch.undefined_names import undefined_names
-from rospkg_cli.checks.launch.wrong_imports import misimports
+from rospkg_cli.checks.launch.wrong_imports import wrong_imports
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.package import Package
@@ -174,7 +174,7 @@ def test_imports_from_the_wrong_module() -> None:
         "def generate_launch_description(): ...\n"
     ).python
     assert file is not None
-    assert [(each.name, each.home or each.near) for each in misimports(file)] == [
+    assert [(each.name, each.home or each.near) for each in wrong_imports(file)] == [
         ("Node", "launch_ros.actions"),
         ("DeclareLaunchArguments", "DeclareLaunchArgument"),
         ("ComposableNode", "launch_ros.descriptions"),

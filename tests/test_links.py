@@ -30,7 +30,7 @@ def test_a_link_to_a_package_is_a_package(tmp_path: Path, write, clean) -> None:
     (tmp_path / "ws/src/foo").symlink_to(tmp_path / "dev/foo")
     done = rospkg("lint", cwd=tmp_path / "ws")
     assert (done.returncode, done.stderr) == (0, "")
-    assert "in 1 package" in done.stdout
+    assert "(1 package" in done.stdout
     located = locate([tmp_path / "ws/src/foo"])
     assert (located.root, located.scope.given) == (tmp_path / "ws", {"src/foo"})
 

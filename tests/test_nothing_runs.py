@@ -174,7 +174,7 @@ def test_a_plugin_in_the_current_folder_is_not_installed(hostile: Path, tmp_path
         [sys.executable, "-m", "rospkg_cli", "lint"], cwd=hostile, env=environment, capture_output=True, text=True
     )
     assert (done.returncode, done.stdout) == (2, "")
-    assert "there is no plug-in `evil`" in done.stderr
+    assert "there is no plugin `evil`" in done.stderr
     assert not (tmp_path / "ran").exists()
 
 

@@ -133,8 +133,7 @@ def test_a_description_shows_the_robot_in_every_form(form: str) -> None:
     planned = plan("my_robot_description", template="description", launch=form)
     read = around(planned).package("my_robot_description").parts(LaunchFile).good
     own, view = sorted(read, key=lambda file: file.path)
-    assert not own.faults
-    assert not view.faults
+    assert [finding.code for finding in planned.findings] == []
     assert [node.package.literal for node in own.nodes] == ["robot_state_publisher"]
     assert [node.package.literal for node in view.nodes] == [
         "joint_state_publisher_gui", "joint_state_publisher", "rviz2",
