@@ -21,15 +21,19 @@ class Done:
     stderr: str
 
 
-def run_here(*arguments: object, cwd: Path) -> Done:
-    """Run the command line in a folder."""
+def run_here(*arguments: object, cwd: Path, **environment: str) -> Done:
+    """Run the command line in a folder, with more variables in its environment."""
     out, err, before, argv = StringIO(), StringIO(), Path.cwd(), sys.argv
+    variables = dict(os.environ)
     try:
+        os.environ.update(environment)
         os.chdir(cwd)
         sys.argv = ["rospkg", *map(str, arguments)]
         with redirect_stdout(out), redirect_stderr(err):
             code = status()
     finally:
         os.chdir(before)
+        os.environ.clear()
+        os.environ.update(variables)
         sys.argv = argv
     return Done(code, out.getvalue(), err.getvalue())

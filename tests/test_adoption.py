@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
-from test_lint_command import TODO, rospkg
+from in_process import run_here as rospkg
+from test_lint_command import TODO
 
 from rospkg_cli.config.required_version import satisfies
 from rospkg_cli.engine.selection import Selection

@@ -6,7 +6,7 @@ import json
 import re
 from pathlib import Path
 
-from test_lint_command import rospkg
+from in_process import run_here as rospkg
 from typer.main import get_command
 
 from rospkg_cli.cli.app import app

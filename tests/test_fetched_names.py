@@ -6,8 +6,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from in_process import run_here as rospkg
 from small_rosdistro import DISTROS
-from test_lint_command import rospkg
 
 from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.discovery.incomplete_workspace import lists_more_packages

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_lint_command import rospkg
+from in_process import run_here as rospkg
 
 from rospkg_cli.config.file import MAX_TEXT, ConfigError, find_config
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
