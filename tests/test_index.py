@@ -12,8 +12,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from in_process import run_here as rospkg
 from small_rosdistro import DISTROS, FILES, distribution, index, serve
-from test_lint_command import rospkg
 
 from rospkg_cli.cli import app
 from rospkg_cli.index import NamesError

@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from test_lint_command import rospkg
+from in_process import run_here as rospkg
 
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker

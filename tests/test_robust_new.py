@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from test_lint_command import rospkg
+from in_process import run_here as rospkg
 from test_robust_fix import tiny_disk as tiny_disk
 
 NEW = ["new", "my_robot_nav", "--maintainer", "Ada", "--email", "ada@example.org"]
