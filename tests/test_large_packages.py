@@ -5,14 +5,25 @@ No test looks at a clock: what is done is counted.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
+from rospkg_cli import suggest
 from rospkg_cli.example import manifest
 from rospkg_cli.languages.xml.elements import Element
 from rospkg_cli.languages.xml.parser import read_xml
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.rules.manifest.xml203_self_dependency import self_dependency
 from rospkg_cli.source import Source
+from rospkg_cli.suggest import nearest, refill
+
+
+@pytest.fixture(autouse=True)
+def full_effort() -> Iterator[None]:
+    refill()
+    yield
+    refill()
 
 
 def test_the_name_of_a_package_is_not_looked_for_among_all_its_dependencies(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -27,5 +38,27 @@ def test_the_name_of_a_package_is_not_looked_for_among_all_its_dependencies(monk
     monkeypatch.setattr(Element, "children", property(counted))
     count = 4_000
     text = manifest("".join(f"  <depend>unknown_{n}</depend>\n" for n in range(count)))
-    assert list(self_dependency(Manifest(read_xml(Source("package.xml", text))))) == []
+    assert list(self_dependency.check(Manifest(read_xml(Source("package.xml", text))))) == []
     assert visits < 10 * count
+
+
+def test_no_name_is_looked_at_once_effort_is_used_up() -> None:
+    class Names(list[str]):
+        iterations = 0
+
+        def __iter__(self) -> Iterator[str]:
+            Names.iterations += 1
+            return super().__iter__()
+
+    names, words = Names(f"a{n}" for n in range(3_000)), [f"b{n}" for n in range(3_000)]
+    assert [nearest(word, names) for word in words][-1] is None
+    assert Names.iterations < 1_000
+
+
+def test_words_that_share_few_letters_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The effort for one rule is enough for 100 wrong names among 1,000."""
+    monkeypatch.setattr(suggest, "SequenceMatcher", None)
+    monkeypatch.setattr(suggest, "distance", None)
+    names = [f"{first}_driver_{n}" for n in range(500) for first in ("camera", "gripper")]
+    assert {nearest(f"ouzqk{n}h_lmfpstwb", names) for n in range(100)} == {None}
+    assert suggest.Effort.left > 0

@@ -132,13 +132,15 @@ class LaunchConfigurations:
         used |= {s.arguments[0].literal or "" for s in self.file.configurations() if s.arguments}
         if "" in used:
             return
+        used |= OWN
         for argument in self.file.arguments:
             name = argument.name.literal
-            if name and name not in used | OWN and not self.has_other_mention(name, argument.span):
+            if name and name not in used and not self.has_other_mention(name, argument.span):
                 yield argument
 
     def has_other_mention(self, name: str, declared: Span) -> bool:
         """Return whether a Python file has the name in quotes at another place."""
-        text = self.file.source.text
-        outside = text[: declared.start] + text[declared.end :]
-        return self.file.frontend == "python" and any(f"{q}{name}{q}" in outside for q in "'\"")
+        if self.file.frontend != "python":
+            return False
+        text, quoted = self.file.source.text, (f"'{name}'", f'"{name}"')
+        return any(text.find(each, 0, declared.start) >= 0 or text.find(each, declared.end) >= 0 for each in quoted)
