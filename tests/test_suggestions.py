@@ -34,3 +34,11 @@ def test_thousands_of_wrong_names_get_no_guess_until_the_next_rule() -> None:
     refill()
     assert Effort.left == MAX_STEPS
     assert nearest("rclccp", ["rclcpp"]) == "rclcpp"
+
+
+def test_a_wrong_name_that_is_written_often_is_compared_once() -> None:
+    refill()
+    assert nearest("rclccp", NAMES) == nearest("rclccp", NAMES)
+    once = Effort.left
+    assert {nearest("rclccp", NAMES) for _ in range(1_000)} == {nearest("rclccp", NAMES)}
+    assert Effort.left == once

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher
+from typing import ClassVar
 
 LONGEST = 200
 """Characters; a longer word is not a misspelt name, and comparing it is slow."""
@@ -23,11 +24,14 @@ class Effort:
     """How much may still be compared: thousands of wrong names among thousands of right ones get no guess."""
 
     left = MAX_STEPS
+    answers: ClassVar[dict[tuple[str, frozenset[str], int], str | None]] = {}
+    """Of `nearest`, where effort sufficed: one wrong name is often written many times."""
 
 
 def refill() -> None:
     """Start anew, as each rule does for each package."""
     Effort.left = MAX_STEPS
+    Effort.answers.clear()
 
 
 def distance(a: str, b: str, limit: int = 3) -> int:
@@ -63,7 +67,15 @@ def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     """Return the near name if there is exactly one, else one that shares most of its letters, else None."""
     if len(word) > LONGEST or Effort.left < 0:
         return None
-    different = set(names) - {word}
+    question = word, frozenset(names), limit
+    if question not in Effort.answers:
+        Effort.answers[question] = compare(*question)
+    return Effort.answers[question]
+
+
+def compare(word: str, names: frozenset[str], limit: int) -> str | None:
+    """Return what `nearest` does, found out anew."""
+    different = names - {word}
     found = near_names(word, different, limit)
     if len(found) == 1:
         return found[0]
