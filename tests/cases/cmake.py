@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.rules.cmake import cmk101_cmake_folder_not_installed as cmk101
 from rospkg_cli.rules.cmake import cmk104_wrong_executable_destination as cmk104
 from rospkg_cli.rules.cmake import cmk105_script_not_executable as cmk105
 from rospkg_cli.rules.cmake import cmk110_unknown_target as cmk110
@@ -38,6 +39,21 @@ EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_exp
 GTEST = "find_package(ament_cmake_gtest REQUIRED)\n"
 NEEDS_GTEST = "  <test_depend>ament_cmake_gtest</test_depend>\n"
 
+OLD = {
+    "old/package.xml": manifest(build_type="ament_cmake", name="old"),
+    "old/CMakeLists.txt": CMAKE.replace("my_pkg", "old"),
+}
+"""A package that exports no target."""
+USER = {
+    "user/package.xml": manifest("  <depend>old</depend>\n", "ament_cmake"),
+    "user/CMakeLists.txt": CMAKE.replace(
+        "ament_package",
+        "find_package(old REQUIRED)\nadd_executable(talker src/a.cpp)\nament_target_dependencies(talker old)\n"
+        "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\nament_package",
+    ),
+    "user/src/a.cpp": MAIN,
+}
+
 CASES = {
     "CMK001": (
         called("project(other)", "my pkg"),
@@ -46,8 +62,14 @@ CASES = {
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
               src__a_DOT_cpp=MAIN),
+        Example(bad={**OLD, **USER}, good={}, on=""),
     ),
     "CMK006": (cmake("add_executable(talker src/a.cpp)\nadd_library(talker src/a.cpp)\n", src__a_DOT_cpp=MAIN),),
+    "CMK101": (
+        cmake("install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME}/more)\n"
+              "install(FILES LICENSE DESTINATION share/${PROJECT_NAME})\n",
+              LICENSE="Apache License\n", **cmk101.MESHES),
+    ),
     "CMK102": (
         cmake("install(FILES missing.yaml DESTINATION share/${PROJECT_NAME})\n"),
         cmake("install(FILES LICENCE DESTINATION share/${PROJECT_NAME})\n"),

@@ -7,6 +7,7 @@ from rospkg_cli.rules.launch import lch008_undeclared_launch_argument as lch008
 from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
 from rospkg_cli.rules.launch import lch011_unknown_component as lch011
 from rospkg_cli.rules.launch import lch013_undefined_launch_name as lch013
+from rospkg_cli.rules.launch import lch014_invalid_launch_call as lch014
 
 LAUNCH = "launch/a.launch.py"
 
@@ -73,4 +74,5 @@ CASES = {
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "LogInof(msg='x')")),
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "something_else")),
     ),
+    "LCH014": (python(lch014.BAD.replace("package='tf2_ros', executable=", "").replace("arguments=", "")),),
 }

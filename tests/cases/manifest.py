@@ -22,6 +22,12 @@ def depend(attributes: str) -> Example:
     return with_line(f"<depend {attributes}>rclcpp</depend>")
 
 
+VERSION = "  <version>1.0.0</version>\n"
+BELOW = """\
+  <description>Drives my robot</description>
+  <maintainer email="ada@example.org">Ada</maintainer>
+  <license>Apache-2.0</license>
+"""
 PROSE = "You may use, change and pass on this software for whatever you like, as long as you share"
 
 CASES = {
@@ -35,6 +41,7 @@ CASES = {
         with_line("<depend>rclpy<b/></depend>"),
         Example(bad={"package.xml": manifest("  <depend>rclpy</depend>\n").replace('"3"', '"1"')}, good={}),
     ),
+    "XML002": (instead(VERSION + BELOW, BELOW + VERSION),),
     "XML003": (instead('format="3"', 'format=" 3 "'), instead('format="3"', 'format="4"')),
     "XML101": tuple(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
     "XML103": (

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest, setup_py
+from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, Example, manifest, setup_py
 from rospkg_cli.rules.depends import dep108_undeclared_interface_package as dep108
+from rospkg_cli.rules.interfaces import idl007_missing_interface_dependency as idl007
 from rospkg_cli.rules.params import prm008_missing_parameter as prm008
+from rospkg_cli.rules.setup import set203_manifest_not_installed as set203
+from rospkg_cli.rules.setup import set206_data_folder_not_installed as set206
 
 NODE = "find_package(rclcpp REQUIRED)\nadd_executable(node src/node.cpp)\n"
 
@@ -37,6 +40,8 @@ def installed(entries: str) -> Example:
 
 
 SHARE = "share/my_pkg/config"
+LATER = INTERFACES_CMAKE.replace("rosidl_generate_", "set(A msg)\nrosidl_generate_")
+"""Something is between what is looked for and the call that needs it."""
 ROBOT = """\
 <robot name="robot">
   <link name="base">
@@ -78,9 +83,22 @@ CASES = {
               "  <depend>rclcpp</depend>\n  <depend>nav2_bringup</depend>\n", src__node_DOT_cpp="int main() {}\n",
               launch__a_DOT_launch_DOT_xml="<launch>\n  <node pkg='nav2_bringup' exec='x'/>\n</launch>\n"),
     ),
+    "DEP204": (
+        cmake("if(BUILD_TESTING)\n  find_package(ament_cmake_gtest REQUIRED)\n  find_package(std_msgs REQUIRED)\n"
+              "  ament_add_gtest(test_a test/test_a.cpp)\nendif()\n",
+              "  <depend>std_msgs</depend>\n  <test_depend>ament_cmake_gtest</test_depend>\n",
+              test__test_a_DOT_cpp="#include <std_msgs/msg/string.hpp>\nstd_msgs::msg::String made();\n"),
+    ),
     "IDL004": (
         interfaces("my_pkg/SetMode mode\n"),
         Example(bad={"msg/Status.msg": "SetMode mode\n"}, good={}, on="interfaces"),
+    ),
+    "IDL007": (
+        Example(
+            bad={**idl007.FILES, "CMakeLists.txt": LATER},
+            good={},
+            on="interfaces",
+        ),
     ),
     "PRM008": tuple(
         Example(
@@ -97,9 +115,15 @@ CASES = {
         )
         for count in (1, 19, 20, 22)
     ),
+    "SET203": (python("", setup_DOT_py=set203.BAD.replace("«", "").replace("»", "").replace("'", '"')),),
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
     "SET209": (installed("('share/my_pkg/xml', ['package.xml'])"),),
+    "SET206": (
+        Example(bad={**set206.FILES, "setup.py": "from glob import glob\n" + setup_py()}, good={}),
+        Example(bad={**set206.FILES, "setup.py": "import glob\n" + setup_py()}, good={}),
+    ),
     "SET301": (python("", my_pkg__speech__words_DOT_py="A = 1\n"),),
+    "SET401": (python("", setup_DOT_py=setup_py().replace("'my_pkg'", "'your_pkg'")),),
     "URD002": (
         Example(bad={"urdf/robot.urdf": ROBOT, "meshes/bas.stl": "solid base\n"}, good={}, on="ament_cmake"),
     ),

@@ -14,6 +14,8 @@ TWICE = plg004.PACKAGE.replace(
     "add_library(my_planner SHARED src/planner.cpp)\nadd_library(my_other SHARED src/planner.cpp)",
 )
 """The class is in two libraries, so that it can't be told which one is meant."""
+THIRD = TWICE.replace("add_library(my_other", "add_library(my_third SHARED src/third.cpp)\nadd_library(my_other")
+"""And there is one without it, which the path may mean all the same."""
 LOADER = """\
 #include <pluginlib/class_loader.hpp>
 #include <nav2_core/global_planner.hpp>
@@ -65,6 +67,7 @@ CASES = {
         described("lib/libmy_planner.so", TWICE),
         described("my_planer", TWICE),
         described("nothing_alike", TWICE),
+        described("lib/libmy_third.so", THIRD),
     ),
     "PLG005": (
         exported_to("rviz_common"),
