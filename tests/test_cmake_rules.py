@@ -77,6 +77,14 @@ def test_an_executable_may_stand_in_bin_too() -> None:
     assert said({**files, **both}, "CMK104") == []
 
 
+@pytest.mark.parametrize("condition", ["BUILD_TESTING", "SOMETHING_ELSE"])
+def test_a_script_is_judged_where_it_is_certainly_installed_for_use(condition: str) -> None:
+    lines = "install(FILES scripts/hello.py DESTINATION lib/${PROJECT_NAME})"
+    files = {"scripts/hello.py": "#!/usr/bin/env python3\nprint('hello')\n"}
+    assert len(said({**package(lines), **files}, "CMK105")) == 1
+    assert said({**package(f"if({condition})\n  {lines}\nendif()"), **files}, "CMK105") == []
+
+
 @pytest.mark.parametrize(
     "condition",
     ['$ENV{ROS_DISTRO} MATCHES "humble"', "NOT ROS_DISTRO STREQUAL lyrical", "COMMAND ament_target_dependencies"],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.params.launch_parameters import MAX_DEPTH
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 
@@ -76,6 +77,22 @@ def test_a_launch_argument_stands_for_its_default() -> None:
     launch = xml('<param from="$(var file)"/>', arguments=argument)
     assert messages(package(launch, "talker:\n  ros__parameters:\n    rate: 1.0\n"), "PRM008")
     assert not messages(package(launch, f"talker:\n  ros__parameters:\n{ALL}"), "PRM008")
+
+
+def test_defaults_are_followed_through_other_arguments_as_far_as_promised() -> None:
+    """What is not followed may be any file of the folder, and then it is not known what the node is given."""
+
+    def found(count: int) -> list[str]:
+        names = [f"a{number}" for number in range(count)]
+        values = [*(f"$(var {name})" for name in names[1:]), "robot"]
+        arguments = "".join(
+            f'<arg name="{name}" default="{value}"/>' for name, value in zip(names, values, strict=True)
+        )
+        given = '<param from="$(find-pkg-share my_pkg)/config/$(var a0).yaml"/>'
+        files = package(xml(given, arguments=arguments), "talker:\n  ros__parameters:\n    rate: 1.0\n")
+        return messages({**files, "config/other.yaml": "other:\n  ros__parameters:\n    a: 1\n"}, "PRM008")
+
+    assert [bool(found(count)) for count in (1, 2, MAX_DEPTH, MAX_DEPTH + 1)] == [True, True, True, False]
 
 
 def test_a_node_that_may_not_be_started_is_left_alone() -> None:
