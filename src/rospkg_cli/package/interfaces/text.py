@@ -69,7 +69,7 @@ def separator_problems(
     has = {0: "no line `---`", 1: "exactly one line `---`", 2: "exactly two lines `---`"}[wanted]
     for mark in marks:
         if not mark.exact and mark in chosen[:wanted]:
-            message = "rosidl takes only a line that is exactly `---` for a separator, without blanks around it"
+            message = "rosidl takes only a line that is exactly `---` for a separator, without spaces around it"
             yield GrammarProblem(mark.span, f"{message}: the build stops here", "---", mark.span, "write `---`")
         elif mark not in chosen[:wanted]:
             yield GrammarProblem(mark.span, f"a .{kind} file has {has}; this one is too many, and the build stops here")

@@ -78,7 +78,7 @@ def nested(base: str, span: Span) -> tuple[str, str]:
 
 def explain(name: str) -> str:
     if "[" in name or "]" in name:
-        return f"`{name}` is no type: an array has one pair of brackets, without blanks: `int32[]`, `int32[3]`"
+        return f"`{name}` is no type: an array has one pair of brackets, without spaces: `int32[]`, `int32[3]`"
     return f"`{name}` is no type: primitive types are `bool`, `int32`, `float64`, `string` …; others are CamelCase"
 
 
