@@ -5,12 +5,14 @@ from __future__ import annotations
 import io
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import jsonschema
 import pytest
 from junitparser import JUnitXml
 
+from rospkg_cli.engine.run.session import Results
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.report.fingerprint import fingerprints
 from rospkg_cli.rule import all_rules
@@ -37,12 +39,20 @@ def rendered(name: str, report: Report) -> str:
     return stream.getvalue()
 
 
+@cache
+def linted_examples() -> tuple[tuple[str, frozenset[str], Results], ...]:
+    """Return the code of each rule, the paths of each of its examples, and what is found there; linted once for all."""
+    return tuple(
+        (rule.code, frozenset(example.bad_files()), lint_files(example.bad_files(), None, example.targets))
+        for rule in all_rules()
+        for example in rule.examples
+    )
+
+
 @pytest.mark.parametrize("name", FORMATS)
 def test_every_example_can_be_shown(name: str) -> None:
-    for rule in all_rules():
-        for example in rule.examples:
-            results = lint_files(example.bad_files(), None, example.targets)
-            assert rendered(name, Report(results, Path("/ws"), Path("/ws")))
+    for _, _, results in linted_examples():
+        assert rendered(name, Report(results, Path("/ws"), Path("/ws")))
 
 
 @pytest.mark.parametrize("name", FORMATS)
@@ -80,14 +90,13 @@ def test_gitlab_would_keep_every_finding() -> None:
     }
     words = {key: {"type": "string"} for key in ("description", "fingerprint", "severity")}
     wanted = {"type": "object", "required": [*words, "location"], "properties": {**words, "location": place}}
-    for rule in all_rules():
-        for example in rule.examples:
-            found = lint_files(example.bad_files(), None, example.targets)
-            entries = json.loads(rendered("gitlab", Report(found, Path("/ws"), Path("/ws"))))
-            for entry in entries:
-                if entry["location"]["path"] in example.bad_files():
-                    jsonschema.validate(entry, wanted)
-            assert len({entry["fingerprint"] for entry in entries}) == len(found.findings), rule.code
+    is_wanted = jsonschema.Draft202012Validator(wanted)
+    for code, paths, found in linted_examples():
+        entries = json.loads(rendered("gitlab", Report(found, Path("/ws"), Path("/ws"))))
+        for entry in entries:
+            if entry["location"]["path"] in paths:
+                is_wanted.validate(entry)
+        assert len({entry["fingerprint"] for entry in entries}) == len(found.findings), code
 
 
 def test_fingerprints_hold_when_lines_move(clean) -> None:

@@ -73,7 +73,7 @@ PACKAGES = """<package>
 FILES = st.sampled_from([{}, {"setup.py": ""}, {"CMakeLists.txt": "project(my_pkg)\nament_package()\n"}])
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(
     st.sampled_from(HEADS),
     st.sampled_from(PACKAGES),

@@ -61,7 +61,7 @@ def check(planned: Plan, description: str | None, maintainer: str | None) -> Non
             assert yaml.safe_load(text)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(TEXT)
 @example("words " * 60 + "x" * 200)
 @example("'\"" * 80)
@@ -72,7 +72,7 @@ def test_any_description_is_the_same_everywhere(text: str) -> None:
     check(planned, line or None, "Ada Lovelace")
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(TEXT, st.sampled_from(template_names()))
 def test_any_description_stands_in_every_type_of_package(text: str, template: str) -> None:
     planned = plan("my_robot", template=template, description=text)
@@ -81,7 +81,7 @@ def test_any_description_stands_in_every_type_of_package(text: str, template: st
     assert shown == (" ".join(text.split()) or plan("my_robot", template=template).answers.description.text)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(TEXT)
 def test_any_maintainer_is_the_same_everywhere(text: str) -> None:
     line = " ".join(text.split())
@@ -96,7 +96,7 @@ def test_any_maintainer_is_the_same_everywhere(text: str) -> None:
         assert UserText(line).text in texts(plan(maintainer=text, license="MIT"))["LICENSE"]
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(TEXT, st.sampled_from(template_names()))
 def test_any_maintainer_stands_in_every_type_of_package(text: str, template: str) -> None:
     try:
@@ -112,7 +112,7 @@ def test_any_maintainer_stands_in_every_type_of_package(text: str, template: str
 NAMES = st.from_regex(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", fullmatch=True).filter(lambda name: 2 <= len(name) <= 60)
 
 
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(NAMES, st.sampled_from(template_names()), st.sampled_from(LAUNCH_FORMATS[:3]))
 def test_any_name_fits_every_type_of_package(name: str, template: str, launch: str) -> None:
     try:

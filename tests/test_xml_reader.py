@@ -103,7 +103,7 @@ def test_any_text_is_read_or_refused(text: str) -> None:
         assert found.message.startswith("`package.xml`")
 
 
-@settings(max_examples=300)
+@settings(max_examples=150)
 @given(
     elements(), st.integers(0, 400), st.sampled_from(["", "<", "</", ">", "&", "&x;", '"', "<!--", "]]>", "\x00", "é"])
 )
@@ -158,8 +158,8 @@ def test_depth_is_bounded() -> None:
 
 def test_wide_documents_are_read_in_linear_time() -> None:
     """Counted in handler calls, not in seconds: a quadratic reader would not come to the end."""
-    document = read("<a>" + "é<b c='ü'/>" * 45_000 + "</a>")
-    assert len(document.root.children) == 45_000
+    document = read("<a>" + "é<b c='ü'/>" * 20_000 + "</a>")
+    assert len(document.root.children) == 20_000
     assert document.source.slice(document.root.children[-1].span) == "<b c='ü'/>"
 
 
