@@ -86,6 +86,12 @@ def test_misspelt_and_needless_names_are_findings(package: Path) -> None:
     assert "RPK002" in done.stdout
 
 
+def test_a_needless_name_is_shown_where_it_stands_among_others(package: Path) -> None:
+    (package.parent / "rospkg.toml").write_text('ignore = { XML104 = "soon", RPK001 = "never" }\n')
+    done = rospkg("lint", "--format", "concise", cwd=package.parent)
+    assert [line.split(": ")[0] for line in done.stdout.splitlines() if "RPK002" in line] == ["rospkg.toml:1:29"]
+
+
 @pytest.mark.parametrize(
     "before, after",
     [
