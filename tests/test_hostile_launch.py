@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.missing_references import LaunchContext
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
@@ -89,12 +88,21 @@ def test_files_that_include_each_other_are_followed_once() -> None:
     assert files.inherited(names[0]) is inherited
 
 
-def test_a_manifest_that_is_no_text_breaks_no_launch_rule() -> None:
-    """LCH006 asks package.xml whether the package is one for ROS 1 too."""
-    tree = MemoryTree.of({"launch/a.launch": "<launch><node pkg='a' type='b' name='c'/></launch>\n"})
-    scope = LaunchContext(*[None] * 6)  # type: ignore[arg-type]
-    object.__setattr__(scope, "files", PackageFiles(tree))
-    assert scope.is_ros1_leftover is False
+@pytest.mark.parametrize("before", [b"<?xml", b"Drives"])
+@pytest.mark.parametrize("text", ["<node pkg='a' type='b' name='c'/>", "<let name='a' value='$(find b)'/>"])
+def test_a_manifest_that_is_no_text_breaks_no_launch_rule(before: bytes, text: str) -> None:
+    """LCH006 asks package.xml whether the package is one for ROS 1 too; what it knows without it, it still says."""
+    files = {
+        "package.xml": manifest("", "ament_cmake").encode().replace(before, b"\xff" + before),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package"
+        ),
+        "launch/a.launch.xml": f"<launch>{text}</launch>",
+    }
+    found = {(finding.code, finding.location.path) for finding in lint_files(files).findings}
+    assert ("RPK001", "package.xml") in found
+    assert {code for code, path in found if path.startswith("launch/")} == ({"LCH006"} if "find" in text else set())
+    assert "RPK005" not in {code for code, _ in found}
 
 
 def test_what_files_that_include_each_other_take_is_found_out_once() -> None:
@@ -129,4 +137,4 @@ def test_launch_files_that_are_too_long_together_are_skipped_and_that_is_said() 
     files = {f"launch/{i}.launch.xml": one for i in range(6)}
     found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **files}, ["RPK007"])
     assert [each.location.path for each in found.findings] == ["launch/4.launch.xml", "launch/5.launch.xml"]
-    assert "500,000 characters" in found.findings[0].message
+    assert "250,000 characters" in found.findings[0].message
