@@ -16,6 +16,9 @@ FLIPPED: dict[type[ast.cmpop], str] = {
 NOT_RUN = {"annotation", "returns", "type_params", "bases", "msg"}
 """Fields of syntax nodes that hold types, or what only a failed assertion shows."""
 
+UNTOUCHED = {"examples", "since", "slots"}
+"""Keywords whose values are documents, or change nothing that a program can see of itself."""
+
 
 @dataclass(frozen=True)
 class Mutant:
@@ -81,7 +84,7 @@ def visited(node: ast.AST, inside: bool) -> Iterator[tuple[ast.expr | ast.stmt, 
         for child in value if isinstance(value, list) else [value]:
             if name in NOT_RUN or not isinstance(child, ast.AST) or is_text_of_nobody(child):
                 continue
-            if isinstance(child, ast.keyword) and child.arg in {"examples", "since"}:
+            if isinstance(child, ast.keyword) and child.arg in UNTOUCHED:
                 continue
             if isinstance(child, ast.expr | ast.stmt):
                 yield child, inside
