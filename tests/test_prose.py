@@ -69,9 +69,11 @@ def test_formats_of_reports() -> None:
         path.stem for path in (SRC / "report").glob("*.py") if re.search(r"^def render\(report", path.read_text(), re.M)
     }
     assert files == set(FORMATS)
-    assert names(help_of("lint", "--format")) == list(FORMATS)
-    assert sorted(words("README.md", r"--format (sarif +and [^\n]*)")) == sorted(FORMATS)
-    assert words(ARCHITECTURE, r"one file a format: ([^|]*)") == list(FORMATS)
+    assert names(help_of("lint", "--format")) == list(FORMATS), "FORMAT_HELP in cli/lint/options.py"
+    assert sorted(words("README.md", r"--format (sarif +and [^\n]*)")) == sorted(FORMATS), (
+        "README.md, --format sarif and …"
+    )
+    assert words(ARCHITECTURE, r"one file a format: ([^|]*)") == list(FORMATS), ARCHITECTURE
 
 
 def test_kinds_of_nodes(pytestconfig: pytest.Config, monkeypatch: pytest.MonkeyPatch) -> None:
