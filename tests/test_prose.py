@@ -177,6 +177,13 @@ def test_laws_name_tests_that_are_there() -> None:
             ), name
 
 
+def test_words_name_classes_that_are_there() -> None:
+    there = {name for path in SRC.rglob("*.py") for name in re.findall(r"^class (\w+)", path.read_text("utf-8"), re.M)}
+    named = {name for row in rows(ARCHITECTURE, "Words") for name in re.findall(r"`([A-Z][a-z]\w+)`", " ".join(row))}
+    assert named
+    assert named <= there
+
+
 @pytest.mark.parametrize("page", ["CONTRIBUTING.md", ARCHITECTURE])
 def test_paths_that_a_page_names_are_there(page: str) -> None:
     folders = "src|tests|bench|docs|templates|schemas|languages|package|checks|report|engine|\\.ci"

@@ -1,4 +1,4 @@
-"""Joined slice: what launch files name, against the rules that install it."""
+"""Joined input: what launch files name, against the rules that install it."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""One run: read, link, check, stamp; in one process or several."""
+"""One run: read, link, check, build findings; in one process or several."""

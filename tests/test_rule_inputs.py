@@ -1,4 +1,4 @@
-"""What a rule is given: slices by type, and none where a part is absent or can't be read."""
+"""What a rule is given: inputs by type, and none where a part is absent or can't be read."""
 
 from __future__ import annotations
 
@@ -38,35 +38,35 @@ class Every:
     launch_files: tuple[LaunchFile, ...]
 
 
-def slices(changed: dict[str, str], on: str = "ament_cmake") -> InputBuilder:
+def inputs(changed: dict[str, str], on: str = "ament_cmake") -> InputBuilder:
     package = Package(PackageFiles(MemoryTree.of(Example(bad=changed, good={}, on=on).bad_files()), ""))
     return InputBuilder(package, Workspace((PackageFacts("my_pkg", ""),)), Targets(), RuleSettings())
 
 
-def test_a_slice_is_put_together_by_the_types_of_its_fields() -> None:
-    [both] = slices({}).of(Both)
+def test_an_input_is_put_together_by_the_types_of_its_fields() -> None:
+    [both] = inputs({}).of(Both)
     assert isinstance(both.manifest, Manifest)
     assert isinstance(both.cmake, CMake)
 
 
-def test_a_slice_with_a_broken_part_is_not_built() -> None:
+def test_an_input_with_a_broken_part_is_not_built() -> None:
     """Law 7."""
-    found = slices({"CMakeLists.txt": BROKEN})
+    found = inputs({"CMakeLists.txt": BROKEN})
     assert found.of(Manifest)
     assert [found.of(kind) for kind in (CMake, Both, Perhaps)] == [[], [], []]
     assert [each.path for each in found.package.unreadable()] == ["CMakeLists.txt"]
 
 
 def test_a_part_may_be_absent_only_where_the_type_says_so() -> None:
-    found = slices({}, "ament_python")
+    found = inputs({}, "ament_python")
     assert found.of(Both) == []
     assert [each.cmake for each in found.of(Perhaps)] == [None]
 
 
-def test_of_many_files_there_is_one_slice_each_or_all_in_one_or_none_where_one_is_broken() -> None:
+def test_of_many_files_there_is_one_input_each_or_all_in_one_or_none_where_one_is_broken() -> None:
     launch = {f"launch/{name}.launch.xml": "<launch/>\n" for name in "ab"}
-    assert len(slices(launch).of(LaunchFile)) == 2
-    assert [len(each.launch_files) for each in slices(launch).of(Every)] == [2]
-    broken = slices({**launch, "launch/c.launch.xml": "<launch>\n"})
+    assert len(inputs(launch).of(LaunchFile)) == 2
+    assert [len(each.launch_files) for each in inputs(launch).of(Every)] == [2]
+    broken = inputs({**launch, "launch/c.launch.xml": "<launch>\n"})
     assert len(broken.of(LaunchFile)) == 2
     assert broken.of(Every) == []
