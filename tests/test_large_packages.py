@@ -5,18 +5,36 @@ No test looks at a clock: what is done is counted.
 
 from __future__ import annotations
 
+import ast
+import gc
 from collections.abc import Iterator
 
 import pytest
 
 from rospkg_cli import suggest
 from rospkg_cli.example import manifest
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.python import file, syntax
+from rospkg_cli.languages.python.syntax import parse
 from rospkg_cli.languages.xml.elements import Element
 from rospkg_cli.languages.xml.parser import read_xml
+from rospkg_cli.package.launch.launch_file import LaunchFile
+from rospkg_cli.package.launch.read_launch_files import MAX_CHARACTERS
 from rospkg_cli.package.manifest import Manifest
+from rospkg_cli.package.package import Package
+from rospkg_cli.package.python.python_imports import PackageImports
 from rospkg_cli.rules.manifest.xml203_self_dependency import self_dependency
 from rospkg_cli.source import Source
 from rospkg_cli.suggest import nearest, refill
+from rospkg_cli.tree import MemoryTree
+
+LAUNCH = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -62,3 +80,31 @@ def test_words_that_share_few_letters_are_not_compared(monkeypatch: pytest.Monke
     names = [f"{first}_driver_{n}" for n in range(500) for first in ("camera", "gripper")]
     assert {nearest(f"ouzouz_hook_{n}", names) for n in range(100)} == {None}
     assert suggest.Effort.left > 0
+
+
+def test_launch_files_that_are_skipped_are_not_parsed_for_their_imports(monkeypatch: pytest.MonkeyPatch) -> None:
+    parsed = []
+
+    def counted(source: Source) -> ast.Module:
+        assert gc.isenabled()
+        parsed.append(source.path)
+        return parse(source)
+
+    monkeypatch.setattr(file, "parse", counted)
+    text = LAUNCH + "# a\n" * (MAX_CHARACTERS // 40)
+    names = [f"launch/{n}.launch.py" for n in range(60)]
+    package = Package(PackageFiles(MemoryTree.of({"package.xml": manifest(""), **dict.fromkeys(names, text)})))
+    imports = package.parts(PackageImports).only
+    assert imports is not None
+    assert not imports.is_complete
+    assert len(parsed) < 12
+    assert len(package.parts(LaunchFile).broken) == len(names) - len(parsed)
+    assert gc.isenabled()
+
+
+def test_the_collector_rests_while_a_tree_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    states = []
+    monkeypatch.setattr(syntax.ast, "parse", lambda *_: states.append(gc.isenabled()))
+    monkeypatch.setattr(syntax, "is_too_deep", lambda _: False)
+    parse(Source("a.py", "a = 1\n"))
+    assert (states, gc.isenabled()) == ([False], True)

@@ -26,6 +26,10 @@ class PythonModules:
                 self.parsed[path] = error.unreadable
         return self.parsed[path]
 
+    def skip(self, unreadable: Unreadable) -> None:
+        """Keep no syntax tree of a file that is said to be skipped."""
+        self.parsed[unreadable.path] = unreadable
+
     def at(self, path: str) -> PythonFile | None:
         """Return the file at a path; None where there is none, or none that can be parsed."""
         found = self.read(path) if self.files.exists(path) else None

@@ -14,6 +14,7 @@ from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import Role, role_of
 from ..install_table import InstallTable
+from ..launch.launch_file import LaunchFile
 from ..python_modules import PythonModules
 from .installed_python import InstalledPython
 from .node_calls import DescribedNode, described_nodes
@@ -77,6 +78,7 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
     modules = reading.parts(PythonModules).only
     assert modules is not None
+    reading.parts(LaunchFile)  # those that are skipped are not parsed for their imports, whichever is asked for first
     found: list[PythonImports] = []
     complete = True
     for path in reading.files.paths:
