@@ -300,6 +300,14 @@ def test_a_name_near_one_of_the_workspace_is_hinted_at_and_not_written() -> None
     assert finding.fix is None
 
 
+@pytest.mark.parametrize("name, meant", [("rclpi", ["rclpy"]), ("joi", [])])
+def test_a_misspelt_name_of_few_letters_may_mean_anything(name: str, meant: list[str]) -> None:
+    files = {**PYTHON, "package.xml": manifest(f"  <exec_depend>{name}</exec_depend>\n")}
+    found = [finding.message for finding in lint_files(files, ["DEP001"]).findings]
+    assert [word for word in meant if f"did you mean `{word}`?" in found[0]] == meant
+    assert len(found) == len(meant)
+
+
 SCRIPT = PYTHON["setup.py"].replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )

@@ -70,3 +70,10 @@ def test_each_rule_has_its_findings_and_no_file_is_left_over() -> None:
 
 def test_each_case_is_of_a_rule() -> None:
     assert CASES.keys() <= {rule.code for rule in all_rules()}
+
+
+def test_the_level_of_each_case_is_declared() -> None:
+    for rule in all_rules():
+        for case in CASES.get(rule.code, ()):
+            for finding in lint_files(case.bad_files(), [rule.code], case.targets).findings:
+                assert finding.severity in {rule.severity, *rule.levels}, rule.code

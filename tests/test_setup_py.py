@@ -5,12 +5,14 @@ from __future__ import annotations
 import pytest
 from reading import one, package
 
-from rospkg_cli.example import BACKDROPS, SETUP_PY
+from rospkg_cli.checks.setup.module_exports import MAX_DEPTH
+from rospkg_cli.example import BACKDROPS, SETUP_PY, scripts, setup_py
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.setup.entry_points import parse_entry_point
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.package.setup.setup_text import SetupText
 from rospkg_cli.source import Span
+from rospkg_cli.testing import lint_files
 
 BASE = {path: text for path, text in BACKDROPS["ament_python"].items() if text is not None}
 HEAD = "from setuptools import setup, find_packages\nimport os\nfrom glob import glob\n"
@@ -231,3 +233,11 @@ def test_what_other_packages_may_know() -> None:
     assert facts.share_files == {"package.xml"}
     assert facts.modules == {"my_pkg", "my_pkg.talker"}
     assert all(facts.knows(name) for name in ("executables", "share_files", "modules"))
+
+
+@pytest.mark.parametrize("count, is_judged", [(0, True), (1, True), (MAX_DEPTH, True), (MAX_DEPTH + 1, False)])
+def test_star_imports_are_followed_as_far_as_promised(count: int, is_judged: bool) -> None:
+    files = {f"my_pkg/m{number}.py": f"from .m{number + 1} import *\n" for number in range(count)}
+    files |= {f"my_pkg/m{count}.py": "A = 1\n", "setup.py": setup_py(scripts("talker = my_pkg.m0:main"))}
+    found = lint_files({**BASE, **files}, ["SET102"]).findings
+    assert bool(found) is is_judged

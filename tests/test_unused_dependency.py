@@ -27,6 +27,7 @@ def test_an_unused_one_is_named(clean) -> None:
     "depends",
     [
         "<exec_depend>robot_state_publisher</exec_depend>",
+        "<exec_depend>can-utils</exec_depend>",
         "<test_depend>python3-pytest</test_depend>",
         "<depend>rclpy</depend>",
     ],

@@ -63,6 +63,10 @@ CASES = {
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
               src__a_DOT_cpp=MAIN),
         Example(bad={**OLD, **USER}, good={}, on=""),
+        cmake("find_package(rclcpp REQUIRED)\nadd_executable(talker src/a.cpp)\nadd_executable(listener src/a.cpp)\n"
+              "target_link_libraries(talker m)\ntarget_link_libraries(listener PUBLIC m)\n"
+              "foreach(each talker listener)\n  ament_target_dependencies(${each} rclcpp)\nendforeach()\n",
+              "  <depend>rclcpp</depend>\n", src__a_DOT_cpp=MAIN),
     ),
     "CMK006": (cmake("add_executable(talker src/a.cpp)\nadd_library(talker src/a.cpp)\n", src__a_DOT_cpp=MAIN),),
     "CMK101": (

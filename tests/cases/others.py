@@ -40,6 +40,7 @@ def installed(entries: str) -> Example:
 
 
 SHARE = "share/my_pkg/config"
+SHORT = INTERFACES_CMAKE.replace('\n  "', ' "').replace('"\n)', '")')
 LATER = INTERFACES_CMAKE.replace("rosidl_generate_", "set(A msg)\nrosidl_generate_")
 """Something is between what is looked for and the call that needs it."""
 ROBOT = """\
@@ -94,11 +95,8 @@ CASES = {
         Example(bad={"msg/Status.msg": "SetMode mode\n"}, good={}, on="interfaces"),
     ),
     "IDL007": (
-        Example(
-            bad={**idl007.FILES, "CMakeLists.txt": LATER},
-            good={},
-            on="interfaces",
-        ),
+        Example(bad={**idl007.FILES, "CMakeLists.txt": LATER}, good={}, on="interfaces"),
+        Example(bad={**idl007.FILES, "CMakeLists.txt": SHORT}, good={}, on="interfaces"),
     ),
     "PRM008": tuple(
         Example(
