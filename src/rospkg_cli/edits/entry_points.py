@@ -13,6 +13,7 @@ from ..package.setup.setup_text import SetupText
 from ..source import Span
 from .setup_py import add_item, quoted, replace_text
 
+# Linear: it has to fit one whole line of entry points, and `:` and `=` stand in none of its other parts.
 SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
 
 

@@ -7,7 +7,10 @@ import re
 from ..finding import Fix
 
 PLAIN = re.compile(r"[\w.~/](?:[\w.+/:-]*\w)?")
-"""Nothing that CMake, XML, YAML, Python or C++ would read as more than a part of a name, a path or a type."""
+"""Nothing that CMake, XML, YAML, Python or C++ would read as more than a part of a name, a path or a type.
+
+Linear: it has to fit a whole name, from its start.
+"""
 
 
 def only_plain_names(fix: Fix | None, *texts: str) -> Fix | None:

@@ -16,7 +16,10 @@ else:
     import tomli as tomllib
 
 TABLE = re.compile(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
-"""What may come before a key in its line: nothing, or the tables that lead to it."""
+"""What may come before a key in its line: nothing, or the tables that lead to it.
+
+Linear at one place: it only has to fit from the start of a line, and its parts begin differently.
+"""
 STRING = r"""(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
 
 
@@ -59,8 +62,9 @@ def candidate_entries(text: str, key: str) -> Iterator[tuple[Span, Span]]:
         after = re.compile(r"[ \t]*,[ \t]*").match(text, match.end())
         if after:
             yield span, Span(match.start(), after.end())
-        comma = re.search(r"[ \t]*,[ \t]*$", before)
-        yield span, Span(comma.start() if comma else match.start(), match.end())
+        left = before.removesuffix("\n").rstrip(" \t")
+        start = len(left[:-1].rstrip(" \t")) if left.endswith(",") else match.start()
+        yield span, Span(start, match.end())
 
 
 def without_empty_tables(data: Any) -> Any:

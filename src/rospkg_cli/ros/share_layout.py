@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+# All of these have to fit the whole name of a file, which no file system lets be longer than 255 bytes.
 LAUNCH = re.compile(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
 
 """Files that `ros2 launch` takes; a bare `.launch` is left out, it is ROS 1's more often than not."""

@@ -16,6 +16,7 @@ from ...package.cmake.target_links import TargetLinks
 from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
+# Linear: it has to fit a whole name, from its start.
 ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
 EXECUTABLE = re.compile(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4

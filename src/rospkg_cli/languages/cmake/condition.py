@@ -16,7 +16,10 @@ TRUE = frozenset({"ON", "YES", "TRUE", "Y"})
 FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
 NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
 NUMBER_FIRST = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
-"""What EQUAL and LESS read of a text: sscanf stops where the number does."""
+"""What EQUAL and LESS read of a text: sscanf stops where the number does.
+
+Linear: it is only tried at the start of a word.
+"""
 VERSION = re.compile(r"\d{1,9}(\.\d{1,9})*")
 
 NUMBERS: Mapping[str, Callable[[float, float], bool]] = {

@@ -15,8 +15,11 @@ OLDEST_POLICY = "CMP0128"
 
 IDENTIFIER = re.compile(r"[A-Za-z_][\w.:+-]*")
 
-FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z][A-Z_]*")
-"""What may be set by CMake, by its user, or by another package: `CMAKE_BUILD_TYPE`, `rclcpp_VERSION`."""
+FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z]+_*")
+"""What may be set by CMake, by its user, or by another package: `CMAKE_BUILD_TYPE`, `rclcpp_VERSION`.
+
+Linear: of all ways to part a name such as `a_B_C`, only the last is tried to its end.
+"""
 
 
 @dataclass

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from ...source import Span
 from .escape import escape_fault
 from .interface_file import GrammarProblem
-
-UNIT = re.compile(r"\s*\[([^,\]]+)\]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,22 +19,38 @@ class InterfaceComment:
     at: int
 
 
+class CommentUnit(NamedTuple):
+    """A unit in brackets, as rosidl finds it by `\\s*\\[([^,\\]]+)\\]`."""
+
+    whole: str
+    """With the brackets and the blanks before them."""
+    inside: str
+
+
+def units_in(text: str) -> Iterator[CommentUnit]:
+    """Yield the units of a comment, in one pass: the expression reads on to the end from each `[`."""
+    for piece in text.split("]")[:-1]:
+        before, _, inside = piece.rpartition(",")[2].partition("[")
+        if inside:
+            yield CommentUnit(f"{before[len(before.rstrip()) :]}[{inside}]", inside)
+
+
 def comment_problems(comments: Sequence[InterfaceComment], *, of_field: bool) -> Iterator[GrammarProblem]:
     """Yield what stops the build in the comments that belong to one field, constant or file."""
-    found = list(UNIT.finditer("\n".join(comment.text for comment in comments)))
+    found = list(units_in("\n".join(comment.text for comment in comments)))
     unit = found[0] if len(found) == 1 else None
     for comment in comments:
-        text = comment.text.replace(unit.group(), "") if unit else comment.text
+        text = comment.text.replace(unit.whole, "") if unit else comment.text
         if escape_fault(text):
             yield backslash(comment)
-    if unit and of_field and "\n" in unit.group(1):
+    if unit and of_field and "\n" in unit.inside:
         yield GrammarProblem(
             span_of(comments),
-            f"rosidl takes `[{unit.group(1).splitlines()[0]}` and the next line for a unit, and generates an .idl "
+            f"rosidl takes `[{unit.inside.splitlines()[0]}` and the next line for a unit, and generates an .idl "
             "file with a broken string from it; keep what stands in brackets on one line, or use parentheses",
         )
-    elif unit and of_field and escape_fault(unit.group(1)):
-        yield backslash(next(comment for comment in comments if unit.group(1) in comment.text))
+    elif unit and of_field and escape_fault(unit.inside):
+        yield backslash(next(comment for comment in comments if unit.inside in comment.text))
 
 
 def backslash(comment: InterfaceComment) -> GrammarProblem:

@@ -17,6 +17,7 @@ from ...source import Span
 from ..package_facts import NOWHERE
 from .setup_text import SetupText
 
+# Both are linear: they have to fit one whole line, from its start, and neighbours share no character but blanks.
 WHOLE = re.compile(
     r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"
     r"(?:\s*:\s*(?P<attribute>[^\W\d]\w*(?:\.\w+)*))?\s*(?P<extras>\[[^\]]*\])?"
