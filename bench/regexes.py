@@ -1,36 +1,43 @@
 """How the time of every regular expression of rospkg grows with hostile text.
 
-Imports all modules of the package, takes each pattern that a module holds, and drives it with texts of 2,000, 8,000 and
-32,000 characters: what the pattern mentions (each literal, one character of each class, pairs of these, and the
-shortest text that it fits), again and again, with and without an end that makes a match fail. Prints the patterns
-whose time grows faster than 1.5 times linearly, the worst text of each, and the seconds. A pattern that only sees
-short texts may stand in the table: whether the code bounds what it gets, this does not know.
+Imports all modules of the package, takes each pattern that a module holds, and drives it by the methods that the code
+calls on it, with texts of 1,000, 4,000 and 16,000 characters: what the pattern mentions (each literal, one character of
+each class, pairs of these, and the shortest text that it fits), again and again, with and without an end that makes a
+match fail. Prints the patterns whose time grows faster than 1.5 times linearly, the worst text of each, and the
+seconds. A pattern is given up after 2 s of CPU, with the worst that was found by then. One that only sees short texts
+may stand in the table: whether the code bounds what it gets, this does not know.
 
     python bench/regexes.py [NAME ...]      only modules whose name holds one of these
 """
 
 from __future__ import annotations
 
+import ast
 import importlib
 import pkgutil
 import re
+import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import islice, permutations
+from pathlib import Path
 from typing import Any
 
 import rospkg_cli
 
-SIZES = (2_000, 8_000, 32_000)
+SIZES = (1_000, 4_000, 16_000)
 TAILS = ("", "\n!\x7f", '"')
 MAX_ATOMS = 7
 STEEP = 1.5
 NOTICEABLE = 0.002
-"""Seconds: what takes less at 8,000 characters is noise."""
+"""Seconds: what takes less at 4,000 characters is noise."""
 ENOUGH = 0.2
-"""Seconds at 8,000 characters from which the largest text is not tried."""
+"""Seconds at 4,000 characters from which the largest text is not tried."""
+MAX_SECONDS = 2.0
+"""Of CPU for one pattern."""
+METHODS = ("search", "match", "fullmatch", "finditer", "findall", "sub", "subn", "split")
 CLASSES = {"DIGIT": "1", "SPACE": " ", "WORD": "a", "NOT_DIGIT": "a", "NOT_SPACE": "a", "NOT_WORD": "-"}
 
 parser: Any = importlib.import_module("re._parser" if sys.version_info >= (3, 11) else "sre_parse")
@@ -154,22 +161,60 @@ def seconds(run: Callable[[str], object], text: str) -> float:
     return best
 
 
-def methods(pattern: re.Pattern[str]) -> dict[str, Callable[[str], object]]:
-    return {
+def methods_used() -> dict[str, set[str]]:
+    """Return the methods that the code calls on each name: NAME.match(…), module.NAME.match(…), map(NAME.match, …)."""
+    used: dict[str, set[str]] = {}
+    for path in Path(rospkg_cli.__path__[0]).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Attribute) and node.attr in METHODS:
+                owner = node.value
+                name = (
+                    owner.id if isinstance(owner, ast.Name) else owner.attr if isinstance(owner, ast.Attribute) else ""
+                )
+                used.setdefault(name, set()).add(node.attr)
+    return used
+
+
+def methods(pattern: re.Pattern[str], wanted: set[str]) -> dict[str, Callable[[str], object]]:
+    """Return the wanted methods, all that find every match as one; match and finditer where none is known."""
+    runs: dict[str, Callable[[str], object]] = {
         "search": pattern.search,
         "match": pattern.match,
         "fullmatch": pattern.fullmatch,
         "finditer": lambda text: sum(1 for _ in pattern.finditer(text)),
     }
+    names = {each if each in runs else "finditer" for each in wanted} or {"match", "finditer"}
+    return {name: run for name, run in runs.items() if name in names}
 
 
-def worst(name: str, pattern: re.Pattern[str]) -> Growth | None:
-    """Return the text on which a pattern's time grows most, None where it is linear on all."""
+class TooLongError(Exception):
+    """A pattern has had its time."""
+
+
+def stop(*_: object) -> None:
+    raise TooLongError
+
+
+def worst(name: str, pattern: re.Pattern[str], wanted: set[str]) -> Growth | None:
+    """Return the text on which a pattern's time grows most, None where it is linear on all that was tried."""
     found: list[Growth] = []
+    signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, MAX_SECONDS)
+    try:
+        drive(name, pattern, wanted, found)
+    except TooLongError:
+        pass
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+    return max(found, key=lambda growth: growth.seconds[1], default=None)
+
+
+def drive(name: str, pattern: re.Pattern[str], wanted: set[str], found: list[Growth]) -> None:
+    """Put what grows faster than linearly into a list, unit by unit, until one unit does."""
     for unit in units(pattern):
         for tail in TAILS:
             texts = [(unit * (size // len(unit) + 1))[:size] + tail for size in SIZES]
-            for method, run in methods(pattern).items():
+            for method, run in methods(pattern, wanted).items():
                 second = seconds(run, texts[1])
                 first = seconds(run, texts[0]) if second >= NOTICEABLE else second
                 if second < first * 4 * STEEP:
@@ -180,13 +225,12 @@ def worst(name: str, pattern: re.Pattern[str]) -> Growth | None:
                     found.append(growth)
         if found:
             break
-    return max(found, key=lambda growth: growth.seconds[1], default=None)
 
 
 def main() -> None:
-    steep, number = 0, 0
+    steep, number, used = 0, 0, methods_used()
     for number, (name, pattern) in enumerate(patterns(sys.argv[1:]), 1):  # noqa: B007
-        if (each := worst(name, pattern)) is not None:
+        if (each := worst(name, pattern, used.get(name.rpartition(".")[2], set()))) is not None:
             steep += 1
             times = "  ".join(f"{second:8.3f}" for second in each.seconds)
             print(f"{each.name:50} {each.method:9} {times:30} {each.unit[:50]!r}", flush=True)
