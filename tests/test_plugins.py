@@ -324,6 +324,13 @@ def test_the_name_of_the_base(base: str, found: bool) -> None:
     assert len(said(files, "PLG005")) == found
 
 
+def test_the_base_of_a_class_without_source_is_not_judged() -> None:
+    xml = described("my_pkg::Planner", base="nav2_core::GlobalPlaner")
+    files = package(plugins_DOT_xml=xml, src__planner_DOT_cpp="")
+    assert len(said(files, "PLG002")) == 1
+    assert said(files, "PLG005") == []
+
+
 def test_a_loader_that_goes_astray() -> None:
     files = {**loading(LOADS.replace('"server"', '"srv"')), **beside(OURS)}
     ((path, message),) = said(files, "PLG005")

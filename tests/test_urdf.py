@@ -101,6 +101,11 @@ def test_a_line_end_in_an_attribute_is_a_blank() -> None:
     assert robot_faults(read('<link name="${a or\n b}"/>', "urdf/a.xacro", XACRO)) == []
 
 
+def test_a_line_end_in_a_text_stays_one() -> None:
+    (fault,) = robot_faults(read('<link name="a"><p>${a or\n b}</p></link>', "urdf/a.xacro", XACRO))
+    assert "holds no expression that xacro can evaluate" in fault.message
+
+
 def test_tinyxml_minds_less() -> None:
     assert robot_file(Source("a.urdf", '\n<?xml version="1.0"?>\n<robot name="r"><s:x/><link name="a"/></robot>')).links
     with pytest.raises(UnreadableError):

@@ -111,6 +111,7 @@ CASES = {
         cmake("install(TARGETS nothing DESTINATION lib/${PROJECT_NAME})\n"),
         cmake("add_executable(talker src/talker.cpp)\ninstall(TARGETS talkr DESTINATION lib/${PROJECT_NAME})\n",
               src__talker_DOT_cpp=cmk110.SOURCE),
+        cmake("set_target_properties(talkr PROPERTIES CXX_STANDARD 17)\n"),
     ),
     "CMK111": (
         cmake("install(FILES LICENSE DESTINATION /usr/share/my_pkg)\n"),
