@@ -16,9 +16,7 @@ def test_names_from_outside(name: str) -> None:
     assert FROM_OUTSIDE.fullmatch(name)
 
 
-@pytest.mark.parametrize(
-    "name", ["A", "a_b", "_", "a_B1_c", "_A", "_A_", "A_" * LONG + "!", "_" * LONG, "_A" * LONG + "_b"]
-)
+@pytest.mark.parametrize("name", ["A", "a_b", "_", "a_B1_c", "_A_", "A_" * LONG + "!", "_" * LONG, "_A" * LONG + "_b"])
 def test_names_that_are_no_others(name: str) -> None:
     assert not FROM_OUTSIDE.fullmatch(name)
 
