@@ -163,6 +163,7 @@ def test_arguments_that_nothing_asks_for(files: dict[str, str], count: int) -> N
         ("['os.getpid() > ', rate], ['os']", []),
         ("['sqrt(', rate, ') > 2']", []),
         ("[unknown()]", []),
+        ("['not (', unknown()]", []),
     ],
 )
 def test_python_expressions(expression: str, levels: list[str]) -> None:

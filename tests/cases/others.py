@@ -43,6 +43,7 @@ SHARE = "share/my_pkg/config"
 SHORT = INTERFACES_CMAKE.replace('\n  "', ' "').replace('"\n)', '")')
 LATER = INTERFACES_CMAKE.replace("rosidl_generate_", "set(A msg)\nrosidl_generate_")
 """Something is between what is looked for and the call that needs it."""
+YAML = "talker:\n  ros__parameters:\n    a: &x 1\n"
 ROBOT = """\
 <robot name="robot">
   <link name="base">
@@ -97,6 +98,10 @@ CASES = {
     "IDL007": (
         Example(bad={**idl007.FILES, "CMakeLists.txt": LATER}, good={}, on="interfaces"),
         Example(bad={**idl007.FILES, "CMakeLists.txt": SHORT}, good={}, on="interfaces"),
+    ),
+    "PRM004": tuple(
+        Example(bad={"config/robot.yaml": YAML + lines}, good={}, on="config")
+        for lines in ("    b: [*x]\n", "    b:\n    - 1\n    -\n", "    b: [[1]]\n", "    b: [1, {c: 2}]\n")
     ),
     "PRM008": tuple(
         Example(
