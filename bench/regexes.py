@@ -191,21 +191,27 @@ class TooLongError(Exception):
     """A pattern has had its time."""
 
 
-def stop(*_: object) -> None:
-    raise TooLongError
+def stop_after(end: float) -> Callable[..., None]:
+    """Return a handler that raises TooLongError once the CPU time of the process has reached an end."""
+
+    def stop(*_: object) -> None:
+        if time.process_time() > end:
+            raise TooLongError
+
+    return stop
 
 
 def worst(name: str, pattern: re.Pattern[str], wanted: set[str]) -> Growth | None:
     """Return the text on which a pattern's time grows most, None where it is linear on all that was tried."""
     found: list[Growth] = []
-    signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, MAX_SECONDS)
+    signal.signal(signal.SIGALRM, stop_after(time.process_time() + MAX_SECONDS))
+    signal.setitimer(signal.ITIMER_REAL, 0.25, 0.25)
     try:
         drive(name, pattern, wanted, found)
     except TooLongError:
         pass
     finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.setitimer(signal.ITIMER_REAL, 0)
     return max(found, key=lambda growth: growth.seconds[1], default=None)
 
 
@@ -216,8 +222,7 @@ def drive(name: str, pattern: re.Pattern[str], wanted: set[str], found: list[Gro
             texts = [(unit * (size // len(unit) + 1))[:size] + tail for size in SIZES]
             for method, run in methods(pattern, wanted).items():
                 second = seconds(run, texts[1])
-                first = seconds(run, texts[0]) if second >= NOTICEABLE else second
-                if second < first * 4 * STEEP:
+                if second < NOTICEABLE or second < (first := seconds(run, texts[0])) * 4 * STEEP:
                     continue
                 times = (first, second) if second > ENOUGH else (first, second, seconds(run, texts[2]))
                 growth = Growth(name, method, f"{unit}…{tail}", times)
