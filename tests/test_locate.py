@@ -43,6 +43,23 @@ def test_what_is_hidden_is_linted_when_given(workspace: Path) -> None:
     assert given(workspace / "src/third_party/d") == ["d"]
 
 
+@pytest.mark.parametrize("output, mark", [("made", "CMakeCache.txt"), ("install", "local_setup.bash")])
+def test_what_a_build_left_is_linted_when_given(workspace: Path, output: str, mark: str) -> None:
+    (workspace / output / "e").mkdir(parents=True)
+    (workspace / output / "e/package.xml").write_text("<package/>")
+    assert given(workspace) == ["a", "b", "e"]
+    (workspace / output / mark).touch()
+    assert given(workspace) == ["a", "b"]
+    assert given(workspace / output) == ["e"]
+
+
+def test_a_package_inside_another_is_meant_by_its_own_path(workspace: Path) -> None:
+    (workspace / "src/a/inner").mkdir()
+    (workspace / "src/a/inner/package.xml").write_text("<package/>")
+    assert given(workspace / "src/a") == ["a"]
+    assert given(workspace / "src/a/inner") == ["inner"]
+
+
 def test_siblings_are_known_not_given(workspace: Path) -> None:
     located = locate([workspace / "src/a"])
     assert located.root == workspace.resolve()
