@@ -13,10 +13,11 @@ from pathlib import Path
 import pytest
 from in_process import run_here as rospkg
 
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.finding_builder import rule_by_code
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.session import Results, Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety
@@ -219,3 +220,24 @@ def test_a_file_that_can_t_be_written_does_not_stop_the_others(packages: Path) -
     assert "`a/package.xml` can't be written: the file is read-only; 2 others written" in done.stderr
     after = manifests(packages)
     assert [name for name in before if after[name] == before[name]] == ["a/package.xml"]
+
+
+def test_a_file_saved_after_the_rules_read_it_is_left_alone(tmp_path: Path, write, clean, monkeypatch) -> None:
+    """Offsets into the text that the rules saw are applied to no other, even where all else reads the new one."""
+    old = clean["package.xml"].replace("  <export>", NEEDLESS)
+    package = write(tmp_path / "my_pkg", {**clean, "package.xml": old})
+    session = Session(DiskTree(tmp_path), Scope(("my_pkg",), frozenset({"my_pkg"})), frozenset({"RPK001", "RPK002"}))
+    real, new = Session.run, old.replace("Drives my robot", "Drives")
+
+    def then_saved(self: Session) -> Results:
+        results = real(self)
+        (package / "package.xml").write_text(new)
+        vars(session.tree)["_entries"].clear()
+        return results
+
+    monkeypatch.setattr(Session, "run", then_saved)
+    outcome = fix_all(session, (Safety.SAFE,))
+    assert outcome.changes == {}
+    assert [why for _, why in outcome.refused] == [
+        "`my_pkg/package.xml` was changed by someone else meanwhile; run again"
+    ]

@@ -67,7 +67,9 @@ def fix_without(
     for _ in range(MAX_ROUNDS):
         if not (left := wanted()):
             break
-        changes, applied, refused = one_round(Overlay(session.tree, found.changes), session.scope.folders, left)
+        changes, applied, refused = one_round(
+            Overlay(session.tree, found.changes), session.scope.folders, left, found.results.checksums
+        )
         taken_back |= {finding_key(each.finding) for each in refused}
         found.refused += [(each.finding, each.why) for each in refused]
         crashes += [each.crash for each in refused if each.crash]

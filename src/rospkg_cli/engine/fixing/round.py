@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
+from zlib import crc32
 
 from ...files import PackageFiles
 from ...finding import Finding
@@ -28,10 +29,17 @@ class Refusal:
 
 
 def one_round(
-    tree: Overlay, folders: Sequence[str], wanted: Sequence[Finding]
+    tree: Overlay, folders: Sequence[str], wanted: Sequence[Finding], checksums: Mapping[str, int]
 ) -> tuple[Changes, list[Finding], list[Refusal]]:
-    """Apply what fits together; a fix that would make a readable file unreadable is refused."""
-    refused = [] if can_apply(tree, wanted) else [found for each in wanted if (found := cannot_apply(tree, each))]
+    """Apply what fits together; a fix that would make a readable file unreadable is refused.
+
+    So is one whose file is no longer the one that the rules read: `checksums` tell.
+    """
+    changed = changed_meanwhile(tree, checksums)
+    refused = [Refusal(each, why) for each in wanted if (why := stale(each, changed))]
+    wanted = [each for each in wanted if not stale(each, changed)]
+    if not can_apply(tree, wanted):
+        refused += [found for each in wanted if (found := cannot_apply(tree, each))]
     failing = {id(each.finding) for each in refused}
     left = [each for each in wanted if id(each) not in failing]
     while left:
@@ -46,6 +54,24 @@ def one_round(
         gone = set(map(id, guilty))
         left = [each for each in left if id(each) not in gone]
     return {}, [], refused
+
+
+def changed_meanwhile(tree: Tree, checksums: Mapping[str, int]) -> set[str]:
+    """Return the files that are not the ones of the checksums."""
+    found = set()
+    for path, checksum in checksums.items():
+        try:
+            is_same = crc32(tree.entry(path).data) == checksum
+        except OSError:
+            is_same = False
+        found |= set() if is_same else {path}
+    return found
+
+
+def stale(finding: Finding, changed: Set[str]) -> str:
+    """Return why a fix must not be made to files that have changed; "" where none has."""
+    paths = sorted(o.path for o in finding.fix.operations if o.path in changed) if finding.fix else []
+    return f"`{paths[0]}` was changed by someone else meanwhile; run again" if paths else ""
 
 
 def can_apply(tree: Overlay, findings: Sequence[Finding]) -> bool:

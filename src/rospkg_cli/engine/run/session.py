@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -49,6 +49,8 @@ class Results:
     crashes: tuple[RuleCrash, ...] = ()
     packages: int = 0
     files: int = 0
+    checksums: Mapping[str, int] = field(default_factory=dict)
+    """Of the files that fixes change, as they were when the rules read them."""
 
 
 class Pool:
@@ -126,6 +128,7 @@ class Session:
             tuple(crashes),
             len(workspace.selected),
             sum(each.files for each in checked),
+            dict(entry for each in checked for entry in each.checksums),
         )
 
     def run_workspace_rules(self, workspace: Workspace) -> Iterable[Finding | RuleCrash]:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
+from zlib import crc32
 
 from ...files import PackageFiles
 from ...finding import Finding
@@ -34,6 +36,8 @@ class PackageResults:
     crashes: tuple[RuleCrash, ...] = ()
     suppressions: tuple[Suppression, ...] = ()
     files: int = 0
+    checksums: tuple[tuple[str, int], ...] = ()
+    """Of the files that fixes change, as they were read here; paths from the root of the run."""
 
 
 @dataclass
@@ -72,13 +76,18 @@ class Worker:
             builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
             results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings).of, rules, builder))
             results += reader_crashes(package, builder.package, builder.crash_path)
-            found.append(
-                PackageResults(
-                    folder,
-                    tuple(r for r in results if isinstance(r, Finding)),
-                    tuple(r for r in results if isinstance(r, RuleCrash)),
-                    tuple(suppressions_in(package.files)),
-                    len(package.files.paths),
-                )
-            )
+            findings = tuple(r for r in results if isinstance(r, Finding))
+            crashes = tuple(r for r in results if isinstance(r, RuleCrash))
+            suppressions = tuple(suppressions_in(package.files))
+            changed = {o.path for f in findings if f.fix for o in f.fix.operations} | {s.path for s in suppressions}
+            checksums = tuple(checksums_of(package.files, changed))
+            found.append(PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums))
         return found
+
+
+def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[str, int]]:
+    """Yield each of some files (paths from the root of the run) that is there, with the checksum of its bytes."""
+    prefix = files.folder + "/" if files.folder else ""
+    for path in sorted(paths):
+        with suppress(OSError):
+            yield path, crc32(files.tree.entry(path.removeprefix(prefix)).data)
