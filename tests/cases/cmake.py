@@ -59,6 +59,10 @@ CASES = {
         called("project(other)", "my pkg"),
         called("set(NAME other)\nproject(${NAME})", "my_pkg"),
     ),
+    "CMK002": (
+        Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.5")}, good={}, on="ament_cmake", targets=("lyrical",)),
+        Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.4")}, good={}, on="ament_cmake"),
+    ),
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
               src__a_DOT_cpp=MAIN),

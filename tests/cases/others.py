@@ -79,6 +79,7 @@ CASES = {
     "DEP108": (
         interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
         interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
+        interfaces("".join(f"geometry_msgs/Pose2D p{number}\n" for number in range(6))),
     ),
     "DEP202": (
         cmake(NODE + "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n",
