@@ -184,7 +184,7 @@ def test_eight_at_once_do_what_one_does(packages: Path) -> None:
         subprocess.Popen(command, cwd=packages, stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(8)
     ]
     statuses = {process.wait() for process in running if process.communicate() or True}
-    assert statuses <= {0, 2}
+    assert statuses <= {0, 1, 2}, "1 where another was faster, and a fix was left out"
     assert manifests(packages) == {n: t.replace(NEEDLESS.encode(), b"  <export>") for n, t in before.items()}
 
 
