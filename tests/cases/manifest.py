@@ -40,6 +40,7 @@ CASES = {
         with_line("stray words"),
         with_line("<depend>rclpy<b/></depend>"),
         Example(bad={"package.xml": manifest("  <depend>rclpy</depend>\n").replace('"3"', '"1"')}, good={}),
+        instead("<license>", '<license file="LICENSE" colour="red">'),
     ),
     "XML002": (instead(VERSION + BELOW, BELOW + VERSION),),
     "XML003": (instead('format="3"', 'format=" 3 "'), instead('format="3"', 'format="4"')),

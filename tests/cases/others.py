@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, Example, manifest, setup_py
+from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.depends import dep108_undeclared_interface_package as dep108
 from rospkg_cli.rules.interfaces import idl007_missing_interface_dependency as idl007
 from rospkg_cli.rules.params import prm008_missing_parameter as prm008
@@ -118,6 +118,10 @@ CASES = {
             on="ament_cmake",
         )
         for count in (1, 19, 20, 22)
+    ),
+    "SET101": (
+        python("", setup_DOT_py=setup_py(scripts("talker = speech.talker:main")).replace(
+            "packages=find_packages(exclude=['test'])", "packages=['my_pkg', 'speech']")),
     ),
     "SET203": (python("", setup_DOT_py=set203.BAD.replace("«", "").replace("»", "").replace("'", '"')),),
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
