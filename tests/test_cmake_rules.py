@@ -124,6 +124,22 @@ def test_plugins_and_components_may_only_be_loaded(lines: str, levels: list[Seve
     assert [finding.severity for finding in found] == [Severity.WARNING]
 
 
+@pytest.mark.parametrize(
+    "link",
+    [
+        "target_link_libraries(core PRIVATE ${std_msgs_TARGETS})",
+        "if(SOMETHING_ELSE)\n  target_link_libraries(core PUBLIC ${std_msgs_TARGETS})\nendif()",
+        "add_executable(tool src/core.cpp)\ntarget_link_libraries(tool PUBLIC ${std_msgs_TARGETS})",
+    ],
+)
+def test_what_a_library_does_not_certainly_pass_on_need_not_be_exported(link: str) -> None:
+    public = "target_link_libraries(core PUBLIC rclcpp::rclcpp «${std_msgs_TARGETS}»)"
+    assert public in cmk113.LINES
+    without = "target_link_libraries(core PUBLIC rclcpp::rclcpp)"
+    assert len(said(exporting(cmk113.LINES), "CMK113")) == 1
+    assert said(exporting(cmk113.LINES.replace(public, f"{without}\n{link}")), "CMK113") == []
+
+
 def test_a_library_without_a_target_lacks_headers() -> None:
     old = cmk113.LINES.replace("core EXPORT export_core", "core").replace(
         "ament_export_targets(export_core HAS_LIBRARY_TARGET)",
