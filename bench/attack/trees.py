@@ -7,6 +7,7 @@ import random
 import shutil
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 SECRET = "CANARY-bMq7x-do-not-show"
@@ -154,7 +155,8 @@ def add_built(package: Path, chance: random.Random) -> None:
         folder = package / name
         if chance.randrange(2) and not os.path.lexists(package / name.partition("/")[0]):
             folder.mkdir(parents=True)
-            shutil.copytree(package / "launch", folder / "launch") if (package / "launch").is_dir() else None
+            with suppress(shutil.Error, OSError):  # of what is no file there, no copy
+                shutil.copytree(package / "launch", folder / "launch")
             (folder / "setup.py").write_text("def broken(:\n")
 
 

@@ -22,7 +22,7 @@ from ...source import Span
 from ...unreadable import UnreadableError
 
 PRINTS_ROBOT = ("xacro", ".urdf")
-ROBOT_FILE = re.compile(r"([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
+ROBOT_FILE = re.compile(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
 NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode"})
 
 NO_PLAIN_SCALAR = re.compile(r":[ \t\r\n]|[ \t]#")

@@ -20,6 +20,9 @@ TODO = re.compile(r"todo\b.*", re.IGNORECASE | re.DOTALL)
 REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
 """An address that is one, and not a template's."""
 
+MAX_LENGTH = 1_000
+"""In characters: a longer license or list of names is none, and parting it is slow."""
+
 Difference = tuple[str, SetupText, str, Element]
 """The argument of setup(), its text, the text of package.xml ("" where that is not one), and the element with it."""
 
@@ -44,7 +47,9 @@ class Metadata:
     def license(self) -> Iterator[Difference]:
         argument, elements = self.setup.setup_text("license"), self.manifest.all("license")
         texts = [element.text for element in elements]
-        if argument is None or not texts or any(TODO.fullmatch(text) or not text for text in texts):
+        if any(TODO.fullmatch(text) or not text for text in texts):
+            return
+        if argument is None or is_long(argument) or not texts:
             return
         known = {spdx(text) for text in texts}
         if spdx(argument.text) not in known and not {spdx(part) for part in SEVERAL.split(argument.text)} <= known:
@@ -52,7 +57,7 @@ class Metadata:
 
     def maintainer(self) -> Iterator[Difference]:
         argument, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")
-        if argument is None or not elements:
+        if argument is None or is_long(argument) or not elements:
             return
         ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(argument.text)}
         theirs = {folded(element.text) for element in elements}
@@ -62,10 +67,14 @@ class Metadata:
     def email(self) -> Iterator[Difference]:
         argument, elements = self.setup.setup_text("maintainer_email"), self.manifest.all("maintainer")
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
-        if argument is None or not addresses or not all(map(REAL.fullmatch, addresses)):
+        if argument is None or is_long(argument) or not addresses or not all(map(REAL.fullmatch, addresses)):
             return
         if not {folded(part) for part in SEVERAL.split(argument.text)} <= {folded(address) for address in addresses}:
             yield "maintainer_email", argument, addresses[0] if len(addresses) == 1 else "", elements[0]
+
+
+def is_long(argument: SetupText) -> bool:
+    return len(argument.text) > MAX_LENGTH
 
 
 def folded(text: str) -> str:

@@ -25,7 +25,6 @@ RVIZ = re.compile(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|
 XML = re.compile(
     rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</"""
 )
-COMMENT = re.compile(r"<!--[\s\S]*?-->")
 PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
 
 
@@ -42,7 +41,16 @@ def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
     except UnreadableError:
         return
     if pattern is XML:
-        text = COMMENT.sub(lambda match: " " * len(match.group()), text)
+        text = without_comments(text)
     for match in pattern.finditer(text):
         group = "name" if match["name"] else "value"
         yield PluginUse(match[group], path, Span(*match.span(group)))
+
+
+def without_comments(text: str) -> str:
+    """Return an XML text with blanks in the place of its comments; one that is never closed stays."""
+    pieces, at = [], 0
+    while (start := text.find("<!--", at)) >= 0 and (end := text.find("-->", start + 4)) >= 0:
+        pieces += [text[at:start], " " * (end + 3 - start)]
+        at = end + 3
+    return "".join([*pieces, text[at:]])

@@ -14,7 +14,7 @@ from .values import Constant, PartialText, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 
 PERCENT = re.compile(
-    r"%(?:\((?P<key>[^)]*)\))?(?P<flags>[-#0 +]*)(?P<width>\d*|\*)(?:\.(?P<precision>\d*|\*))?(?P<type>.)"
+    r"%(?:\((?P<key>[^)]{0,200})\))?(?P<flags>[-#0 +]*)(?P<width>\d*|\*)(?:\.(?P<precision>\d*|\*))?(?P<type>.)"
 )
 WIDE = re.compile(r"\d{4}|\*")
 """A width that could make a text of any size."""
