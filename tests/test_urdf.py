@@ -167,6 +167,15 @@ def test_a_file_beside_installed_ones_that_is_not_installed() -> None:
     assert "does not install it" in finding.message
 
 
+def test_a_file_that_may_be_installed_by_other_means() -> None:
+    files = workspace('<m f="package://robot/meshes/Arm.stl"/>')
+    files["src/robot/meshes/Arm.stl"] = "solid\n"
+    cmake = files["src/robot/CMakeLists.txt"].replace("NAME})", 'NAME} PATTERN "Arm.stl" EXCLUDE)')
+    assert len(lint_files({**files, "src/robot/CMakeLists.txt": cmake}, ["URD002"]).findings) == 1
+    unknown = cmake.replace("ament_package", "install(FILES ${MESHES} DESTINATION share/my_pkg)\nament_package")
+    assert lint_files({**files, "src/robot/CMakeLists.txt": unknown}, ["URD002"]).findings == ()
+
+
 def test_worlds_are_followed_too() -> None:
     files = workspace("")
     files["src/robot/worlds/w.world"] = "<sdf><uri>package://robot/meshes/leg.stl</uri></sdf>\n"
