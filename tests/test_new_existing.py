@@ -128,7 +128,12 @@ def obstacle_dead_link() -> None:
 @pytest.mark.parametrize("how", ["force", "skip"])
 @pytest.mark.parametrize(
     "obstacle, why",
-    [(obstacle_folder, "not a file"), (obstacle_link, "a link"), (obstacle_file, "not a folder"), (obstacle_dead_link, "no")],
+    [
+        (obstacle_folder, "not a file"),
+        (obstacle_link, "a link"),
+        (obstacle_file, "not a folder"),
+        (obstacle_dead_link, "no"),
+    ],
 )
 def test_what_stands_in_the_way_is_left_alone(there: Path, how: str, obstacle, why: str) -> None:
     obstacle()

@@ -105,7 +105,8 @@ def written(bases: PluginBases, found: WrongExport) -> Fix | None:
 
 def at_class(found: WrongBaseClass) -> Hit:
     base, file = found.plugin.base, found.description.file
-    message = f"nothing loads plugins of `{base.value}`: `{found.plugin.lookup_name}` is never found; write `{found.suggestion}`"
+    lost = f"`{found.plugin.lookup_name}` is never found"
+    message = f"nothing loads plugins of `{base.value}`: {lost}; write `{found.suggestion}`"
     fix = Fix(f"write `{found.suggestion}`", (Edit(file, base.value_span, found.suggestion),))
     return Hit(file, base.value_span, message, fix=only_plain_names(fix, found.suggestion))
 
