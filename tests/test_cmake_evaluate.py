@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rospkg_cli.example import manifest
+from rospkg_cli.languages.cmake.values import UNKNOWN, substitute
 
 HEAD = "project(my_pkg)\n"
 
@@ -226,3 +227,16 @@ def test_anything_can_be_evaluated(lines: list[tuple[str, list[str]]]) -> None:
     assert found.installs is not None
     assert found.targets is not None
     assert found.components is not None
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("${A${U}}", UNKNOWN),
+        ("${A${U}}}", UNKNOWN + "}"),
+        ("${A${U}}}}x${B}", UNKNOWN + "}}xb"),
+        ("${${U}}/${B}", UNKNOWN + "/b"),
+    ],
+)
+def test_references_with_an_unknown_name(text: str, value: str) -> None:
+    assert substitute(text, lambda _, name: UNKNOWN if name == "U" else name.lower()) == value

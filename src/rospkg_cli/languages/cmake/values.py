@@ -102,8 +102,8 @@ def substitute(text: str, value_of: Callable[[str, str], str]) -> str:
             levels.append([])
             kinds.append(match.group(1) or "")
         elif kinds:
-            name = "".join(levels.pop())
-            levels[-1].append(UNKNOWN if UNKNOWN in name else value_of(kinds.pop(), name))
+            name, kind = "".join(levels.pop()), kinds.pop()
+            levels[-1].append(UNKNOWN if UNKNOWN in name else value_of(kind, name))
         else:
             levels[-1].append("}")
     if kinds:
