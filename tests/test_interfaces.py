@@ -209,3 +209,13 @@ def test_services_pass_nothing_on_to_humble(targets: tuple[str, ...], codes: lis
         "msg/Status.msg": "builtin_interfaces/Time stamp\n",
     }
     assert [finding.code for finding in lint_files(files, ["IDL007"], targets).findings] == codes
+
+
+def test_a_huge_interface_is_skipped_and_said() -> None:
+    files = {**BACKDROPS["interfaces"], "msg/Status.msg": "float32 Wrong\n" * 20_000}
+    findings = lint_files(
+        {path: text for path, text in files.items() if text is not None}, ["RPK007", "IDL003"]
+    ).findings
+    assert [(each.code, each.message) for each in findings] == [
+        ("RPK007", "`msg/Status.msg` is not read: it has more than 200,000 characters")
+    ]

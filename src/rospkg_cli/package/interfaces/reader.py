@@ -8,11 +8,14 @@ from ...files import PackageFiles, ReaderInput, read_each
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...source import Source, Span
-from ...unreadable import Unreadable
+from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from ..manifest import Manifest
 from .interface_file import GrammarProblem, InterfaceFile
 from .text import parse_interface
+
+MAX_LENGTH = 200_000
+"""In characters; a message that people write has a hundredth of that."""
 
 
 def read_interfaces(reading: ReaderInput) -> Iterator[InterfaceFile | Unreadable]:
@@ -32,6 +35,9 @@ def interface_paths(files: PackageFiles) -> list[str]:
 
 
 def read(files: PackageFiles, source: Source) -> InterfaceFile:
+    if len(source.text) > MAX_LENGTH:
+        message = f"`{source.path}` is not read: it has more than {MAX_LENGTH:,} characters"
+        raise UnreadableError(source.path, Span(0, 0), message, skipped=True)
     found = parse_interface(source, source.path.rpartition(".")[2])
     if not files.tree.entry(source.path).text.bom:
         return found
