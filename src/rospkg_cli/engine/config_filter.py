@@ -69,6 +69,8 @@ class ConfigFilter:
     def sections(self, finding: Finding) -> Iterable[OverrideSection]:
         """Yield the sections whose pattern fits the finding's package, or its path below the config's folder."""
         yield from (s for s in self.config.per_package if fnmatch(finding.package, s.pattern))
+        if not self.config.per_path:
+            return
         path = self.root / finding.location.path
         if path.is_relative_to(self.config.folder):
             below = path.relative_to(self.config.folder).as_posix()
