@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 
@@ -22,3 +23,9 @@ def absolute(path: Path) -> Path:
     if ".." in path.parts:
         return path.resolve()
     return Path(os.path.normpath(current_folder() / path))
+
+
+def common_folder(paths: Iterable[Path]) -> Path:
+    """Return the innermost folder that holds all of some typed paths; their config is looked for from there."""
+    common = Path(os.path.commonpath([absolute(path) for path in paths]))
+    return common if common.is_dir() else common.parent

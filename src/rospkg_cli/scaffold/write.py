@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..engine.fixing.remove_leftovers import has_ended
 from ..engine.fixing.signals import signals_ignored, stopped_by_signals
+from ..engine.fixing.write import current_umask
 from ..leftovers import STRAY
 from . import ScaffoldError
 from .render import RenderedFile
@@ -79,10 +80,4 @@ def write(path: Path, file: RenderedFile) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(file.entry.data)
     if file.entry.is_executable:
-        path.chmod(0o777 & ~umask())
-
-
-def umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+        path.chmod(0o777 & ~current_umask())

@@ -9,7 +9,7 @@ from pathlib import Path, PurePosixPath
 
 from ...config.file import find_config
 from ...control_characters import visible
-from ...current_folder import absolute, current_folder
+from ...current_folder import common_folder, current_folder
 from ...disk import DiskTree
 from ...edits.format_manifest import format_edits
 from ...engine.discovery.locate import locate
@@ -64,11 +64,6 @@ def changes_of(tree: DiskTree, folders: Sequence[str]) -> tuple[Changes, dict[st
         if edits:
             changes[path] = edited(tree.entry(path), edits)
     return changes, broken
-
-
-def common_folder(paths: Sequence[Path]) -> Path:
-    common = Path(os.path.commonpath([absolute(path) for path in paths]))
-    return common if common.is_dir() else common.parent
 
 
 def relative(path: Path) -> str:

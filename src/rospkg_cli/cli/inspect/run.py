@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import IO
 
 from ...config.file import find_config
+from ...current_folder import common_folder
 from ...current_folder import current_folder as stands
 from ...disk import DiskTree
 from ...engine.discovery.locate import locate
@@ -19,7 +20,6 @@ from ...report.color import wants_color
 from ...report.inspect_install_table import render_json, render_text
 from ...ros.distros import Targets
 from .. import UsageError
-from ..lint.run import nearest_folder
 from ..streams import say
 
 
@@ -38,7 +38,7 @@ def inspect(
     """
     stream = stream or sys.stdout
     paths = tuple(paths) or (Path(),)
-    located = locate(paths, None, find_config(nearest_folder(paths)))
+    located = locate(paths, None, find_config(common_folder(paths)))
     if not located.scope.given:
         why = f": {located.hidden}" if located.hidden else ""
         names = ", ".join(f"`{path}`" for path in paths)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
 from ...config.file import find_config
-from ...current_folder import absolute, current_folder
+from ...current_folder import common_folder, current_folder
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix import FixResults, fix_all
 from ...engine.fixing.remove_leftovers import remove_leftovers
@@ -43,7 +41,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     shown, fixing, suppression = options.report, options.fixing, options.suppression
     files = report_files(shown.output)
     paths = options.paths or (Path(),)
-    config = find_config(nearest_folder(paths))
+    config = find_config(common_folder(paths))
     located = locate(paths, options.workspace, config)
     with progress(not shown.quiet) as show_progress:
         session = make_session(options, config, located, show_progress)
@@ -66,11 +64,6 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     warn_of_age(session.scope.index, found.results.findings)
     changed = bool(found.changes) and (fixing.diff or fixing.exit_non_zero_on_fix)
     return exit_status(found.results, Severity(options.fail_on or config.fail_on), changed)
-
-
-def nearest_folder(paths: Sequence[Path]) -> Path:
-    common = Path(os.path.commonpath([absolute(p) for p in paths]))
-    return common if common.is_dir() else common.parent
 
 
 def run_session(session: Session, options: FixOptions) -> FixResults:

@@ -37,11 +37,11 @@ def one_round(
     """
     changed = changed_meanwhile(tree, checksums)
     refused = [Refusal(each, why) for each in wanted if (why := stale(each, changed))]
-    wanted = [each for each in wanted if not stale(each, changed)]
-    if not can_apply(tree, wanted):
-        refused += [found for each in wanted if (found := cannot_apply(tree, each))]
-    failing = {id(each.finding) for each in refused}
-    left = [each for each in wanted if id(each) not in failing]
+    left = without(wanted, [each.finding for each in refused])
+    if not can_apply(tree, left):
+        failing = [found for each in left if (found := cannot_apply(tree, each))]
+        left = without(left, [each.finding for each in failing])
+        refused += failing
     while left:
         changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])
         broken = newly_unreadable(tree, changes, folders)
@@ -51,9 +51,14 @@ def one_round(
         guilty = breaking_fixes(tree, folders, left, broken)
         path, why = next(iter(broken.items()))
         refused += [Refusal(each, f"it would break `{path}`: {why}") for each in guilty]
-        gone = set(map(id, guilty))
-        left = [each for each in left if id(each) not in gone]
+        left = without(left, guilty)
     return {}, [], refused
+
+
+def without(findings: Iterable[Finding], others: Iterable[Finding]) -> list[Finding]:
+    """Return the findings but for some of them; equal ones are told apart."""
+    gone = set(map(id, others))
+    return [each for each in findings if id(each) not in gone]
 
 
 def changed_meanwhile(tree: Tree, checksums: Mapping[str, int]) -> set[str]:
