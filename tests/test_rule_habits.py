@@ -16,7 +16,7 @@ FAMILIES = {
     "RPK": "tool", "XML": "manifest", "SET": "setup", "DEP": "depends", "CMK": "cmake", "IDL": "interfaces",
     "LCH": "launch", "PRM": "params", "URD": "urdf", "PLG": "plugins", "WSP": "workspace",
 }  # fmt: skip
-HEADINGS = ["## What it does", "## Why is this bad?", "## Fix safety", "## References"]
+HEADINGS = ["## What it does", "## Why is this bad?", "## When it is quiet", "## Fix safety", "## References"]
 
 
 @pytest.mark.parametrize("rule", RULES)
