@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from ...languages.xml.parser import Document, Element
 from ...package.urdf.reader import ROBOTS
@@ -15,23 +15,32 @@ from ..fault import Fault
 from .element_checks import ElementCheck, first, name_span
 from .kinematic_tree import KinematicTree
 from .substitutions import substitution_fault
+from .xacro_calls import XacroCalls
 
 HARMLESS = frozenset({"xacro:property", "xacro:arg"})
 """Elements of xacro that add no links."""
 VERSIONS = ("1.0", "1.1", "1.2")
 
 
-def robot_faults(robot: RobotFile) -> list[Fault]:
-    """Return what is wrong with a robot in URDF or xacro, by position; worlds (.sdf, .world) are not judged."""
+def robot_faults(robot: RobotFile, calls: XacroCalls | None = None) -> list[Fault]:
+    """Return what is wrong with a robot in URDF or xacro, by position; worlds (.sdf, .world) are not judged.
+
+    Where the calls of its package are given, what xacro evaluates only for some has a lower level.
+    """
     if not robot.path.endswith(ROBOTS):
         return []
-    return sorted(unsorted_faults(robot), key=lambda fault: fault.span)
+    piece = robot.path.endswith(".xacro") and not (calls and calls.is_robot(robot))
+    found = sorted(unsorted_faults(robot, piece), key=lambda fault: fault.span)
+    if calls is None or not robot.is_xacro:
+        return found
+    return [calls.weighed(robot.document.root, fault) for fault in found]
 
 
-def unsorted_faults(robot: RobotFile) -> Iterator[Fault]:
-    document, links, joints = robot.document, robot.links, robot.joints
+def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
+    document, links = robot.document, robot.links
+    joints = [joint for joint in robot.joints if not (robot.is_xacro and is_named_only(joint))]
     root = document.root
-    if robot.is_xacro:
+    if robot.path.endswith(".xacro") or "<xacro:" in document.source.text:
         yield from substitution_faults(document)
     if root.tag != "robot":
         if not robot.is_xacro:
@@ -45,12 +54,21 @@ def unsorted_faults(robot: RobotFile) -> Iterator[Fault]:
     for joint in joints:
         yield from check.joint(joint)
     yield from repeated(root, "link")
-    yield from repeated(root, "joint")
+    yield from repeated(root, "joint", joints)
     if is_whole(root, (*links, *joints)):
         if not robot.is_xacro:
             yield from robot_element(root)
         yield from KinematicTree(root, links, joints).faults(piece=document.source.path.endswith(".xacro"))
-        yield from named_joints(root, joints)
+        if not piece:
+            yield from named_joints(root, joints)
+
+
+def is_named_only(joint: Element) -> bool:
+    """Return whether a joint has nothing of one of URDF: xacro puts it into a ros2_control, a transmission or an SRDF.
+
+    A macro, or an included file, stands for its elements wherever it is called.
+    """
+    return joint.get("type") is None and not any(first(joint, tag) for tag in ("parent", "child"))
 
 
 def robot_element(root: Element) -> Iterator[Fault]:
@@ -71,11 +89,11 @@ def is_whole(root: Element, parts: Sequence[Element]) -> bool:
     return all(value is None or "$" not in value for value in values)
 
 
-def repeated(root: Element, tag: str) -> Iterator[Fault]:
-    """Yield the children of the robot that have no name, or a repeated one."""
+def repeated(root: Element, tag: str, among: Collection[Element] | None = None) -> Iterator[Fault]:
+    """Yield the children of the robot that have no name, or a repeated one; of some elements where they are given."""
     seen: dict[str, Span] = {}
     for element in root.children:
-        if element.tag != tag:
+        if element.tag != tag or (among is not None and element not in among):
             continue
         name = element.get("name")
         if name is None:

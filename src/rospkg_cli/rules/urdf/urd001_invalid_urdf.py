@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.urdf.validation import robot_faults
+from ...checks.urdf.judged_robot import JudgedRobot
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Severity
-from ...package.urdf.robot_file import RobotFile
 from ...rule import rule
 
 GOOD = """\
@@ -42,9 +41,12 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
 @rule(
     "URD001",
     "invalid-urdf",
-    over=RobotFile,
+    over=JudgedRobot,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the robot is read, without a part of a link"},
+    levels={
+        Severity.WARNING: "the robot is read without a part of a link, or a condition or unused macro is around it",
+        Severity.INFO: "nothing reads the property that can't be evaluated",
+    },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
         example('  <link name="wheel"/>\n  <link name="«arm»"/>', '  <link name="wheel"/>'),
@@ -54,7 +56,7 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
         example("«<sphere/>»", '<sphere radius="${radius * 2}"/>', XACRO, "robot.urdf.xacro"),
     ),
 )
-def invalid_urdf(robot: RobotFile) -> Iterator[Hit]:
+def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     """
     ## What it does
     Finds URDF files that urdfdom refuses, and xacro that can't be evaluated.
@@ -67,7 +69,13 @@ def invalid_urdf(robot: RobotFile) -> Iterator[Hit]:
     robot_state_publisher, RViz, Gazebo and MoveIt refuse the whole robot: "Model Parsing the xml failed". What is wrong
     inside of a link loses its shapes: urdfdom prints an error and goes on without them.
 
+    ## When it is quiet
+    A joint without type, parent and child in a xacro file is none of URDF: xacro puts it into a `<ros2_control>`, a
+    transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
+    it, what is in `<xacro:if>` only for some: there the level is lower. Joints that another file of the robot may
+    have are not missed.
+
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
     """
-    yield from hits(robot.path, robot_faults(robot))
+    yield from hits(judged.robot.path, judged.faults())

@@ -1,0 +1,94 @@
+"""What xacro certainly evaluates: it expands a macro where it is called, and reads a property where `${…}` names it.
+
+(xacro/__init__.py, branch ros2: Macro, Table.__getitem__, eval_all)
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.xml.parser import Element
+from ...package.urdf.robot_file import RobotFile
+from ...source import Span
+from ...unreadable import UnreadableError
+from ..fault import Fault, Level
+
+CALL = re.compile(r"<xacro:([^\s<>/\"']+)")
+EXPRESSION = re.compile(r"\$\{([^}]*)")
+WORD = re.compile(r"[A-Za-z_]\w*")
+INSERTED = re.compile(r"<xacro:insert_block\s+name=\"([^\"]*)\"")
+CONDITIONS = ("xacro:if", "xacro:unless")
+
+
+@dataclass(frozen=True)
+class XacroCalls:
+    """The macros that a package's robots call, and the properties that they read; other packages may do both."""
+
+    files: PackageFiles
+
+    def weighed(self, root: Element, fault: Fault) -> Fault:
+        """Return a fault at the level of its place: xacro may pass over conditions, unused macros and properties."""
+        for around in ancestors(root, fault.span):
+            name = around.get("name") or ""
+            if around.tag in CONDITIONS:
+                return softer(fault, "warning", "where the condition around it holds")
+            if around.tag == "xacro:macro" and not self.is_called(name):
+                return softer(fault, "warning", f"as soon as something calls the macro `{name}`")
+            if around.tag == "xacro:property" and around.get("lazy_eval") != "false" and name not in self.read:
+                return softer(fault, "info", f"as soon as something reads `{name}`")
+        return fault
+
+    def is_robot(self, robot: RobotFile) -> bool:
+        """Return whether a file is a robot of its own: it has a name, and no other file mentions it."""
+        name = robot.path.rpartition("/")[2]
+        named = robot.document.root.get("name") is not None
+        return named and not any(name in text for text in self.texts if text is not robot.source.text)
+
+    def is_called(self, macro: str) -> bool:
+        return macro in self.called or macro.removeprefix("xacro:") in self.called
+
+    @cached_property
+    def called(self) -> frozenset[str]:
+        """The names behind `xacro:` in the tags of all files, without the namespace of an include."""
+        found = {match.group(1) for text in self.texts for match in CALL.finditer(text)}
+        return frozenset(found | {name.rpartition(".")[2] for name in found})
+
+    @cached_property
+    def read(self) -> frozenset[str]:
+        found = {match.group(1) for text in self.texts for match in INSERTED.finditer(text)}
+        for text in self.texts:
+            found.update(word for match in EXPRESSION.finditer(text) for word in WORD.findall(match.group(1)))
+        return frozenset(found)
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        return tuple(self._texts())
+
+    def _texts(self) -> Iterator[str]:
+        for path in self.files.paths:
+            if path.endswith((".xacro", ".urdf", ".xml")):
+                try:
+                    yield self.files.source(path).text
+                except UnreadableError:
+                    continue
+
+
+def ancestors(root: Element, place: Span) -> Iterator[Element]:
+    """Yield the elements in which a place lies, from the outermost on; a condition's own attributes are outside."""
+    waiting = [root]
+    while waiting:
+        for child in waiting.pop().children:
+            if child.span.start <= place.start and place.end <= child.span.end:
+                if child.tag not in CONDITIONS or place.start >= child.inner.start:
+                    yield child
+                waiting = [child]
+                break
+
+
+def softer(fault: Fault, level: Level, when: str) -> Fault:
+    """Return a fault that is one only under a condition."""
+    return replace(fault, level=level, message=f"{fault.message}, {when}")

@@ -1,0 +1,95 @@
+"""What is wrong in xacro only counts where xacro evaluates it: in macros that are called, properties that are read."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
+BAD = '<joint name="j" type="revolute"><parent link="a"/><child link="b"/></joint>'
+FACED = '<joint name="j"><command_interface name="position"/></joint>'
+MACRO = '<xacro:macro name="{}" params="p">{}</xacro:macro>'
+
+
+def said(**bodies: str) -> list[tuple[str, str]]:
+    """Lint robots, each by the name of its file, and return level and message of each finding."""
+    files = {f"urdf/{name}.xacro": f"{HEAD}{body}</robot>\n" for name, body in bodies.items()}
+    found = lint_files({"package.xml": manifest(), **files}, ["URD001"]).findings
+    return [(finding.severity.value, finding.message) for finding in found]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        MACRO.format("wheel", FACED),
+        MACRO.format("wheel", '<joint name="${p}_j"/>'),
+        MACRO.format("drive", '<xacro:if value="${p}">' + FACED + "</xacro:if>"),
+        FACED,
+        FACED * 2,
+        '<link name="a"/><ros2_control name="c"><joint name="elsewhere"/></ros2_control>',
+    ],
+)
+def test_joints_for_ros2_control_may_lie_in_a_file_of_their_own(body: str) -> None:
+    include = '<link name="a"/><xacro:include filename="part.xacro"/>'
+    assert said(robot=f'{include}<ros2_control name="c"><xacro:wheel p="l"/></ros2_control>', part=body) == []
+
+
+def test_a_robot_that_nothing_includes_has_all_its_joints() -> None:
+    body = '<link name="a"/><ros2_control name="c"><joint name="elsewhere"/></ros2_control>'
+    ((level, message),) = said(robot=body)
+    assert (level, "`elsewhere`" in message) == ("error", True)
+    assert said(piece=body, robot='<link name="a"/><xacro:include filename="piece.xacro"/>') == []
+
+
+@pytest.mark.parametrize("missing", [' type="revolute"', '<parent link="a"/>', '<child link="b"/>'])
+def test_a_joint_with_one_part_of_urdf_is_one_of_urdf(missing: str) -> None:
+    """Without its type a joint is refused; what else is missing is told where the robot is whole."""
+    assert bool(said(robot=BAD.replace(missing, ""))) is True
+
+
+@pytest.mark.parametrize(
+    "bodies, level, when",
+    [
+        ({"a": BAD}, "error", ""),
+        ({"a": MACRO.format("wheel", BAD)}, "warning", ", as soon as something calls the macro `wheel`"),
+        ({"a": MACRO.format("xacro:wheel", BAD), "b": "<xacro:wheel/>"}, "error", ""),
+        ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheel/>"}, "error", ""),
+        ({"a": MACRO.format("wheel", BAD), "b": "<xacro:parts.wheel p='1'/>"}, "error", ""),
+        ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheels/>"}, "warning", "the macro `wheel`"),
+        ({"a": f'<xacro:if value="$(arg x)">{BAD}</xacro:if>'}, "warning", ", where the condition around it holds"),
+        ({"a": f'<xacro:unless value="$(arg x)">{BAD}</xacro:unless>'}, "warning", "around it holds"),
+        ({"a": '<xacro:if value="${x"><link name="a"/></xacro:if>'}, "error", "xacro stops here"),
+        ({"a": '<xacro:property name="x" value="${y"/>'}, "info", ", as soon as something reads `x`"),
+        ({"a": '<xacro:property name="x" value="${y" lazy_eval="false"/>'}, "error", "xacro stops here"),
+        ({"a": '<xacro:property name="x" value="${y"/><link name="${x}"/>'}, "error", "xacro stops here"),
+        ({"a": '<xacro:property name="x" value="${y"/>', "b": "<link name='${2 * x}'/>"}, "error", ""),
+        ({"a": '<xacro:property name="x"><a b="${y"/></xacro:property>'}, "info", "reads `x`"),
+        (
+            {"a": '<xacro:property name="x"><a b="${y"/></xacro:property>', "b": '<xacro:insert_block name="x"/>'},
+            "error",
+            "xacro stops here",
+        ),
+    ],
+)
+def test_the_level_is_that_of_the_place(bodies: dict[str, str], level: str, when: str) -> None:
+    ((found, message),) = said(**bodies)
+    assert found == level
+    assert message.endswith(when)
+    assert ("as soon as" in message or "the condition" in message) is (level != "error")
+
+
+def test_only_what_xacro_reads_is_read_as_xacro() -> None:
+    """Something else may fill `$(…)` of a plain URDF in."""
+    text = '<robot name="r"><link name="a"><p>$(COMMAND)</p></link></robot>\n'
+    files = {"package.xml": manifest(), "urdf/a.urdf": text}
+    assert lint_files(files, ["URD001"]).findings == ()
+    marked = text.replace(' name="r">', ' xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><xacro:arg name="a"/>')
+    assert lint_files({**files, "urdf/a.urdf": marked}, ["URD001"]).findings
+
+
+def test_a_file_that_cannot_be_read_hides_no_other() -> None:
+    files = {"package.xml": manifest(), "urdf/a.xacro": f"{HEAD}{BAD}</robot>\n", "urdf/b.xacro": "<robot"}
+    found = lint_files(files, ["URD001"]).findings
+    assert [finding.location.path for finding in found] == ["urdf/a.xacro"]
