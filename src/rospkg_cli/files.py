@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Generic, Protocol, TypeVar
 
+from .absent_paths import AbsentPaths
 from .source import Source, Span
 from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
 from .unreadable import Unreadable, UnreadableError
@@ -49,6 +50,11 @@ class PackageFiles:
         """Every file and every folder, an empty one too, in packages below too; a dead link is neither."""
         found = self.tree.files()
         return folders_of(found).union(path for path, kind in found.items() if kind in EXISTING)
+
+    @cached_property
+    def absent(self) -> AbsentPaths:
+        """What a working tree lacks on purpose."""
+        return AbsentPaths(self.tree, self.whole or self.tree, self.folder if self.whole is not None else "")
 
     def has_file(self, path: str) -> bool:
         """Return whether there is a file; one of a nested package counts."""

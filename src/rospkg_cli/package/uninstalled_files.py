@@ -10,7 +10,8 @@ from ..languages.cmake.evaluated_command import EvaluatedCommand
 from ..languages.cmake.values import UNKNOWN
 from ..ros.share_layout import FOLDERS
 from .cmake.cmake_project import CMake
-from .cmake.referenced_paths import ReferencedPaths, files_written_by
+from .cmake.made_paths import files_written_by
+from .cmake.referenced_paths import ReferencedPaths
 from .install_table import InstallTable
 
 RUNS = frozenset({"execute_process", "add_custom_command", "add_custom_target"})
@@ -36,10 +37,10 @@ def made_files(reading: ReaderInput) -> frozenset[str]:
     if cmake is None:
         return frozenset()
     named = ReferencedPaths(cmake)
-    texts = [text for call in named.calls for text in made_by(call)]
-    texts += [each.path for each in named.missing() if each.use == "install"]
+    texts = [text for call in named.made.calls for text in made_by(call)]
+    texts += [each.path for each in named.absent() if each.use == "install"]
     names = {posixpath.basename(text).replace(UNKNOWN, "*") for text in texts}
-    folders = {f"*{posixpath.basename(each.path)}/*" for each in named.missing() if each.use == "folder"}
+    folders = {f"*{posixpath.basename(each.path)}/*" for each in named.absent() if each.use == "folder"}
     return frozenset(name for name in names if name.strip("*.") and not name.endswith(CODE)) | folders
 
 

@@ -12,9 +12,11 @@ DISTRO_TEST = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|amen
 """What a condition contains that tests for it."""
 
 
-def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = False) -> Iterator[CommandInvocation]:
-    """Yield, in no order, the commands inside an `if` that tests for the distribution or for a command."""
-    waiting = [(each, inside) for each in body]
+def guarded_commands(
+    body: Iterable[CommandInvocation | Block], test: re.Pattern[str] = DISTRO_TEST
+) -> Iterator[CommandInvocation]:
+    """Yield, in no order, the commands inside an `if` that makes a test, by default for the distribution."""
+    waiting = [(each, False) for each in body]
     while waiting:
         each, inside = waiting.pop()
         if isinstance(each, CommandInvocation):
@@ -22,5 +24,5 @@ def guarded_commands(body: Iterable[CommandInvocation | Block], inside: bool = F
                 yield each
         else:
             conditions = (argument.text for branch in each.branches for argument in branch.command.arguments)
-            is_guard = each.command.name == "if" and any(DISTRO_TEST.search(text) for text in conditions)
+            is_guard = each.command.name == "if" and any(test.search(text) for text in conditions)
             waiting += [(below, inside or is_guard) for branch in each.branches for below in branch.body]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import InterfaceTarget
-from ...package.cmake.referenced_paths import ReferencedPaths
+from ...package.cmake.made_paths import MadePaths
 from ...package.interfaces.interface_file import FieldType, InterfaceFile
 from ...package.interfaces.listed_interfaces import ListedInterface, listed_path
 from ...package.package_facts import PackageFacts
@@ -62,13 +61,11 @@ class RosidlTargets:
 
     def missing(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
-        named = ReferencedPaths(self.cmake)
+        made, files = MadePaths(self.cmake), self.cmake.package_files
         for each in self.listed:
-            certain = each.word.is_known and not each.word.maybe and not each.target.call.maybe
-            if certain and each.path and not self.cmake.package_files.exists(each.path):
-                is_written = each.path in named.written_paths or posixpath.basename(each.path) in named.written_names
-                if not is_written:
-                    yield each
+            path = each.path if each.word.is_known and not each.word.maybe and not each.target.call.maybe else ""
+            if path and not (files.exists(path) or files.absent.is_expected(path) or made.is_made(path)):
+                yield each
 
     def repeated(self) -> Iterator[tuple[ListedInterface, ListedInterface]]:
         """Yield what one call lists again, with the first of its kind."""

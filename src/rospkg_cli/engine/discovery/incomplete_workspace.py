@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+
+from ...absent_paths import MAX_SUBMODULES, SUBMODULE
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
 """The largest .gitmodules that is read."""
-
-MAX_SUBMODULES = 10_000
-
-SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 
 
 def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:

@@ -70,6 +70,8 @@ class InterpreterContext:
         if path is None or text.startswith((BINARY, PREFIX)):
             return None
         files = self.interpreter.files
+        if path and not files.is_there(path) and files.absent.is_expected(path):
+            return None
         return not path or (files.is_there(path) and not (folder and files.has_file(path)))
 
     def defined(self, name: str) -> Truth:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.missing_paths import MissingPaths
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
+from ...package.cmake.referenced_paths import ReferencedPath
 from ...rule import rule
 from ...suggest import did_you_mean
 
@@ -25,7 +26,10 @@ SOURCE = CMAKE.replace(
     "missing-installed-path",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the source is named only in a branch that is not taken, or perhaps not"},
+    levels={
+        Severity.WARNING: "the source is named in a branch that is taken only for some; or CMake runs a program in the "
+        "package's folder, which may write what is installed"
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": INSTALL, "meshes/base.stl": "solid base\n"},
@@ -48,13 +52,17 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     ## Why is this bad?
     CMake stops: at once for a missing source, and only after everything was compiled for a missing folder ("file
     INSTALL cannot find …"). It is what is left when a file was renamed, or when git did not keep an empty folder.
+
+    ## When it is quiet
+    Where something makes the path: `configure_file()`, `file(DOWNLOAD …)`, an OUTPUT or BYPRODUCTS, a program that is
+    run in its folder or is given it, a generator of sources. Where a .gitignore names it, since a build then writes
+    it. Below a submodule that is not checked out. Inside `if(EXISTS …)`, for what is installed inside any condition
+    that can't be evaluated, and with OPTIONAL.
     """
-    for named in ReferencedPaths(package.cmake).missing():
+    for named, for_everyone in MissingPaths(package.cmake).all():
         near = did_you_mean(named.path, package.cmake.package_files.paths)
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
-        perhaps = named.call.maybe or named.word.maybe
-        if named.use == "source" or not perhaps:
-            yield Hit(named.word.path, named.word.span, message, Severity.WARNING if perhaps else None)
+        yield Hit(named.word.path, named.word.span, message, None if for_everyone else Severity.WARNING)
 
 
 def consequence(named: ReferencedPath) -> str:

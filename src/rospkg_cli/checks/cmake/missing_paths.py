@@ -1,0 +1,34 @@
+"""Paths that CMake installs or compiles and that nothing provides, and for whom the build stops."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
+from .distro_guards import guarded_commands
+
+ASKED_FOR = re.compile(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
+"""What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
+
+
+@dataclass(frozen=True)
+class MissingPaths:
+    cmake: CMake
+
+    def all(self) -> Iterator[tuple[ReferencedPath, bool]]:
+        """Yield each path, and whether the build stops for everyone who runs it."""
+        named = ReferencedPaths(self.cmake)
+        for each in named.missing():
+            perhaps = each.call.maybe or each.word.maybe
+            if perhaps and (each.use != "source" or id(each.call.command) in self.asked_for):
+                continue
+            yield each, not perhaps and not (each.use != "source" and named.made.is_worked_in)
+
+    @cached_property
+    def asked_for(self) -> frozenset[int]:
+        """The commands inside an `if` that tests for what they need."""
+        return frozenset(id(each) for file in self.cmake.files for each in guarded_commands(file.body, ASKED_FOR))
