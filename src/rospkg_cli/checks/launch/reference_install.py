@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
 from ...package.cmake.cmake_project import CMake
 from ...package.setup.setup_py import SetupPy
-from ..cmake.share_folders import RuntimeFolders
-from ..setup.share_files import ShareFiles, folder_of
+from ..install_faults import InstallFaults
 from .missing_references import LaunchContext, MissingReference
 
 
 @dataclass(frozen=True)
 class ReferenceInstall:
     scope: LaunchContext
-    shared: ShareFiles | None
-    folders: RuntimeFolders | None
+    faults: InstallFaults
 
     @property
     def name(self) -> str:
@@ -29,7 +26,7 @@ class ReferenceInstall:
 
     @property
     def setup(self) -> SetupPy | None:
-        return self.shared.package.setup if self.shared is not None and self.cmake is None else None
+        return self.faults.setup
 
     def missing(self) -> Iterator[MissingReference]:
         """Yield the files that are named, exist and are not installed, where no install rule reports it."""
@@ -46,29 +43,4 @@ class ReferenceInstall:
         misplaced = ("/", f"share/{project}/") if project != self.name else ("/",)
         if missing.state == "elsewhere" and (missing.better_path or "").startswith(misplaced):
             return True
-        top = missing.path.partition("/")[0]
-        if missing.package == self.name:
-            return top in self.said_folders or missing.path in self.said_files
-        facts = self.scope.workspace.named(missing.package)
-        given = facts is not None and facts.folder in self.scope.workspace.selected
-        return given and facts is not None and not any(path.startswith(f"{top}/") for path in facts.share_files)
-
-    @cached_property
-    def said_folders(self) -> frozenset[str]:
-        """The folders of which nothing is installed, and those whose glob matches nothing."""
-        found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
-        if self.setup is not None and self.shared is not None:
-            found |= {
-                *self.shared.uninstalled_runtime_folders,
-                *(folder_of(glob.pattern) for glob in self.shared.empty_globs),
-            }
-        return frozenset(found)
-
-    @cached_property
-    def said_files(self) -> frozenset[str]:
-        """The files in the folders of those that a glob finds."""
-        return (
-            frozenset(each.path for each in self.shared.uninstalled_neighbours)
-            if self.setup and self.shared
-            else frozenset()
-        )
+        return self.faults.is_told(missing.package, missing.path)

@@ -15,13 +15,15 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
+from ..install_faults import InstallFaults
+from .xacro_calls import XacroCalls
 
 State = Literal["absent", "not installed"]
 
 
 @dataclass(frozen=True, slots=True)
 class MissingResource:
-    """A file that is referenced and does not exist at run time."""
+    """A file that is referenced and does not exist at run time; or several in one folder that does not."""
 
     span: Span
     package: str
@@ -29,8 +31,19 @@ class MissingResource:
     state: State
     is_include: bool
     suggestion: str | None = None
-    other_spans: tuple[Span, ...] = ()
-    """Other places that refer to it."""
+    """The path that is meant: of the file, or of the folder where that is missing."""
+    folder: str = ""
+    """The outermost folder of the path that does not exist."""
+    others: tuple[MissingResource, ...] = ()
+    """Other places that refer to it, or to what the same missing folder should hold."""
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        return (self.span, *(each.span for each in self.others))
+
+    @property
+    def other_paths(self) -> frozenset[str]:
+        return frozenset(each.path for each in self.others) - {self.path}
 
 
 @dataclass(frozen=True)
@@ -39,24 +52,31 @@ class RobotInWorkspace:
     files: PackageFiles
     package: PackageFacts
     workspace: Workspace
+    install: InstallFaults
+    calls: XacroCalls
 
     def missing(self) -> Iterator[MissingResource]:
-        """Yield each file that is referenced and does not exist, once, as far as that is known."""
-        found: dict[tuple[str, str], list[MissingResource]] = {}
+        """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""
+        found: dict[tuple[str, str, State], list[MissingResource]] = {}
         for each in self.every_missing():
-            found.setdefault((each.package, each.path), []).append(each)
+            place = each.folder or (posixpath.dirname(each.path) if each.state == "not installed" else "")
+            found.setdefault((each.package, place or each.path, each.state), []).append(each)
         for first, *others in found.values():
-            yield replace(first, other_spans=tuple(other.span for other in others))
+            yield replace(first, others=tuple(others))
 
     def every_missing(self) -> Iterator[MissingResource]:
         for reference in self.robot.references:
             facts = self.facts_of(reference)
-            if facts is not None and reference.path and not reference.path.startswith(".."):
-                state = self.state(facts, reference.path)
-                suggestion = self.suggestion(facts, reference.path)
-                if state is not None and (facts.knows("share_files") or suggestion):
-                    include = reference.use == "include"
-                    yield MissingResource(reference.path_span, facts.name, reference.path, state, include, suggestion)
+            path = reference.path
+            if facts is None or not path or path.startswith("..") or facts.may_write(path):
+                continue
+            state, meant = self.state(facts, path), self.suggestion(facts, path)
+            if state is not None and (facts.knows("share_files") or meant) and not self.is_told(facts, path, state):
+                folder = self.missing_folder(facts, path) if state == "absent" else ""
+                better = meant if not folder or meant is None else self.folder_meant(folder, path, meant)
+                yield MissingResource(
+                    reference.path_span, facts.name, path, state, reference.use == "include", better, folder
+                )
         for local in self.robot.includes:
             if not self.files.exists(local.path) and not local.path.startswith(".."):
                 near = nearest(posixpath.basename(local.path), self.neighbours(local.path))
@@ -70,10 +90,13 @@ class RobotInWorkspace:
         if path in facts.share_files or path in self.share_folders(facts):
             return None
         if facts is not self.package or not (self.files.exists(path) or path in self.files.folders):
-            return "absent"
+            return "not installed" if path in facts.uninstalled else "absent"
         top = path.partition("/")[0]
         partly = "/" not in path or top in self.share_folders(facts)
         return "not installed" if partly and facts.knows("share_files") else None
+
+    def is_told(self, facts: PackageFacts, path: str, state: State) -> bool:
+        return state == "not installed" and self.install.is_told(facts.name, path)
 
     def share_folders(self, facts: PackageFacts) -> frozenset[str]:
         return self._own_folders if facts is self.package else folders_of(facts.share_files)
@@ -82,9 +105,26 @@ class RobotInWorkspace:
     def _own_folders(self) -> frozenset[str]:
         return folders_of(self.package.share_files)
 
+    def missing_folder(self, facts: PackageFacts, path: str) -> str:
+        """Return the outermost folder of a path that a package does not have; "" where it has the whole folder."""
+        known = self.share_folders(facts) | (self.files.folders if facts is self.package else frozenset())
+        parts = path.split("/")
+        above = ("/".join(parts[:end]) for end in range(1, len(parts)))
+        return next((folder for folder in above if folder not in known), "")
+
     def suggestion(self, facts: PackageFacts, path: str) -> str | None:
+        """Return the path that is meant: a near one, or the file of that name beside this robot."""
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
-        return closest_path(path, known)
+        if near := closest_path(path, known):
+            return near
+        beside = posixpath.join(posixpath.dirname(self.robot.path), posixpath.basename(path))
+        return beside if facts is self.package and self.files.exists(beside) else None
+
+    @staticmethod
+    def folder_meant(folder: str, path: str, meant: str) -> str:
+        """Return the folder that stands for the missing one, where the rest of both paths is the same."""
+        rest = path.removeprefix(folder)
+        return meant.removesuffix(rest) if meant.endswith(rest) else posixpath.dirname(meant)
 
     def neighbours(self, path: str) -> list[str]:
         folder = posixpath.dirname(path)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from ...checks.fault import Fault
 from ...checks.urdf.missing_files import MissingResource, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
@@ -30,11 +32,18 @@ FILES = {
 }
 
 
+LEVELS = (None, "warning", "info")
+
+
 @rule(
     "URD002",
     "missing-resource",
     over=RobotInWorkspace,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "a condition or a macro that nothing here calls is around the reference",
+        Severity.INFO: "it is in a property that nothing reads",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -65,18 +74,50 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
     package and the others of the workspace, and checks whether the file is among what they install.
 
+    Several files of one missing folder are one finding.
+
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
     shape out.
+
+    ## When it is quiet
+    Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
+    files that the build writes, git ignores or a submodule holds that is not checked out, and where install rules are
+    not all known. Where another rule reports that the folder is not installed, it says so alone. In a condition of
+    xacro, and in a macro that nothing here calls, it is a warning.
     """
     for each in scope.missing():
-        again = tuple(Related(scope.robot.path, span, "here too") for span in each.other_spans)
-        yield Hit(scope.robot.path, each.span, message(each), related=again)
+        again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
+        level, message = told(scope, each)
+        yield Hit(scope.robot.path, each.span, message, level, again)
 
 
-def message(missing: MissingResource) -> str:
+def told(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
+    """Return the level and the message: those of the place that xacro is most certain to reach."""
     harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
+    fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
+    each = [scope.calls.weighed(scope.robot.document.root, replace(fault, span=span)) for span in missing.spans]
+    best = min(each, key=lambda one: LEVELS.index(one.level))
+    return Severity(best.level) if best.level else None, best.message + advice(missing)
+
+
+def wrong(missing: MissingResource, own: str) -> str:
+    several = f" and {len(missing.other_paths)} more" if missing.other_paths else ""
     if missing.state == "not installed":
-        return f"`{missing.path}` is there, but `{missing.package}` does not install it: {harm}"
-    hint = f" (did you mean `{missing.suggestion}`?)" if missing.suggestion else ""
-    return f"`{missing.package}` has no file `{missing.path}`{hint}: {harm}"
+        verb, them = ("are", "them") if several else ("is", "it")
+        return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
+    verb = "has" if missing.package == own else "installs"
+    if missing.folder:
+        return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
+    return f"`{missing.package}` {verb} no file `{missing.path}`"
+
+
+def advice(missing: MissingResource) -> str:
+    if missing.state == "not installed":
+        folder = missing.path.rpartition("/")[0] or missing.path
+        return f"; install `{folder}` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)"
+    return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or mend the path"
+
+
+def also(missing: MissingResource, other: MissingResource) -> str:
+    return "here too" if other.path == missing.path else f"`{other.path}` too"

@@ -1,0 +1,55 @@
+"""What the rules on install rules report: who looks for these files need not say it again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from ..package.cmake.cmake_project import CMake
+from ..package.package_facts import PackageFacts
+from ..package.setup.setup_py import SetupPy
+from ..package.workspace import Workspace
+from .cmake.share_folders import RuntimeFolders
+from .setup.share_files import ShareFiles, folder_of
+
+
+@dataclass(frozen=True)
+class InstallFaults:
+    package: PackageFacts
+    workspace: Workspace
+    cmake: CMake | None
+    shared: ShareFiles | None
+    folders: RuntimeFolders | None
+
+    @property
+    def setup(self) -> SetupPy | None:
+        return self.shared.package.setup if self.shared is not None and self.cmake is None else None
+
+    def is_told(self, package: str, path: str) -> bool:
+        """Return whether a rule reports that a package does not install a file of its share directory."""
+        top = path.partition("/")[0]
+        if package == self.package.name:
+            return any(path.startswith(f"{folder}/") for folder in self.told_folders) or path in self.told_files
+        facts = self.workspace.named(package)
+        given = facts is not None and facts.folder in self.workspace.selected
+        return given and facts is not None and not any(each.startswith(f"{top}/") for each in facts.share_files)
+
+    @cached_property
+    def told_folders(self) -> frozenset[str]:
+        """The folders of which nothing is installed, and those whose glob matches nothing."""
+        found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
+        if self.setup is not None and self.shared is not None:
+            found |= {
+                *self.shared.uninstalled_runtime_folders,
+                *(folder_of(glob.pattern) for glob in self.shared.empty_globs),
+            }
+        return frozenset(found)
+
+    @cached_property
+    def told_files(self) -> frozenset[str]:
+        """The files beside those that a glob finds, and all in the folders beside them."""
+        if self.setup is None or self.shared is None:
+            return frozenset()
+        beside = {each.path for each in self.shared.uninstalled_neighbours}
+        inside = (path for folder in beside for path in self.shared.package.files.below(folder))
+        return frozenset(beside.union(inside))
