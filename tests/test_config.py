@@ -59,13 +59,13 @@ def test_what_the_keys_do(package: Path, section: str, status: int) -> None:
     "text, place, says",
     [
         ('\nselct = ["XML"]', "2:1", "there is no key `selct` (did you mean `select`?)"),
-        ("select = 'XML'", "1:1", "`select` wants a list of strings"),
-        ('ignore = ["XML104"]', "1:1", "wants a reason"),
-        ('[ignore]\nXML104 = ""', "1:1", "wants a reason"),
+        ("select = 'XML'", "1:1", "`select` must be a list of strings"),
+        ('ignore = ["XML104"]', "1:1", "must give a reason"),
+        ('[ignore]\nXML104 = ""', "1:1", "must give a reason"),
         ('target = ["jazy"]', "1:1", "did you mean `jazzy`?"),
         ('[per-path.x]\nignores = { XML104 = "x" }', "2:1", "there is no key `ignores`"),
-        ('fail-on = "errors"', "1:1", "wants one of error, warning, info"),
-        ("pedantic = 1", "1:1", "wants true or false"),
+        ('fail-on = "errors"', "1:1", "must be one of error, warning, info"),
+        ("pedantic = 1", "1:1", "must be true or false"),
         ("select = [", "", "not valid TOML"),
     ],
 )

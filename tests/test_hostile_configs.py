@@ -21,12 +21,12 @@ CONFIGS = {
     "headers": ("[" * 300_000 + "\nx = 1", "not valid TOML"),
     "number": (f"pedantic = {'1' * 10_000}", "not valid TOML: Exceeds the limit"),
     "size": ("#" * (MAX_TEXT + 1), "more than 1,000,000 characters is not read"),
-    "no table": ("per-package = 5", "rospkg.toml:1:1: `per-package` wants a table"),
-    "no table within": ('per-path = {"a/*" = 5}', "`a/*` wants a table"),
-    "no table of new": ("new = [1]", "`new` wants a table"),
-    "no list": ("select = 5", "`select` wants a list of strings"),
-    "list of lists": ("select = [['XML101']]", "`select` wants a list of strings"),
-    "date": ("fail-on = 2020-01-01", "`fail-on` wants one of"),
+    "no table": ("per-package = 5", "rospkg.toml:1:1: `per-package` must be a table"),
+    "no table within": ('per-path = {"a/*" = 5}', "`a/*` must be a table"),
+    "no table of new": ("new = [1]", "`new` must be a table"),
+    "no list": ("select = 5", "`select` must be a list of strings"),
+    "list of lists": ("select = [['XML101']]", "`select` must be a list of strings"),
+    "date": ("fail-on = 2020-01-01", "`fail-on` must be one of"),
     "escapes": ('"\\u001b]0;owned\\u0007" = 1', r"there is no key `\x1b]0;owned\x07`"),
     "long key": (f"{'k' * 900_000} = 1", "there is no key `kkk"),
     "long key far down": ("[[" * 100_000 + "\n", "not valid TOML"),
@@ -48,7 +48,7 @@ def test_a_hostile_config_is_one_sentence(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize("text", ["tool = 5\n#[tool.rospkg", "[tool]\nrospkg = 5\n#[tool.rospkg"])
 def test_a_project_without_a_table_for_us(tmp_path: Path, text: str) -> None:
     (tmp_path / "pyproject.toml").write_text(text)
-    with pytest.raises(ConfigError, match=r"pyproject\.toml:\d+:1: `rospkg` wants a table"):
+    with pytest.raises(ConfigError, match=r"pyproject\.toml:\d+:1: `rospkg` must be a table"):
         find_config(tmp_path)
 
 

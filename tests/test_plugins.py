@@ -1,4 +1,4 @@
-"""Plug-ins: what descriptions say, what sources export, who loads them."""
+"""Plugins: what descriptions say, what sources export, who loads them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def described(*types: str, path: str = "planner", base: str = "nav2_core::Global
 
 
 def package(cmake: str = LIBRARY + EXPORT, **files: str) -> dict[str, str]:
-    """Return a package with one plug-in; `files` by path, with `__` for `/` and `_DOT_` for `.`."""
+    """Return a package with one plugin; `files` by path, with `__` for `/` and `_DOT_` for `.`."""
     named = {path.replace("__", "/").replace("_DOT_", "."): text for path, text in files.items()}
     return {
         "package.xml": manifest("", "ament_cmake"),
@@ -258,7 +258,7 @@ def test_rqt_plugins_in_cpp_need_not_be() -> None:
 
 
 def loading(text: str, name: str = "server") -> dict[str, str]:
-    """Return a package that loads plug-ins."""
+    """Return a package that loads plugins."""
     return {
         f"{name}/package.xml": manifest("", "ament_cmake", name),
         f"{name}/CMakeLists.txt": HEAD.replace("my_pkg", name) + "add_library(s src/s.cpp)\n" + TAIL,

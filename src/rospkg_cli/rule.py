@@ -83,7 +83,7 @@ PLUGGED_IN: dict[str, Rule[Any]] = {}
 
 @cache
 def all_rules() -> tuple[Rule[Any], ...]:
-    """Every built-in rule and every rule of a plug-in, by code."""
+    """Every built-in rule and every rule of a plugin, by code."""
     from . import rules
 
     found = dict(PLUGGED_IN)

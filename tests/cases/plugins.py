@@ -1,4 +1,4 @@
-"""Sentences about plug-ins that no example shows."""
+"""Sentences about plugins that no example shows."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def on_cmake(files: dict[str, str], **changed: str) -> Example:
 
 
 def described(path: str, cmake: str = plg004.PACKAGE, source: str = plg004.SOURCE) -> Example:
-    """A plug-in whose description names a library."""
+    """A plugin whose description names a library."""
     text = plg004.XML.replace('"my_planner"', f'"{path}"')
     return on_cmake(plg004.FILES, CMakeLists_DOT_txt=cmake, plugins_DOT_xml=text, src__planner_DOT_cpp=source)
 

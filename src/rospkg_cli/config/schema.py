@@ -27,19 +27,19 @@ class ConfigError(Exception):
 
 def strings(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
-        raise ValueError("wants a list of strings")
+        raise ValueError("must be a list of strings")
     return tuple(value)
 
 
 def reasons(value: Any) -> dict[str, str]:
     if not isinstance(value, dict) or not all(isinstance(v, str) and v.strip() for v in value.values()):
-        raise ValueError('wants a reason for each rule: ignore = { SET304 = "we stay on Humble" }')
+        raise ValueError('must give a reason for each rule: ignore = { SET304 = "we stay on Humble" }')
     return dict(value)
 
 
 def severities(value: Any) -> dict[str, str]:
     if not isinstance(value, dict) or not all(v in SEVERITIES for v in value.values()):
-        raise ValueError(f"wants one of {', '.join(SEVERITIES)} for each rule")
+        raise ValueError(f"must be one of {', '.join(SEVERITIES)} for each rule")
     return dict(value)
 
 
@@ -53,19 +53,19 @@ def distros(value: Any) -> tuple[str, ...]:
 
 def boolean(value: Any) -> bool:
     if not isinstance(value, bool):
-        raise ValueError("wants true or false")
+        raise ValueError("must be true or false")
     return value
 
 
 def level(value: Any) -> str:
     if value not in SEVERITIES[:3]:
-        raise ValueError(f"wants one of {', '.join(SEVERITIES[:3])}")
+        raise ValueError(f"must be one of {', '.join(SEVERITIES[:3])}")
     return str(value)
 
 
 def text(value: Any) -> str:
     if not isinstance(value, str):
-        raise ValueError("wants a string")
+        raise ValueError("must be a string")
     return value
 
 
@@ -102,7 +102,7 @@ def read_section(
     """Return the values of a table, checked; raises ConfigError."""
     found: dict[str, Any] = {}
     if not isinstance(data, dict):
-        raise ConfigError(f"{key_position(path, source, table[:-1], table[-1])}: `{table[-1]}` wants a table")
+        raise ConfigError(f"{key_position(path, source, table[:-1], table[-1])}: `{table[-1]}` must be a table")
     for key, value in data.items():
         form = forms.get("*", forms.get(key))
         if form is None:

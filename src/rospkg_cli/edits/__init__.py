@@ -1,0 +1,1 @@
+"""Changes to files as spans and texts, for fixes and for `rospkg new`."""

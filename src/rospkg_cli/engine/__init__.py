@@ -1,0 +1,1 @@
+"""One run of lint: which packages, which rules, what is set aside, and what is fixed."""

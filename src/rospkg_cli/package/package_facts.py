@@ -33,7 +33,7 @@ class ActiveDependency:
 
 @dataclass(frozen=True, slots=True)
 class Plugin:
-    """A class that a plug-in description of the package has."""
+    """A class that a plugin description of the package has."""
 
     name: str
     """By which it is loaded."""
@@ -49,7 +49,7 @@ class Plugin:
 
 @dataclass(frozen=True, slots=True)
 class PluginUse:
-    """A place that names a plug-in: `package/Class` or `namespace::Class`."""
+    """A place that names a plugin: `package/Class` or `namespace::Class`."""
 
     name: str
     path: str

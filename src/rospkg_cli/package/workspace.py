@@ -102,15 +102,15 @@ class Workspace:
         return found
 
     def loaders_of(self, base: str) -> frozenset[str]:
-        """Return the packages whose plug-ins of a base class are loaded, as far as that is known."""
+        """Return the packages whose plugins of a base class are loaded, as far as that is known."""
         return frozenset(self._loading.get(base, ()))
 
     def bases_loaded_from(self, package: str) -> frozenset[str]:
-        """Return the base classes whose plug-ins must be exported to a package, as far as that is known."""
+        """Return the base classes whose plugins must be exported to a package, as far as that is known."""
         return frozenset(base for base, packages in self._loading.items() if package in packages)
 
     def plugins_of(self, base: str) -> list[Plugin]:
-        """Return the described plug-ins of a base class."""
+        """Return the described plugins of a base class."""
         return [plugin for facts in self.packages for plugin in facts.plugins if plugin.base == base]
 
     @cached_property

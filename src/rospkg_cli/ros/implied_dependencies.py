@@ -15,7 +15,7 @@ IN_CMAKE: Mapping[str, frozenset[str]] = sets(TABLE, "CMake")
 IN_SOURCES: Mapping[str, frozenset[str]] = sets(TABLE, "sources")
 """What C++ includes because macros and headers of another package ask for it."""
 IN_PARAMETERS: Mapping[str, frozenset[str]] = sets(TABLE, "parameters")
-"""What comes with a package for whoever names plug-ins in parameters."""
+"""What comes with a package for whoever names plugins in parameters."""
 
 LAUNCH = IN_LAUNCH_FILES["ros2launch"]
 """What a launch file is made of; `ros2launch` brings it all."""

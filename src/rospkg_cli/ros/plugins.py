@@ -1,4 +1,4 @@
-"""Who loads which plug-ins, and who has them."""
+"""Who loads which plugins, and who has them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ RQT = frozenset({"rqt_gui", "qt_gui"})
 """These read `<export><rqt_gui plugin="…"/></export>` of package.xml; all others go by what CMake exports."""
 
 LOADED_FROM: Mapping[str, str] = pairs("plugins.txt", "base classes")
-"""Base class → the package under whose name descriptions of its plug-ins must be exported."""
+"""Base class → the package under whose name descriptions of its plugins must be exported."""
 
 PLUGIN_PACKAGES: Mapping[str, str] = pairs("plugins.txt", "packages")
-"""The packages of plug-ins whose names begin with another name than the package's, by that name."""
+"""The packages of plugins whose names begin with another name than the package's, by that name."""
 
 TOOLS = frozenset({"rviz_common", "rviz_default_plugins"})
 """What comes with the only program that reads their names."""

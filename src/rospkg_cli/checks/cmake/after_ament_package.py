@@ -22,7 +22,7 @@ LOST: dict[str, str] = {
     "ament_lint_auto_find_test_dependencies": "the linters never run",
     "rclcpp_components_register_node": "the component is not registered",
     "rclcpp_components_register_nodes": "the components are not registered",
-    "pluginlib_export_plugin_description_file": "the plug-ins are not registered",
+    "pluginlib_export_plugin_description_file": "the plugins are not registered",
     "ament_environment_hooks": "the hook is not in the environment",
 }
 """What ament_package() would have finished, and what becomes of it."""

@@ -34,7 +34,7 @@ class MissingExportDependency:
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     is_only_loaded: bool
-    """Whether it is a plug-in or a component, and no package of the workspace builds against this one."""
+    """Whether it is a plugin or a component, and no package of the workspace builds against this one."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class ExportedDependencies:
 
     @cached_property
     def is_built_against(self) -> bool:
-        """Whether a package of the workspace builds against this one: plug-ins and components are only loaded."""
+        """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
         name = self.headers.package.facts.name
         return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
 

@@ -1,4 +1,4 @@
-"""Lists of plug-ins by name, as nav2 has them: each name is a group with a `plugin` of its own."""
+"""Lists of plugins by name, as nav2 has them: each name is a group with a `plugin` of its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Base classes of plug-ins: the package that a description is exported to, and the name that is loaded.
+"""Base classes of plugins: the package that a description is exported to, and the name that is loaded.
 
 pluginlib compares texts: the package of the ament index entry with the first argument of the ClassLoader, and
 `base_class_type` with its second.
@@ -41,7 +41,7 @@ class WrongBaseClass:
 
 @dataclass(frozen=True)
 class UnmatchedLoader:
-    """A ClassLoader that looks for plug-ins of a package that does not exist."""
+    """A ClassLoader that looks for plugins of a package that does not exist."""
 
     loader: PluginLoader
     suggestion: str | None

@@ -1,4 +1,4 @@
-"""The library path of a plug-in description, and what is wrong with it."""
+"""The library path of a plugin description, and what is wrong with it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plug-ins of one package: what its descriptions list, and what its sources export."""
+"""The plugins of one package: what its descriptions list, and what its sources export."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .exported_classes import ExportedClass, exported_classes, is_plain, is_regi
 
 PREBUILT = (".so", ".a", ".dylib", ".dll")
 COMPONENTS = frozenset({"rclcpp::Node", "rclcpp_components::NodeFactory"})
-"""What class_loader registers of them is a component, which no plug-in description has."""
+"""What class_loader registers of them is a component, which no plugin description has."""
 FETCHES = frozenset({"externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"})
 
 
@@ -80,7 +80,7 @@ class PluginPackage:
         return self.cmake.is_complete and len(self.sources) == paths
 
     def without_source(self) -> Iterator[DescribedPlugin]:
-        """Yield the described plug-ins whose class no source exports, as far as that is known."""
+        """Yield the described plugins whose class no source exports, as far as that is known."""
         if self.is_readable:
             for entry in self.entries:
                 exported = spaceless(entry.type) in self._types
@@ -140,7 +140,7 @@ class PluginPackage:
         )
 
     def undescribed(self) -> Iterator[ExportedClass]:
-        """Yield the exported classes that no description names, of libraries that are there for plug-ins."""
+        """Yield the exported classes that no description names, of libraries that are there for plugins."""
         libraries = {self.library(entry.library) for entry in self.entries}
         suggested = {found.type for entry in self.without_source() if (found := self.suggestion(entry)) is not None}
         for each in self.compiled_exports:

@@ -1,4 +1,4 @@
-"""Plug-ins of rqt: those in Python are found by package.xml alone, those in C++ by what CMake exports."""
+"""Plugins of rqt: those in Python are found by package.xml alone, those in C++ by what CMake exports."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class RqtPlugins:
     descriptions: tuple[PluginDescription, ...]
 
     def hidden(self) -> Iterator[tuple[PluginDescription, str]]:
-        """Yield the descriptions of plug-ins in Python that package.xml lacks, and the tag that they want."""
+        """Yield the descriptions of plugins in Python that package.xml lacks, and the tag that they want."""
         if self.facts.build_type == "catkin":
             return
         exported = {each.type.value for one in self.descriptions if one.is_for_rqt for each in one.classes}

@@ -1,4 +1,4 @@
-"""References to plug-ins that no plug-in description has."""
+"""References to plugins that no plugin description has."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .exported_classes import tail
 
 SEPARATOR = re.compile(r"/|::")
 BUILT_IN = frozenset({"rviz_common"})
-"""Packages with plug-ins that are registered without a description."""
+"""Packages with plugins that are registered without a description."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class UnknownPlugin:
     user: PackageFacts
     use: PluginUse
     owner: PackageFacts
-    """The package that describes the suggested plug-in, or should describe this one."""
+    """The package that describes the suggested plugin, or should describe this one."""
     suggestion: Plugin | None
 
 
@@ -68,12 +68,12 @@ class PluginReferences:
         return self.workspace.is_complete and not known
 
     def is_certain(self, owner: PackageFacts) -> bool:
-        """Return whether a package has plug-ins in C++, and all of them are known."""
+        """Return whether a package has plugins in C++, and all of them are known."""
         cpp = any("_py::" not in plugin.base for plugin in owner.plugins)
         return cpp and owner.is_ament and owner.knows("plugins") and owner.name not in BUILT_IN
 
     def suggestion(self, owner: PackageFacts, name: str) -> Plugin | None:
-        """Return the plug-in of a package with the same class, or with nearly that name; None where there are more."""
+        """Return the plugin of a package with the same class, or with nearly that name; None where there are more."""
         alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
         if not alike:
             nearby = near_names(tail(name), [tail(each.name) for each in owner.plugins])

@@ -25,7 +25,7 @@ class PublicHeaders:
 
     @cached_property
     def exports(self) -> tuple[EvaluatedCommand, ...]:
-        """The calls that export headers to other packages; the targets of a plug-in are exported for other reasons."""
+        """The calls that export headers to other packages; the targets of a plugin are exported for other reasons."""
         cmake = self.package.cmake
         names = INCLUDES if cmake.named(PLUGINS) else (*INCLUDES, *TARGETS)
         return tuple(call for call in cmake.named(*names) if not call.testing and not call.maybe and not call.folder)

@@ -1,1 +1,1 @@
-"""Plug-ins: their descriptions, their loaders, and references to them."""
+"""Plugins: their descriptions, their loaders, and references to them."""

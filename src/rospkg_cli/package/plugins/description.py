@@ -1,4 +1,4 @@
-"""Plug-in descriptions: XML files that list for pluginlib which class is in which library.
+"""Plugin descriptions: XML files that list for pluginlib which class is in which library.
 
 pluginlib (class_loader_imp.hpp) reads `<library path>` elements, alone or below `<class_libraries>`, and their
 `<class type base_class_type name>`; where there is no name, the type is the name. It finds the files by the resource
@@ -22,7 +22,7 @@ class DescriptionExport:
     """Where a file is exported, and to which package."""
 
     base: str
-    """The package that loads the plug-ins."""
+    """The package that loads the plugins."""
     base_span: Span
     path: str
     """CMakeLists.txt, or package.xml."""

@@ -1,4 +1,4 @@
-"""Loaders of plug-ins: pluginlib::ClassLoader with a literal package and base class."""
+"""Loaders of plugins: pluginlib::ClassLoader with a literal package and base class."""
 
 from __future__ import annotations
 

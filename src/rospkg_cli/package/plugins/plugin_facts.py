@@ -1,4 +1,4 @@
-"""The plug-ins of a package for PackageFacts."""
+"""The plugins of a package for PackageFacts."""
 
 from __future__ import annotations
 

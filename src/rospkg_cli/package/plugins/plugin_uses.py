@@ -1,4 +1,4 @@
-"""Where a package refers to plug-ins: parameter files, RViz configs, robots. Names are found by the key before them.
+"""Where a package refers to plugins: parameter files, RViz configs, robots. Names are found by the key before them.
 
 Only whole, literal names of the forms `package/Class` and `namespace::Class` count; what a template or a launch file
 computes is not considered.

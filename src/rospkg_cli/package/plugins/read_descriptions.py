@@ -1,4 +1,4 @@
-"""Find the plug-in descriptions of a package: the files that it exports as such."""
+"""Find the plugin descriptions of a package: the files that it exports as such."""
 
 from __future__ import annotations
 

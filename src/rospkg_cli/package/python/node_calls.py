@@ -22,7 +22,7 @@ class DescribedNode:
 
 
 def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
-    """Yield the nodes whose package and executable (or plug-in) are literals in the call, in the order of the text."""
+    """Yield the nodes whose package and executable (or plugin) are literals in the call, in the order of the text."""
     if "package=" not in file.source.text:
         return
     for node in ast.walk(file.tree):

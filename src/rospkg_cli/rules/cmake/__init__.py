@@ -1,0 +1,1 @@
+"""Rules of CMakeLists.txt (CMK)."""

@@ -1,0 +1,1 @@
+"""Rules of dependencies: undeclared, unknown, unused, of the wrong kind (DEP)."""

@@ -1,0 +1,1 @@
+"""Rules of messages, services and actions (IDL)."""

@@ -1,0 +1,1 @@
+"""Rules of package.xml (XML)."""

@@ -1,0 +1,1 @@
+"""Rules of parameter files (PRM)."""

@@ -1,0 +1,1 @@
+"""Rules of rospkg itself: what can't be read, and suppressions (RPK)."""
