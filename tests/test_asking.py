@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import io
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from test_lint_command import rospkg
+from in_process import Done, run_here
 
 from rospkg_cli.cli.new.interactive import ask, command_of
 from rospkg_cli.scaffold.answers import Request
@@ -22,9 +21,12 @@ def answer(monkeypatch: pytest.MonkeyPatch, request: Request, *lines: str, **def
     return ask(request, Path(), defaults)
 
 
-def talk(lines: str, cwd: Path, *options: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "rospkg_cli", "new", "-i", *options]
-    return subprocess.run(command, cwd=cwd, input=lines, capture_output=True, text=True)
+def talk(lines: str, cwd: Path, *options: str) -> Done:
+    before, sys.stdin = sys.stdin, io.StringIO(lines)
+    try:
+        return run_here("new", "-i", *options, cwd=cwd)
+    finally:
+        sys.stdin = before
 
 
 def test_nothing_answered_is_what_nothing_typed_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -112,14 +114,66 @@ def test_answers_that_end_too_soon_write_nothing(tmp_path: Path) -> None:
 
 
 def test_the_command_at_the_end_writes_the_same(tmp_path: Path) -> None:
-    lines = 'my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\n\nhumble\nDrives "it".\nMIT\nAda\nada@example.org\n'
+    lines = 'my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\n\nhumble\nDrives "it".\nMIT\nAda\nada@example.org\n\n'
     done = talk(lines, tmp_path, "--into", "one")
     assert done.returncode == 0, done.stderr
     [command] = [line for line in done.stderr.splitlines() if "the same without questions: " in line]
     words = shlex.split(command.partition("questions: ")[2])
-    assert rospkg(*words[1:], "--into", "two", cwd=tmp_path).returncode == 0
+    assert run_here(*words[1:], "--into", "two", cwd=tmp_path).returncode == 0
     written = {folder: content(tmp_path / folder) for folder in ("one", "two")}
     assert written["one"] == written["two"] != {}
+
+
+ADA_TYPED = ("my_pkg", "--maintainer", "Ada", "--email", "ada@example.org", "--distro", "lyrical")
+
+
+@pytest.mark.parametrize(
+    ("said", "writes"), [("", True), ("Y", True), ("maybe\nyes", True), ("n", False), ("no", False)]
+)
+def test_it_writes_after_a_summary_and_a_yes(tmp_path: Path, said: str, writes: bool) -> None:
+    done = talk("\n" * 7 + f"{said}\n", tmp_path, *ADA_TYPED)
+    assert done.returncode == 0, done.stderr
+    assert "my_pkg: ament_python, A ROS 2 node that publishes a greeting at a steady rate\n" in done.stderr
+    assert "  nodes        my_pkg_node (publisher, Python)\n" in done.stderr
+    assert "depends on " not in done.stderr
+    assert done.stderr.count("files? [Y/n] ") == 1 + said.count("\n")
+    assert ("Answer y or n." in done.stderr) is ("maybe" in said)
+    assert (tmp_path / "my_pkg").exists() is writes
+    if writes:
+        assert f"Write these {len(content(tmp_path / 'my_pkg'))} files?" in done.stderr
+    else:
+        assert done.stdout == ""
+
+
+def test_a_family_is_confirmed_as_a_whole(tmp_path: Path) -> None:
+    done = talk("\n" * 7 + "n\n", tmp_path, *ADA_TYPED, "--family")
+    assert done.returncode == 0, done.stderr
+    assert [f"my_pkg{end}: " in done.stderr for end in ("_interfaces", "_description", "", "_bringup")] == [True] * 4
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_only_shown_needs_no_yes(tmp_path: Path) -> None:
+    assert "[Y/n]" not in talk("\n" * 7, tmp_path, *ADA_TYPED, "--dry-run").stderr
+
+
+@pytest.mark.parametrize(("option", "files"), [("--skip", 1), ("--force", 2)])
+def test_of_a_folder_that_exists_only_what_changes_is_counted(tmp_path: Path, option: str, files: int) -> None:
+    assert run_here("new", *ADA_TYPED, cwd=tmp_path).returncode == 0
+    (tmp_path / "my_pkg" / "README.md").unlink()
+    (tmp_path / "my_pkg" / "LICENSE").write_text("mine\n")
+    done = talk("\n" * 7 + "n\n", tmp_path, *ADA_TYPED, option)
+    assert ("Write this file? [Y/n] " if files == 1 else "Write these 2 files? [Y/n] ") in done.stderr
+    assert not (tmp_path / "my_pkg" / "README.md").exists()
+
+
+def test_types_kinds_and_tests_are_listed_with_what_they_are(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 7)
+    said = capsys.readouterr().err.replace(": ", ":\n").splitlines()
+    assert "  ament_cmake   a C++ package with nodes" in said
+    assert "  timer          a node that counts down" in said
+    assert "  minimal  what needs neither ROS nor ament" in said
 
 
 def content(folder: Path) -> dict[str, bytes]:
@@ -132,6 +186,6 @@ def test_a_command_names_what_differs_from_the_defaults() -> None:
 
 
 def test_without_a_name_and_without_questions_it_says_what_to_type(tmp_path: Path) -> None:
-    done = rospkg("new", cwd=tmp_path)
+    done = run_here("new", cwd=tmp_path)
     assert done.returncode == 2
     assert "rospkg new my_robot_nav" in done.stderr

@@ -32,7 +32,7 @@ def test_a_link_to_a_package_is_a_package(tmp_path: Path, write, clean) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert "(1 package" in done.stdout
     located = locate([tmp_path / "ws/src/foo"])
-    assert (located.root, located.scope.given) == (tmp_path / "ws", {"src/foo"})
+    assert (located.root, located.scope.selected) == (tmp_path / "ws", {"src/foo"})
 
 
 def test_a_linked_package_may_be_fixed(tmp_path: Path, write, clean) -> None:
@@ -147,7 +147,7 @@ def test_siblings_are_known(tmp_path: Path, write, clean) -> None:
     for name in ("my_a", "my_b"):
         write(tmp_path / "e3" / name, {k.replace("my_pkg", name): v.replace("my_pkg", name) for k, v in clean.items()})
     located = locate([tmp_path / "e3/my_b"])
-    assert (located.scope.folders, located.scope.given) == (("my_a", "my_b"), {"my_b"})
+    assert (located.scope.folders, located.scope.selected) == (("my_a", "my_b"), {"my_b"})
 
 
 @pytest.mark.parametrize("variable", ["HOME", "TMPDIR"])

@@ -25,7 +25,7 @@ def workspace(tmp_path: Path) -> Path:
 
 def given(*paths: Path, **more) -> list[str]:
     located = locate(paths, **more)
-    return sorted(Path(located.root, folder).name for folder in located.scope.given)
+    return sorted(Path(located.root, folder).name for folder in located.scope.selected)
 
 
 def test_a_folder_means_the_packages_below_it(workspace: Path) -> None:
@@ -64,13 +64,13 @@ def test_siblings_are_known_not_given(workspace: Path) -> None:
     located = locate([workspace / "src/a"])
     assert located.root == workspace.resolve()
     assert located.scope.folders == ("src/a", "src/group/b", "src/third_party/d")
-    assert located.scope.given == {"src/a"}
+    assert located.scope.selected == {"src/a"}
 
 
 def test_a_repos_file_says_that_more_belongs_here(workspace: Path) -> None:
-    assert locate([workspace / "src/a"]).scope.complete
+    assert locate([workspace / "src/a"]).scope.is_complete
     (workspace / "all.repos").touch()
-    assert not locate([workspace / "src/a"]).scope.complete
+    assert not locate([workspace / "src/a"]).scope.is_complete
 
 
 def test_the_outermost_workspace(workspace: Path) -> None:
@@ -124,4 +124,4 @@ def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:
     (tmp_path / "third_party" / "one").mkdir(parents=True)
     (tmp_path / "third_party" / "one" / "package.xml").write_text("<package/>")
     assert locate([tmp_path]).hidden == "1 package below, hidden by `third_party`"
-    assert locate([tmp_path / "third_party"]).scope.given
+    assert locate([tmp_path / "third_party"]).scope.selected

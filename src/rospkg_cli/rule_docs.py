@@ -20,17 +20,17 @@ SUMMARY_WIDTH = 100
 """Characters: what code scanning pages show of SARIF's shortDescription in one line."""
 
 PROFILES = {
-    Profile.DEFAULT: "always",
-    Profile.PEDANTIC: "only with --pedantic, or when selected by name",
-    Profile.RELEASE: "only with --release, or when selected by name",
+    Profile.DEFAULT: "default",
+    Profile.PEDANTIC: "pedantic (with --pedantic, or when selected by name)",
+    Profile.RELEASE: "release (with --release, or when selected by name)",
 }
 
 
 def explain(rule: Rule[Any]) -> str:
     """Return what a rule does, why, its levels, its fix, and its examples, as Markdown."""
     lines = [f"# {rule.code} {rule.name}", ""]
-    lines += [f"Level: {rule.severity.value}" + "".join(f"; {k.value} {v}" for k, v in rule.levels.items())]
-    lines += [f"Runs: {PROFILES[rule.profile]}", f"Fix: {FIX[rule.fix]}", f"Since: {rule.since}", ""]
+    lines += [f"Severity: {rule.severity.value}" + "".join(f"; {k.value} {v}" for k, v in rule.levels.items())]
+    lines += [f"Profile: {PROFILES[rule.profile]}", f"Fix: {FIX[rule.fix]}", f"Since: {rule.since}", ""]
     lines += [textwrap.dedent(rule.docs).strip()]
     for number, example in enumerate(rule.examples, 1):
         lines += ["", f"## Example {number}" if len(rule.examples) > 1 else "## Example", *example_files(example)]
@@ -49,7 +49,7 @@ def example_files(example: Example) -> Iterator[str]:
     for path, good in example.good.items():
         bad = MARK.sub("", example.bad.get(path) or "")
         if good is None:
-            yield f"Instead, `{path}` is not there."
+            yield f"Good: without `{path}`."
         elif good != bad:
             yield from code_block(path, good.rstrip("\n").split("\n"), "Good", lines_changed(bad, good))
 

@@ -24,7 +24,7 @@ def lint_written(answers: Answers, files: Iterable[RenderedFile], there: Workspa
     scope = Scope(
         tuple(sorted({answers.name, *written})),
         frozenset({answers.name}),
-        complete=there.complete,
+        is_complete=there.complete,
         prefix_names=there.installed | frozenset(there.trees),
         index=there.index,
     )

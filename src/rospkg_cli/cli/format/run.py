@@ -30,12 +30,12 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     """
     paths = paths or (Path(),)
     located = locate(paths, None, find_config(common_folder(paths)))
-    if not located.scope.given:
+    if not located.scope.selected:
         names = ", ".join(f"`{path}`" for path in paths)
         why = f": {located.hidden}" if located.hidden else ""
         raise UsageError(f"there is no package.xml under {names}{why}; give the path of a package or a workspace")
     tree = DiskTree(located.root, located.scope.folders)
-    changes, broken = changes_of(tree, sorted(located.scope.given))
+    changes, broken = changes_of(tree, sorted(located.scope.selected))
     for path, unreadable in broken.items():
         say(f"{relative(located.root / path)}: {unreadable.message}; it is left alone")
     if diff:
@@ -45,7 +45,7 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     verb = "would be formatted" if check or diff else "formatted"
     for path in sorted(changes):
         print(f"{verb}: {visible(relative(located.root / path))}", file=sys.stderr if diff else sys.stdout)
-    left = len(located.scope.given) - len(changes) - len(broken)
+    left = len(located.scope.selected) - len(changes) - len(broken)
     print(f"{len(changes)} {verb}, {left} already in order", file=sys.stderr)
     return 1 if broken or (changes and (check or diff)) else 0
 

@@ -39,14 +39,14 @@ def inspect(
     stream = stream or sys.stdout
     paths = tuple(paths) or (Path(),)
     located = locate(paths, None, find_config(common_folder(paths)))
-    if not located.scope.given:
+    if not located.scope.selected:
         why = f": {located.hidden}" if located.hidden else ""
         names = ", ".join(f"`{path}`" for path in paths)
         raise UsageError(f"there is no package at {names}{why}; give the path of one")
     tree = DiskTree(located.root, located.scope.folders)
     here = Path(os.path.relpath(located.root, stands())).as_posix()
     chosen = Targets(tuple(targets))
-    found = [inspected(tree, folder, located.scope.name, chosen) for folder in sorted(located.scope.given)]
+    found = [inspected(tree, folder, located.scope.name, chosen) for folder in sorted(located.scope.selected)]
     inspections = [each for each in found if each is not None]
     if format == "json":
         render_json(inspections, here, stream)

@@ -19,7 +19,7 @@ from ..streams import say
 
 def result_filter(baseline: Path | None, config: Config, located: Located) -> Callable[[Session, Results], Results]:
     """Return the filter of a session's results; raises BaselineError."""
-    by_config = ConfigFilter(config, located.root, located.scope.given == frozenset(located.scope.folders))
+    by_config = ConfigFilter(config, located.root, located.scope.selected == frozenset(located.scope.folders))
     if baseline is None:
         return by_config
     known, shown = read_baseline(baseline), relative_to(baseline, located.root)

@@ -45,7 +45,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     located = locate(paths, options.workspace, config)
     with progress(not shown.quiet) as show_progress:
         session = make_session(options, config, located, show_progress)
-        found = run_session(session, fixing) if located.scope.given else nothing_found(session, options, located)
+        found = run_session(session, fixing) if located.scope.selected else nothing_found(session, options, located)
     for finding, why in found.refused:
         say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
     fixed = 0 if fixing.diff else len(found.applied)
@@ -56,9 +56,9 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         stream.writelines(unified(session.tree, found.changes))
     elif fixing.fix:
         write_fixes(session, found, located)
-    if suppression.write_baseline and located.scope.given:
+    if suppression.write_baseline and located.scope.selected:
         return save_baseline(suppression.write_baseline, report)
-    if suppression.add_ignores is not None and located.scope.given:
+    if suppression.add_ignores is not None and located.scope.selected:
         return add_ignores(suppression.add_ignores, session, report)
     print_report(shown, report, files, sys.stderr if fixing.diff else stream)
     warn_of_age(session.scope.index, found.results.findings)
@@ -81,7 +81,7 @@ def nothing_found(session: Session, options: LintOptions, located: Located) -> F
 
 def write_fixes(session: Session, found: FixResults, located: Located) -> None:
     """Write what was fixed; raises WriteError."""
-    remove_leftovers(located.root / folder for folder in located.scope.given)
+    remove_leftovers(located.root / folder for folder in located.scope.selected)
     write_changes(located.root, session.tree, found.changes, Fence(located.root, located.scope.folders))
 
 

@@ -12,16 +12,21 @@ from ...scaffold.family import plan_family, write_family
 from ...scaffold.target_folder import hidden_from_colcon
 from .. import UsageError
 from ..streams import afterwards, say
+from .interactive import is_confirmed
 from .run import NOTHING, command_lines, defaults, file_lines, finding_text, tree_lines
 
 
-def new_family(request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto") -> int:
-    """Write all packages into a folder, or show every file; return the exit status.
+def new_family(
+    request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto", confirm: bool = False
+) -> int:
+    """Write all packages into a folder, or show every file; return the exit status. `confirm` asks before it writes.
 
     Raises UsageError and ConfigError for what can't be done as asked.
     """
     try:
         plans = plan_family(request, into, defaults(into))
+        if confirm and not dry_run and not is_confirmed(plans, into, sum(len(plan.files) for plan in plans)):
+            return 0
         if not dry_run:
             write_family(plans, into)
     except ScaffoldError as error:

@@ -4,80 +4,26 @@ from __future__ import annotations
 
 import shlex
 import sys
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
 from ...control_characters import visible
-from ...ros.distros import DISTROS
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
-from ...scaffold.launch_format import LAUNCH_FORMATS
-from ...scaffold.maintainer import find_maintainer
 from ...scaffold.names import check_package_name
-from ...scaffold.node import default_nodes
-from ...scaffold.plan import LAUNCH, LICENSE, TESTS, make_plan, template_of
-from ...scaffold.resolve_request import distro_of
-from ...scaffold.template import Template, template_names
-from ...scaffold.test_level import TEST_LEVELS
+from ...scaffold.plan import Plan, make_plan, template_of
 from .. import UsageError
 from ..streams import say
+from .questions import QUESTIONS, Question
+from .summary import summary_lines
 
 OPTIONS = {
     "template": "--type", "nodes": "--node", "msgs": "--msg", "srvs": "--srv", "actions": "--action",
     "extras": "--with", "own_template": "--template",
 }  # fmt: skip
 """The options whose names differ from those of the request's fields."""
-
-
-@dataclass(frozen=True)
-class Question:
-    field: str
-    text: str
-    default: Callable[[Request, Path], str] = lambda request, folder: ""
-    """The default, written as an answer."""
-    applies: Callable[[Template], bool] = lambda template: True
-    each: bool = False
-    """Whether it is asked again until the answer is empty, because an answer may contain commas."""
-
-
-QUESTIONS = (
-    Question("template", f"Type: {', '.join(template_names())}", lambda request, folder: request.template),
-    Question(
-        "nodes",
-        "Nodes (comma-separated), as NAME or NAME:KIND",
-        lambda request, folder: ",".join(default_nodes(request.name, template_of(request.template))),
-        lambda template: bool(template.kinds),
-    ),
-    Question(
-        "nodes", "Nodes to start (comma-separated), as PACKAGE/EXECUTABLE", applies=lambda template: template.starts
-    ),
-    Question(
-        "msgs",
-        "A message, as NAME or NAME:FIELDS (empty to go on)",
-        lambda request, folder: "" if request.msgs or request.srvs or request.actions else "Status",
-        lambda template: template.interfaces,
-        each=True,
-    ),
-    Question("depends", "Dependencies: packages and rosdep keys (comma-separated)"),
-    Question(
-        "launch",
-        f"Launch file: {', '.join(LAUNCH_FORMATS)}",
-        lambda request, folder: LAUNCH,
-        lambda template: template.launches,
-    ),
-    Question("tests", f"Tests: {', '.join(TEST_LEVELS)}", lambda request, folder: TESTS),
-    Question(
-        "distro",
-        f"Distribution: {', '.join(each.name for each in DISTROS)}",
-        lambda request, folder: distro_of("", []).name,
-    ),
-    Question("description", "Description, in one sentence", lambda request, folder: "from its content"),
-    Question("license", "License (SPDX identifier)", lambda request, folder: LICENSE),
-    Question("maintainer", "Maintainer", lambda request, folder: find_maintainer("", "", folder).name.text),
-    Question("email", "E-mail", lambda request, folder: find_maintainer("", "", folder).email),
-)
 
 
 def ask(request: Request, folder: Path, defaults: Mapping[str, str]) -> Request:
@@ -92,9 +38,15 @@ def ask(request: Request, folder: Path, defaults: Mapping[str, str]) -> Request:
             continue
         if request.own_template or not question.applies(template):
             continue
+        show(choice_lines(question.choices(template)))
         default = str(getattr(known, question.field) or question.default(request, folder))
         request = all_answers(question, request, lambda asked: make_plan(asked, folder, defaults), default)
     return request
+
+
+def choice_lines(choices: Mapping[str, str]) -> Iterator[str]:
+    width = max(map(len, choices), default=0)
+    return (f"  {name:<{width}}  {meaning}" for name, meaning in choices.items())
 
 
 def all_answers(question: Question, request: Request, check: Callable[[Request], object], default: str) -> Request:
@@ -123,6 +75,12 @@ def answered(question: Question, request: Request, check: Callable[[Request], ob
         return asked
 
 
+def show(lines: Iterable[str]) -> None:
+    """Print to stderr, where the questions are."""
+    for line in lines:
+        print(visible(line), file=sys.stderr)
+
+
 def read_line(prompt: str, what: str) -> str:
     """Return one line from stdin; the prompt goes to stderr."""
     print(visible(prompt), end="", file=sys.stderr, flush=True)
@@ -131,6 +89,16 @@ def read_line(prompt: str, what: str) -> str:
         print(file=sys.stderr)
         raise UsageError(f"the answers ended at `{what}`; nothing was written")
     return text.strip()
+
+
+def is_confirmed(plans: Sequence[Plan], into: Path, files: int) -> bool:
+    """Show what was chosen, and return whether it is to be written; asked again until the answer is yes or no."""
+    for plan in plans:
+        show(summary_lines(plan, into))
+    question = "Write this file?" if files == 1 else f"Write these {files} files?"
+    while (answer := read_line(f"{question} [Y/n] ", question).lower()) not in ("", "y", "yes", "n", "no"):
+        show(["Answer y or n."])
+    return answer in ("", "y", "yes")
 
 
 def command_of(request: Request) -> str:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Argument, Option
 from typer.core import TyperCommand
 
 from .. import UsageError
 from ..arguments import one_of, split
+
+if TYPE_CHECKING:
+    from ...scaffold.answers import Request
 
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
@@ -22,7 +26,21 @@ NODE = (
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
+WITH = "ci, pre-commit, devcontainer, docs (comma-separated)."
+DEPENDS = "Packages and rosdep keys that it depends on (comma-separated)."
+DISTRO = "$ROS_DISTRO, or the newest LTS"
+DIFF = "Show what would change in an existing folder; exit with status 1 if anything would."
+FORCE = "Replace files that differ there; the old ones are kept in NAME.orig."
+
 Names = list[str] | None
+
+
+def option(panel: str, help: str, *names: str, metavar: str | None = None, default: str | bool = True) -> Any:
+    """Return an option in one part of the help; `default` is shown where an empty value means something."""
+    return Option(*names, metavar=metavar, help=help, show_default=default, rich_help_panel=panel)
+
+
+who, what, where = partial(option, WHO), partial(option, WHAT), partial(option, WHERE)
 
 
 class NewCommand(TyperCommand):
@@ -38,93 +56,30 @@ class NewCommand(TyperCommand):
 
 def new(
     name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.", show_default=False)] = "",
-    type: Annotated[
-        str,
-        Option("--type", "-t", "--build-type", metavar="TYPE", help=TYPE, rich_help_panel=WHAT),
-    ] = "ament_python",
-    node: Annotated[Names, Option(metavar="NAME[:KIND[:LANGUAGE]]", help=NODE, rich_help_panel=WHAT)] = None,
-    msg: Annotated[Names, Option(metavar="NAME[:FIELDS]", help=MSG, rich_help_panel=WHAT)] = None,
-    srv: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="A service.", rich_help_panel=WHAT)] = None,
-    action: Annotated[Names, Option(metavar="NAME[:FIELDS]", help="An action.", rich_help_panel=WHAT)] = None,
-    launch: Annotated[
-        str,
-        Option(
-            metavar="FORMAT", help="The launch file: py, xml, yaml or none.", show_default="py", rich_help_panel=WHAT
-        ),
-    ] = "",
-    params: Annotated[
-        bool, Option("--params/--no-params", help="A file of parameters for the nodes.", rich_help_panel=WHAT)
-    ] = True,
-    tests: Annotated[
-        str, Option(metavar="TESTS", help="ament, minimal or none.", show_default="ament", rich_help_panel=WHAT)
-    ] = "",
-    family: Annotated[bool, Option("--family", help=FAMILY, rich_help_panel=WHAT)] = False,
-    with_: Annotated[
-        Names,
-        Option(
-            "--with",
-            metavar="EXTRAS",
-            help="ci, pre-commit, devcontainer, docs (comma-separated).",
-            rich_help_panel=WHAT,
-        ),
-    ] = None,
-    template: Annotated[
-        str,
-        Option(metavar="DIR|GIT-URL", help="A template of your own, instead of --type.", rich_help_panel=WHAT),
-    ] = "",
-    depends: Annotated[
-        Names,
-        Option(
-            metavar="KEYS", help="Packages and rosdep keys that it depends on (comma-separated).", rich_help_panel=WHAT
-        ),
-    ] = None,
-    distro: Annotated[
-        str,
-        Option(
-            metavar="DISTRO",
-            help="The ROS distribution.",
-            show_default="$ROS_DISTRO, or the newest LTS",
-            rich_help_panel=WHAT,
-        ),
-    ] = "",
-    description: Annotated[str, Option(help="What the package does, in one sentence.", rich_help_panel=WHO)] = "",
-    license: Annotated[
-        str,
-        Option(
-            metavar="SPDX", help="The license, as an SPDX identifier.", show_default="Apache-2.0", rich_help_panel=WHO
-        ),
-    ] = "",
-    maintainer: Annotated[
-        str, Option(metavar="NAME", help="Name of the maintainer.", show_default="from git", rich_help_panel=WHO)
-    ] = "",
-    email: Annotated[
-        str, Option(help="E-mail address of the maintainer.", show_default="from git", rich_help_panel=WHO)
-    ] = "",
-    version: Annotated[str, Option(help="MAJOR.MINOR.PATCH.", show_default="0.1.0", rich_help_panel=WHO)] = "",
-    year: Annotated[int, Option(help="Year of the copyright.", show_default="this year", rich_help_panel=WHO)] = 0,
-    into: Annotated[Path, Option(metavar="DIR", help="The folder to write it into.", rich_help_panel=WHERE)] = Path(),
-    dry_run: Annotated[
-        bool, Option("--dry-run", help="Show the tree and every file; write nothing.", rich_help_panel=WHERE)
-    ] = False,
-    diff: Annotated[
-        bool,
-        Option(
-            "--diff",
-            help="Show what would change in an existing folder; exit with status 1 if anything would.",
-            rich_help_panel=WHERE,
-        ),
-    ] = False,
-    force: Annotated[
-        bool,
-        Option(
-            "--force",
-            help="Replace files that differ there; the old ones are kept in NAME.orig.",
-            rich_help_panel=WHERE,
-        ),
-    ] = False,
-    skip: Annotated[
-        bool, Option("--skip", help="Write only files that are missing there.", rich_help_panel=WHERE)
-    ] = False,
+    type: Annotated[str, what(TYPE, "--type", "-t", "--build-type", metavar="TYPE")] = "ament_python",
+    node: Annotated[Names, what(NODE, metavar="NAME[:KIND[:LANGUAGE]]")] = None,
+    msg: Annotated[Names, what(MSG, metavar="NAME[:FIELDS]")] = None,
+    srv: Annotated[Names, what("A service.", metavar="NAME[:FIELDS]")] = None,
+    action: Annotated[Names, what("An action.", metavar="NAME[:FIELDS]")] = None,
+    launch: Annotated[str, what("The launch file: py, xml, yaml or none.", metavar="FORMAT", default="py")] = "",
+    params: Annotated[bool, what("A file of parameters for the nodes.", "--params/--no-params")] = True,
+    tests: Annotated[str, what("ament, minimal or none.", metavar="TESTS", default="ament")] = "",
+    family: Annotated[bool, what(FAMILY, "--family")] = False,
+    with_: Annotated[Names, what(WITH, "--with", metavar="EXTRAS")] = None,
+    template: Annotated[str, what("A template of your own, instead of --type.", metavar="DIR|GIT-URL")] = "",
+    depends: Annotated[Names, what(DEPENDS, metavar="KEYS")] = None,
+    distro: Annotated[str, what("The ROS distribution.", metavar="DISTRO", default=DISTRO)] = "",
+    description: Annotated[str, who("What the package does, in one sentence.")] = "",
+    license: Annotated[str, who("The license, as an SPDX identifier.", metavar="SPDX", default="Apache-2.0")] = "",
+    maintainer: Annotated[str, who("Name of the maintainer.", metavar="NAME", default="from git")] = "",
+    email: Annotated[str, who("E-mail address of the maintainer.", default="from git")] = "",
+    version: Annotated[str, who("MAJOR.MINOR.PATCH.", default="0.1.0")] = "",
+    year: Annotated[int, who("Year of the copyright.", default="this year")] = 0,
+    into: Annotated[Path, where("The folder to write it into.", metavar="DIR")] = Path(),
+    dry_run: Annotated[bool, where("Show the tree and every file; write nothing.", "--dry-run")] = False,
+    diff: Annotated[bool, where(DIFF, "--diff")] = False,
+    force: Annotated[bool, where(FORCE, "--force")] = False,
+    skip: Annotated[bool, where("Write only files that are missing there.", "--skip")] = False,
     interactive: Annotated[bool, Option("--interactive", "-i", help="Ask for everything that was not given.")] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
@@ -134,50 +89,44 @@ def new(
 
     one_of("--color", color, ("auto", "always", "never"))
     request = Request(
-        name=name,
-        template=type,
-        nodes=split(node),
-        depends=split(depends),
-        msgs=tuple(msg or ()),
-        srvs=tuple(srv or ()),
-        actions=tuple(action or ()),
-        launch=launch,
-        params=params,
-        tests=tests,
-        extras=split(with_),
-        own_template=template,
-        description=description,
-        license=license,
-        maintainer=maintainer,
-        email=email,
-        version=version,
-        distro=distro,
-        year=year,
-    )
-    if template and type != "ament_python":
-        raise UsageError("--template replaces --type; leave one of them out")
-    if force and skip:
-        raise UsageError("--force replaces what --skip leaves alone; choose one of them")
+        name, type, split(node), split(depends), tuple(msg or ()), tuple(srv or ()), tuple(action or ()), launch,
+        params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
+    )  # fmt: skip
+    check_together(request, diff or force or skip, force and skip, family)
     if interactive:
-        from ..streams import say
-        from .interactive import ask, command_of
-        from .run import defaults
-
-        request = ask(request, into, defaults(into))
-        say(f"the same without questions: {command_of(request)}")
+        request = ask_all(request, into)
     elif not name:
         raise UsageError("a package name is required: `rospkg new my_robot_nav`; `rospkg new -i` asks for everything")
     if family:
         from .family import new_family
 
-        if template:
-            raise UsageError("--family writes our own types of packages; leave --template out")
-        if with_:
-            raise UsageError("--with is for a package that is a repository of its own; leave it out with --family")
-        if diff or force or skip:
-            raise UsageError(
-                "--family writes packages that are not there yet; --diff, --force and --skip require a single package"
-            )
-        return new_family(request, into, dry_run, color)
+        return new_family(request, into, dry_run, color, interactive)
     existing = "force" if force else "skip" if skip else ""
-    return write_new(request, into, dry_run, color, existing, diff)
+    return write_new(request, into, dry_run, color, existing, diff, interactive)
+
+
+def check_together(request: Request, existing: bool, both: bool, family: bool) -> None:
+    """Raise UsageError for options that exclude each other; `existing`: one is about a folder that is there."""
+    if request.own_template and request.template != "ament_python":
+        raise UsageError("--template replaces --type; leave one of them out")
+    if both:
+        raise UsageError("--force replaces what --skip leaves alone; choose one of them")
+    if family and request.own_template:
+        raise UsageError("--family writes our own types of packages; leave --template out")
+    if family and request.extras:
+        raise UsageError("--with is for a package that is a repository of its own; leave it out with --family")
+    if family and existing:
+        raise UsageError(
+            "--family writes packages that are not there yet; --diff, --force and --skip require a single package"
+        )
+
+
+def ask_all(request: Request, into: Path) -> Request:
+    """Ask for what was not typed, and show the command that needs no questions."""
+    from ..streams import say
+    from .interactive import ask, command_of
+    from .run import defaults
+
+    request = ask(request, into, defaults(into))
+    say(f"the same without questions: {command_of(request)}")
+    return request

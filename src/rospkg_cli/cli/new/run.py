@@ -12,7 +12,7 @@ from ...finding import Finding
 from ...report.color import paint, wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
-from ...scaffold.existing_folder import compare
+from ...scaffold.existing_folder import FolderDifference, compare
 from ...scaffold.file_tree import LINES, TreeRow, in_ascii, tree_rows
 from ...scaffold.names import check_package_name
 from ...scaffold.plan import Plan, make_plan
@@ -31,10 +31,12 @@ def new(
     color: str = "auto",
     existing: str = "",
     diff: bool = False,
+    confirm: bool = False,
 ) -> int:
     """Write the package into a folder, or show every file; return the exit status.
 
     `existing` is `force` or `skip` where there may be such a folder; `diff` shows what would change there.
+    `confirm` asks before anything is written.
 
     Raises UsageError and ConfigError for what can't be done as asked.
     """
@@ -46,6 +48,8 @@ def new(
         there = compare(target, plan.files)
         if diff:
             return show_difference(plan, there, existing)
+        if confirm and not dry_run and not is_wanted(plan, there, into, existing):
+            return 0
         done = "" if dry_run else write_plan(target, plan, there, existing)
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
@@ -64,6 +68,12 @@ def new(
         lines = (*tree, *command_lines(plan, into, painted))
         afterwards(lambda: print("\n".join(lines)), "the package is written")
     return 0
+
+
+def is_wanted(plan: Plan, there: FolderDifference, into: Path, existing: str) -> bool:
+    from .interactive import is_confirmed
+
+    return is_confirmed([plan], into, len(there.missing) + (len(there.other) if existing == "force" else 0))
 
 
 def defaults(into: Path) -> Mapping[str, str]:

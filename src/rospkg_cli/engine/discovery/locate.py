@@ -49,9 +49,9 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
     root = Path(os.path.commonpath(anchors)) if every else current_folder()
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
-        given=frozenset(relative(p, root) for p in kept),
+        selected=frozenset(relative(p, root) for p in kept),
         name=root.name,
-        complete=not lists_more_packages(around, kept),
+        is_complete=not lists_more_packages(around, kept),
         prefix_names=installed_package_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )

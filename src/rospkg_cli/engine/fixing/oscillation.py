@@ -12,7 +12,7 @@ MAX_ROUNDS = 12
 
 
 def oscillating(applied: Sequence[Finding], left: Sequence[Finding]) -> list[Finding]:
-    """Return, one for each code and path, the wanted findings whose like was repaired most often; never nothing."""
+    """Return, one for each code and path, the wanted findings whose like was fixed most often; never nothing."""
     times = Counter((each.code, each.location.path) for each in applied)
     once = {(each.code, each.location.path): each for each in left}
     most = max(times[key] for key in once)

@@ -28,16 +28,15 @@ class Scope:
 
     folders: tuple[str, ...]
     """Every package of the workspace."""
-    given: frozenset[str]
-    """The packages to report on."""
+    selected: frozenset[str]
+    """The packages to report on, as in Workspace."""
     name: str = "package"
     """The name of the root folder."""
-    complete: bool = True
+    is_complete: bool = True
+    """As in Workspace; so are the following."""
     prefix_names: frozenset[str] = frozenset()
     index: Names = BUILT_IN
-    """The known names of released packages and rosdep keys."""
     repositories: tuple[frozenset[str], ...] = ()
-    """The packages of each repository."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +100,7 @@ class Session:
         try:
             facts = sorted(pool.collect_facts(), key=lambda f: f.folder)
             workspace = self.link(facts)
-            self.show_progress(f"checking {len(self.scope.given)} of {count}")
+            self.show_progress(f"checking {len(self.scope.selected)} of {count}")
             checked = pool.run_rules(workspace, sorted(self.codes))
         finally:
             pool.close()
@@ -109,7 +108,7 @@ class Session:
 
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope
-        around = (scope.given, scope.complete, scope.prefix_names, scope.repositories)
+        around = (scope.selected, scope.is_complete, scope.prefix_names, scope.repositories)
         return Workspace(tuple(facts), *around, scope.index)
 
     def collect(self, workspace: Workspace, checked: Sequence[PackageResults]) -> Results:
