@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from .gitignore import IgnorePattern, folders_above, is_ignored, read_patterns
+from .light_dataclasses import dataclass, field
 from .tree import Tree
 
 SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)

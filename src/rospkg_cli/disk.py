@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
 from .fence import Fence
 from .leftovers import is_build_output, is_never_source
+from .light_dataclasses import dataclass, field
 from .tree import Kind, SkippedError, TreeEntry
 
 MAX_BYTES = 4_000_000

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import dataclass
 from typing import Literal
+
+from .light_dataclasses import dataclass
 
 Newline = Literal["\n", "\r\n", ""]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from .finding import Safety
+from .light_dataclasses import dataclass
 from .source import Span
 
 Files = Mapping[str, str | None]

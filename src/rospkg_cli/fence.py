@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from .light_dataclasses import dataclass
 from .tree import LeadsOutError
 
 SHARED = frozenset(map(Path, "/ /home /opt /root /srv /tmp /usr /usr/local /var".split()))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Generic, Protocol, TypeVar
 
 from .absent_paths import AbsentPaths
+from .light_dataclasses import dataclass
 from .source import Source, Span
 from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
 from .unreadable import Unreadable, UnreadableError

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass
 from enum import Enum
 from itertools import pairwise
 
+from .light_dataclasses import dataclass
 from .source import Span
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
+
+from .light_dataclasses import dataclass
 
 MAX_PATTERNS = 5_000
 MAX_LENGTH = 500

@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import pkgutil
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from enum import Enum
 from functools import cache
 from types import ModuleType
@@ -13,6 +12,7 @@ from typing import Any, Generic, TypeVar
 
 from .example import Example as Example
 from .finding import Hit, Safety, Severity
+from .light_dataclasses import dataclass, field
 
 S = TypeVar("S")
 

@@ -7,11 +7,11 @@ Text is decoded once; what is needed to write it back as it was (encoding, byte 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, Protocol
 
 from .encoding import DecodedText, decode
+from .light_dataclasses import dataclass
 
 Kind = Literal["file", "link", "outside", "dir", "linked-dir", "linked-package", "other"]
 """The kind of a path: a regular file; a link to one that may be read; a link to one out of the package and its

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from ..light_dataclasses import dataclass
 from ..source import Span
 
 Level = Literal["info", "warning", "error"]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
+from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.package_facts import PackageFacts
 from ..package.setup.setup_py import SetupPy

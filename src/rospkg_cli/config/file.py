@@ -6,11 +6,11 @@ import os
 import re
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..current_folder import absolute, current_folder
+from ..light_dataclasses import dataclass, field
 from .schema import FORMS, key_position, read_section
 from .schema import ConfigError as ConfigError
 

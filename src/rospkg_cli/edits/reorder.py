@@ -7,12 +7,12 @@ Only a child that shares its line with another one gets its own line when it mov
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
+from ..light_dataclasses import dataclass
 from ..package.manifest import Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, ORDER, place_of
 from ..source import Span

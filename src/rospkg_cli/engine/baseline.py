@@ -8,10 +8,10 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from pathlib import Path
 
 from ..finding import Finding
+from ..light_dataclasses import replace
 from .run.session import Results
 
 SCHEMA = 1

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
 from pathlib import Path
 
 from ..config.file import Config, Ignores, OverrideSection
 from ..finding import Finding, Severity
+from ..light_dataclasses import dataclass, field, replace
 from ..package.run_events import UnknownRuleName, UnusedSuppression
 from .run.session import Results, Session
 from .selection import codes_named

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from ..light_dataclasses import dataclass, field
 from ..rule import Profile, Rule, all_rules
 
 

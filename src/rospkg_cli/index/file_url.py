@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import SplitResult, urljoin, urlsplit, urlunsplit
 
+from ..light_dataclasses import dataclass
 from . import NamesError
 
 DEFAULT = "https://raw.githubusercontent.com/ros/rosdistro/master/index-v4.yaml"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from ..light_dataclasses import dataclass
 from ..ros.distros import DISTROS
 from ..ros.rosdep import CODENAMES
 from . import NamesError

@@ -8,9 +8,9 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
+from ..light_dataclasses import dataclass
 from ..source import Span
 from .syntax_problem import SyntaxProblem, SyntaxProblemError
 

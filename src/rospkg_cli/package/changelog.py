@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ..files import ReaderInput, read_each
+from ..light_dataclasses import dataclass
 from ..source import Source, Span
 from .manifest import Manifest
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from ..ros.distros import Targets
 from ..source import Source
 from ..unreadable import Unreadable, UnreadableError

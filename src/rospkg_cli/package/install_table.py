@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 from ..languages.cmake.call_stack import PYTHON as PYTHON
+from ..light_dataclasses import dataclass
 from ..source import Span
 from .package_facts import NOWHERE
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ..files import ReaderInput
 from ..languages.rep149_condition import may_hold
 from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
+from ..light_dataclasses import dataclass
 from ..ros.distros import Targets
 from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span

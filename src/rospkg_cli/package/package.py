@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
 from ..files import PackageFiles, ReadModels
+from ..light_dataclasses import dataclass
 from ..source import Span
 from ..unreadable import Unreadable, UnreadableError
 from .readers import READERS, readers_of

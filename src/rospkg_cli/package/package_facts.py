@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Literal
 
+from ..light_dataclasses import dataclass
 from ..source import Span
 from .launch.configuration_events import ConfigurationSummary
 from .launch.launch_signature import LaunchSignature

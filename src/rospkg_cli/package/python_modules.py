@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from ..files import PackageFiles, ReaderInput
 from ..languages.python.file import PythonFile, parse_python
+from ..light_dataclasses import dataclass, field
 from ..unreadable import Unreadable, UnreadableError
 from .install_table import InstallTable
 from .setup.setup_py import SetupPy

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
+from ..light_dataclasses import dataclass
 from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
 from ..ros.names import BUILT_IN, NameKind, Names

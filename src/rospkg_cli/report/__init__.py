@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import importlib
 import os
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
 from ..control_characters import visible, without_workflow_commands
 from ..engine.run.session import Results
 from ..finding import Finding, Severity
+from ..light_dataclasses import dataclass, replace
 from .printable import printable
 
 FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ..control_characters import visible, visible_lines
 from ..finding import Finding
+from ..light_dataclasses import replace
 
 
 def printable(finding: Finding) -> Finding:

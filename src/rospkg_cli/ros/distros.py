@@ -6,8 +6,8 @@ Sources: REP-2000 and the release pages of each distribution; versions of setupt
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from ..suggest import did_you_mean
 
 Version = tuple[int, ...]

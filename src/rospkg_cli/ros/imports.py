@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from .names import BUILT_IN, Names
 from .read_table import rows, words
 

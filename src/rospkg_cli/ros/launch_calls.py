@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Literal, cast
 
+from ..light_dataclasses import dataclass
 from .read_table import rows, unfolded, words
 
 Kind = Literal["any", "text", "words", "condition", "actions", "parameters", "remappings", "pairs", "output", "period"]

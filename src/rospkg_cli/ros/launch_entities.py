@@ -6,8 +6,8 @@ Packages may add actions of their own.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from .read_table import rows, unfolded
 
 TABLE = "launch_entities.txt"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from .read_table import rows
 
 ROS_NAME = re.compile(r"[a-z][a-z0-9_]*")

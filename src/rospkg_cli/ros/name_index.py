@@ -9,8 +9,9 @@ from __future__ import annotations
 import zlib
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import lru_cache
+
+from ..light_dataclasses import dataclass, field
 
 VERSION = 1
 HEAD = f"rospkg-index {VERSION} "

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from enum import Enum
 
+from ..light_dataclasses import dataclass
 from .distros import DISTROS, Distro, Targets
 from .name_index import Index, parse
 from .read_table import marked, rows

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from typing import Any
 
+from ..light_dataclasses import dataclass, replace
 from ..ros.distros import Distro
 from ..ros.licenses import License
 from .bringup import Bringup

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 
+from ..light_dataclasses import dataclass, replace
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
 from . import ScaffoldError

@@ -5,11 +5,11 @@ from __future__ import annotations
 import shutil
 from collections.abc import Callable, Iterable
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..disk import read_entry
 from ..engine.fixing.signals import signals_ignored, stopped_by_signals
+from ..light_dataclasses import dataclass
 from ..tree import TreeEntry
 from . import ScaffoldError
 from .render import RenderedFile

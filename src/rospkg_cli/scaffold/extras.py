@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+from ..light_dataclasses import replace
 from ..resources import resources
 from ..suggest import did_you_mean
 from . import ScaffoldError

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from ..engine.fixing.signals import signals_ignored, stopped_by_signals
+from ..light_dataclasses import replace
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from typing import Any
+
+from ..light_dataclasses import dataclass, replace
 
 LINES = "├└│─"
 """The signs that a tree is drawn with."""

@@ -6,8 +6,8 @@ import keyword
 import re
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from ..package.interfaces.text import parse_interface
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import INTERFACE_NAME, SEPARATORS

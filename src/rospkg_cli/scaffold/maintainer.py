@@ -6,9 +6,9 @@ import getpass
 import re
 import socket
 import subprocess
-from dataclasses import dataclass
 from pathlib import Path
 
+from ..light_dataclasses import dataclass
 from ..ros.manifest import EMAIL
 from . import ScaffoldError
 from .user_text import UserText, user_text

@@ -5,8 +5,8 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from ..package.interfaces.interface_file import InterfaceFile, Member
 from ..ros.core_messages import CORE_MESSAGES
 from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME

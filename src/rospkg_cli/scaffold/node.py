@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ..light_dataclasses import dataclass
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .message import Message, is_message, message_of

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from functools import cache
 
+from ..light_dataclasses import dataclass, replace
 from ..resources import resources
 from . import ScaffoldError
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..finding import Finding, Severity
+from ..light_dataclasses import dataclass, replace
 from ..ros.interfaces import SEPARATORS
 from ..suggest import did_you_mean
 from . import OwnFaultError, ScaffoldError

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 from jinja2 import Environment, StrictUndefined
 
+from ..light_dataclasses import dataclass
 from ..tree import TreeEntry
 from . import ScaffoldError
 from .answers import Answers

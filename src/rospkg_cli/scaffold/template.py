@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..light_dataclasses import dataclass
 from ..resources import resources
 from .node_kinds import offered_kinds
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
-from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
+from ..light_dataclasses import dataclass
 from . import ScaffoldError
 
 WIDTH = 99

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from ..engine.discovery.installed_packages import installed_package_names
 from ..files import PackageFiles
 from ..index import NamesError
 from ..index.cache import names
+from ..light_dataclasses import dataclass, field, replace
 from ..package.collect_facts import collect_facts
 from ..package.launch.launch_file import LaunchFile
 from ..package.manifest import Manifest

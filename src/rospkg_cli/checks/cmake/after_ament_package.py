@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 
 ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
@@ -12,6 +11,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import CMakeFile
 from ...languages.cmake.syntax import CommandArgument, CommandInvocation
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.distros import Targets

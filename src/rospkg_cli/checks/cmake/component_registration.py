@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import BINARY, UNKNOWN
 from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import Component
 from ...source import Span

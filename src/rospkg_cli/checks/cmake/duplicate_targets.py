@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 
 

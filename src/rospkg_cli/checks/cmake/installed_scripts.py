@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 from ...languages.cmake.evaluated_command import path_in_package
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...unreadable import UnreadableError

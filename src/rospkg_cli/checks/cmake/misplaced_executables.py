@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import copied_files

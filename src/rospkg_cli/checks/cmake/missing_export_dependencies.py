@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.package_facts import PackageFacts

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from .distro_guards import guarded_commands

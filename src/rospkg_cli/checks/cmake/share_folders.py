@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
 from ...ros.share_layout import FOLDERS, LAUNCH

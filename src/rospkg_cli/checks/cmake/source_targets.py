@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.referenced_paths import sources_in
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
@@ -11,6 +10,7 @@ from ...languages.cmake.commands import COMMANDS
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 
 FIRST_IS_TARGET = (

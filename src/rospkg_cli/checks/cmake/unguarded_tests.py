@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...ros.manifest import DEPENDENCY_TAGS
 

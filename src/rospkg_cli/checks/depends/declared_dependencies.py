@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, RUNS

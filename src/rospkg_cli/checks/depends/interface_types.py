@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ...light_dataclasses import dataclass
 from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.values import UNKNOWN
+from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLinks
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH
 from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import LAUNCH
 from ...ros.imports import may_serve

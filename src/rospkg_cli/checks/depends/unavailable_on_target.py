@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.rep149_condition import always_holds
+from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...package.workspace import Workspace
 from ...ros.distros import DISTROS, Distro, Targets

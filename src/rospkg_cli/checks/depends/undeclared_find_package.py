@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Literal
 
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
 from ...package.interfaces.interface_file import InterfaceFile

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, implied_by

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
 from ...ros.distros import DISTROS, Targets

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
 from ...languages.python.file import Import
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
 from ...package.python.python_imports import PackageImports

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 
 

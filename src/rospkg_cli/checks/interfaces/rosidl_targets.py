@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import InterfaceTarget
 from ...package.cmake.made_paths import MadePaths

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Set
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.interfaces.interface_file import FieldType, InterfaceFile
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace

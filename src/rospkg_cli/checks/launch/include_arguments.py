@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.launch.file_references import references_in
 from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span

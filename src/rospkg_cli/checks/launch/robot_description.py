@@ -8,11 +8,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...files import PackageFiles
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
+from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile

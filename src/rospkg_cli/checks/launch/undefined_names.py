@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 import builtins
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from ...languages.python.file import PythonFile, bindings
+from ...light_dataclasses import dataclass
 from ...source import Span
 
 GIVEN = frozenset(dir(builtins)) | frozenset(

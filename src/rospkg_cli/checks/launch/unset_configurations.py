@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.configuration_events import LaunchEvent
 from ...package.launch.launch_file import DeclaredArgument, LaunchFile

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...languages.python.file import PythonFile
+from ...light_dataclasses import dataclass
 from ...ros.launch_exports import EXPORTS, exporting_module
 from ...source import Span
 from ...suggest import nearest

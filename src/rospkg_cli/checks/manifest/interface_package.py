@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Manifest
 from ...ros.interfaces import GROUP

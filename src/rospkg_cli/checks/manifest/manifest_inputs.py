@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from ...package.manifest import Manifest

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cpp.file import CppFile
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
+from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import read_in
 from ...package.params.declared_parameter import DeclaredParameter, type_named

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.install_table import InstallTable
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution

@@ -7,8 +7,8 @@ pluginlib compares texts: the package of the ament index entry with the first ar
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import DescriptionExport, PluginClass, PluginDescription
 from ...package.plugins.loaders import PluginLoader, PluginLoaders

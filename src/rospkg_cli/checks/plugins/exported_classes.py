@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from ...languages.cpp.file import CppFile
+from ...light_dataclasses import dataclass
 from ...source import Span
 
 MACROS = frozenset(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Literal
 
 from ...languages.xml.parser import Attribute
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from .plugin_package import DescribedPlugin, PluginPackage, spaceless

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cmake.values import UNKNOWN
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.read import SUFFIXES
+from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts

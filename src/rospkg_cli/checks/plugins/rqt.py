@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind

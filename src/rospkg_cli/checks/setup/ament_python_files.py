@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...files import PackageFiles
 from ...languages.xml.parser import Element
+from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...ros.distros import Targets
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.setup.data_files import DataEntry
 from ...ros.share_layout import FOLDERS, SHARED
 from .share_files import ShareFiles

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.xml.parser import Element
+from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText

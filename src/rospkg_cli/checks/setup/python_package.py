@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import posixpath
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.python_modules import PythonModules

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_cfg import SetupCfg
 from ...package.setup.setup_text import SetupText

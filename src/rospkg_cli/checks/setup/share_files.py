@@ -5,11 +5,11 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC
 from ...languages.python.evaluate.values import GlobResult
+from ...light_dataclasses import dataclass
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault
 from .validation import robot_faults

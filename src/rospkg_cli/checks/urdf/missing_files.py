@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace

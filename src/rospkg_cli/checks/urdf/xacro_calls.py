@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.xml.parser import Element
+from ...light_dataclasses import dataclass, replace
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import UnreadableError

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 
+from ...light_dataclasses import dataclass
 from ...package.package_facts import ActiveDependency, PackageFacts
 from ...package.workspace import Workspace
 from ...ros.manifest import NOT_ORDERED

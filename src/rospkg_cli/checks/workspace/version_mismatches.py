@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...package.changelog import number_of
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace

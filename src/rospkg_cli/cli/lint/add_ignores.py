@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...engine.fixing.apply import Changes, apply_fixes
 from ...engine.fixing.overlay import Overlay
 from ...engine.fixing.round import newly_unreadable
@@ -11,6 +9,7 @@ from ...engine.fixing.write import write_changes
 from ...engine.run.session import Session
 from ...engine.suppression.insert_ignores import ignore_comments
 from ...finding import Finding
+from ...light_dataclasses import replace
 from ...report import Report
 from .. import UsageError
 from ..streams import say

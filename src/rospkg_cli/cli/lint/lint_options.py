@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
+
+from ...light_dataclasses import dataclass, field, field_names
 
 
 @dataclass(frozen=True)
@@ -66,8 +67,8 @@ class LintOptions:
     @classmethod
     def of(cls, typed: Mapping[str, Any]) -> LintOptions:
         """Return the options from their values by the names of the fields; raises KeyError where one is missing."""
-        parts = {name: kind(**{each.name: typed[each.name] for each in fields(kind)}) for name, kind in PARTS.items()}
-        return cls(**{each.name: typed[each.name] for each in fields(cls) if each.name not in PARTS}, **parts)
+        parts = {name: kind(**{each: typed[each] for each in field_names(kind)}) for name, kind in PARTS.items()}
+        return cls(**{each: typed[each] for each in field_names(cls) if each not in PARTS}, **parts)
 
 
 PARTS: dict[str, type[Any]] = {

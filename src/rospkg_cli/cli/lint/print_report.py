@@ -6,13 +6,13 @@ import io
 import sys
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import IO
 
 from ...control_characters import visible_lines, without_workflow_commands
 from ...engine.fixing.write import write_text
 from ...finding import Safety
+from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
 from .. import UsageError
 from .lint_options import ReportOptions

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 
 from ... import __version__
@@ -18,6 +17,7 @@ from ...engine.run.session import Pool, Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
 from ...index.cache import names
+from ...light_dataclasses import replace
 from ...package.rule_settings import RuleSettings
 from ...ros.distros import Targets, fault_of_name
 from ...ros.names import BUILT_IN, Names

@@ -5,11 +5,11 @@ from __future__ import annotations
 import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
 from ...control_characters import visible
+from ...light_dataclasses import field_names, replace
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
 from ...scaffold.names import check_package_name
@@ -107,12 +107,13 @@ def command_of(request: Request) -> str:
 
 
 def words_of(request: Request) -> Iterator[str]:
-    for field in fields(request):
-        value = getattr(request, field.name)
-        if field.name == "name" or value == field.default:
+    default = Request(request.name)
+    for name in field_names(request):
+        value = getattr(request, name)
+        if value == getattr(default, name):
             continue
-        if field.name == "params":
+        if name == "params":
             yield "--no-params"
             continue
         for each in value if isinstance(value, tuple) else (str(value),):
-            yield from (OPTIONS.get(field.name, f"--{field.name}"), each)
+            yield from (OPTIONS.get(name, f"--{name}"), each)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from ...light_dataclasses import dataclass
 from ...ros.distros import DISTROS
 from ...scaffold.answers import Request
 from ...scaffold.launch_format import LAUNCH_FORMATS

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
 from ...config.file import Config
 from ...current_folder import absolute, current_folder
 from ...fence import is_shared
+from ...light_dataclasses import dataclass
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden

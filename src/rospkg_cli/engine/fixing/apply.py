@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 
 from ...finding import Chmod, Create, Delete, Edit, Fix, Move, Operation
+from ...light_dataclasses import dataclass, field
 from ...source import Span
 from ...tree import Tree, TreeEntry
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
 
 from ...finding import Finding, Safety
+from ...light_dataclasses import dataclass, field, replace
 from ...package.run_events import RuleCrash
 from ..run.session import Results, Session
 from .apply import Changes

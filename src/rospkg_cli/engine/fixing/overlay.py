@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from ...tree import Kind, Tree, TreeEntry
 from .apply import Changes
 

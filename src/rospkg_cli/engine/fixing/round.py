@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Iterable, Mapping, Sequence, Set
-from dataclasses import dataclass
 from zlib import crc32
 
 from ...files import PackageFiles
 from ...finding import Finding
+from ...light_dataclasses import dataclass
 from ...package.package import Package
 from ...package.run_events import RuleCrash
 from ...tree import Tree

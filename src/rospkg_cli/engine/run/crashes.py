@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from ...package.package import Package
 from ...package.run_events import RuleCrash
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import PurePosixPath
 from typing import Any
 
 from ...files import PackageFiles
 from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation
+from ...light_dataclasses import dataclass, replace
 from ...package.workspace import Workspace
 from ...rule import Rule
 from ...source import Source, Span

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 import types
 import typing
@@ -11,6 +10,7 @@ from functools import cache
 from typing import Any
 
 from ...files import PackageFiles
+from ...light_dataclasses import field_names
 from ...package.package import Package
 from ...package.package_facts import PackageFacts
 from ...package.readers import READERS
@@ -66,10 +66,13 @@ class InputBuilder:
 @cache
 def input_parts(kind: type) -> tuple[InputPart, ...]:
     """Return the parts of a joined input, as its annotations name them; raises TypeError for any other type."""
-    if not dataclasses.is_dataclass(kind):
-        raise TypeError(f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models")
+    try:
+        names = field_names(kind)
+    except TypeError as error:
+        message = f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models"
+        raise TypeError(message) from error
     hints = typing.get_type_hints(kind)
-    return tuple(input_part(hints[field.name]) for field in dataclasses.fields(kind) if field.init)
+    return tuple(input_part(hints[name]) for name in names)
 
 
 def input_part(hint: Any) -> InputPart:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from ...finding import Finding, Hit
+from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
 from ...rule import Rule
 from ...suggest import refill

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ...files import PackageFiles
 from ...finding import Finding
+from ...light_dataclasses import dataclass, field, replace
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
 from ...package.run_events import RUN_EVENTS, NoPackagesFound, RuleCrash

@@ -5,11 +5,11 @@ from __future__ import annotations
 import traceback
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
 from zlib import crc32
 
 from ...files import PackageFiles
 from ...finding import Finding
+from ...light_dataclasses import dataclass, field
 from ...package.collect_facts import collect_facts, unknown_facts
 from ...package.package import Package
 from ...package.package_facts import PackageFacts

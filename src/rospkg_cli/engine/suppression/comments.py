@@ -6,10 +6,10 @@ import io
 import re
 import tokenize
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .file_head import FileHead

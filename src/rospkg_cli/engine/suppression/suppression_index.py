@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
 from itertools import islice
 
 from ...finding import Finding
+from ...light_dataclasses import dataclass, field, replace
 from ...package.run_events import UnknownRuleName, UnusedSuppression
 from ...source import Span
 from ...suggest import nearest

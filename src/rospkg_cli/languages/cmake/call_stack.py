@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from ...source import Span
 from .command_blocks import Block
 from .file import ROOT

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from ..syntax_problem import SyntaxProblem
 from .syntax import CommandInvocation
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
+from ...light_dataclasses import dataclass
 from .regex import max_steps, search
 from .values import UNKNOWN, Value, Word, list_to_text
 

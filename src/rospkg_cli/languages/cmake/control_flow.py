@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from .call_stack import Frame, LeaveError
 from .command_blocks import Block, Branch
 from .condition import Truth, and_, evaluate, not_

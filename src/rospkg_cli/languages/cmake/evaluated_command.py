@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from .syntax import CommandArgument, CommandInvocation
 from .values import BINARY, SOURCE, UNKNOWN, Word
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..syntax_problem import SyntaxProblem

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from .evaluated_command import EvaluatedCommand
 from .interpreter import Interpreter
 from .regex import glob

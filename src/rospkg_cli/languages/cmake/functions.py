@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from .call_stack import FunctionDefinition, LeaveError
 from .command_blocks import Block
 from .evaluated_command import EvaluatedCommand

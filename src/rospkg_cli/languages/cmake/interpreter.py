@@ -7,8 +7,8 @@ did is marked as `maybe`. BUILD_TESTING is tried both ways.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
 
+from ...light_dataclasses import dataclass, replace
 from ...unreadable import UnreadableError
 from .call_stack import ExhaustedError, FunctionDefinition, LeaveError, environment
 from .command_blocks import Block

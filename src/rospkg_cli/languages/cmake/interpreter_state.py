@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...light_dataclasses import dataclass, field
 from ...unreadable import Unreadable
 from .call_stack import (
     MAX_COST,

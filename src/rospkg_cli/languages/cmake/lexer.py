@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
+from ...light_dataclasses import dataclass
 from ...source import Span
 
 Kind = Literal[

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from .evaluated_command import EvaluatedCommand
 from .interpreter import Interpreter
 from .regex import max_steps, replace_all, search

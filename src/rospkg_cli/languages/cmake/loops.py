@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
+from ...light_dataclasses import replace
 from .call_stack import ExhaustedError, LeaveError
 from .command_blocks import Block
 from .condition import evaluate

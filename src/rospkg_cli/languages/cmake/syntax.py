@@ -7,9 +7,9 @@ set apart by blanks.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from typing import Literal
 
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ..syntax_problem import SyntaxProblem
 from .lexer import CMakeToken, tokens

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
+from ...light_dataclasses import dataclass
 from .evaluated_command import EvaluatedCommand, flags_and_values
 from .values import UNKNOWN, Word
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 
+from ...light_dataclasses import dataclass, replace
 from ...source import Span
 from .syntax import CommandArgument
 

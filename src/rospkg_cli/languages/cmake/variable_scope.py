@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from .values import Value, merge_branches
 
 Snapshot = tuple[dict[str, Value], ...]

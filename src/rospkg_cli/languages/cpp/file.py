@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from .call import MAX_LENGTH, CppArgument, CppCall, arguments, template_end
 from .lexer import CppToken, tokens

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from .call import PIECE
 
 CONTROL = frozenset({"if", "for", "while", "switch", "catch", "else", "do", "constexpr"})

@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from .syntax import PythonSyntax, parse
 

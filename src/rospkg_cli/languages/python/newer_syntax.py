@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 import sys
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
+from ...light_dataclasses import dataclass, field
 from .newer_strings import NotNewerError, can_be_parsed, tokens_of
 
 RUNNING = sys.version_info[:2]

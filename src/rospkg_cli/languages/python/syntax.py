@@ -11,10 +11,10 @@ import gc
 import re
 import warnings
 from array import array
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import NoReturn
 
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .nodes import MAX_DEPTH, AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode, documents

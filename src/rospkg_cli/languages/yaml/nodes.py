@@ -6,9 +6,9 @@ Aliases are not replaced, for not every reader does so (rcl does not); see `alia
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import Any
 
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..located_text import LocatedText

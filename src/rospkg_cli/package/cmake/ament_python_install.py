@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.values import Word
+from ...light_dataclasses import replace
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..install_table import InstalledFile, UnknownPart

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN
+from ...light_dataclasses import dataclass
 from .cmake_project import CMake
 from .install_rules import InstallRule
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import BINARY, UNKNOWN, Word
+from ...light_dataclasses import replace
 from ...source import Span
 from ...tree import LINKED
 from ..install_table import PYTHON, InstalledFile, InstallKind, InstallTable, UnknownPart

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ...light_dataclasses import dataclass
 from ...ros.distros import Targets
 from ..manifest import Manifest
 from ..package_facts import PackageFacts

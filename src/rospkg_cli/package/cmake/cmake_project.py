@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cached_property
 
@@ -13,6 +12,7 @@ from ...languages.cmake.file import ROOT, CMakeFile
 from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS, Target, targets_by_name, targets_of
 from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass, field
 from .ament_installs import install_rules
 from .components import Component, InterfaceTarget, components_of, interface_targets_of
 from .find_package import FoundPackage, found_packages

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
 from ...languages.cmake.values import Word, as_value
+from ...light_dataclasses import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.regex import glob_pattern, search
 from ...languages.cmake.values import SOURCE, Word
+from ...light_dataclasses import dataclass
 from .install_rules import InstallRule, Pattern
 
 

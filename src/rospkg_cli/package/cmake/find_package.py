@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
 
 FIND_KEYWORDS = frozenset({
     "EXACT", "QUIET", "MODULE", "REQUIRED", "COMPONENTS", "OPTIONAL_COMPONENTS", "CONFIG", "NO_MODULE", "GLOBAL",

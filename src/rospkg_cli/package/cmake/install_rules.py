@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, by_keyword
 from ...languages.cmake.values import PREFIX, UNKNOWN, Word
+from ...light_dataclasses import dataclass
 
 Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
 

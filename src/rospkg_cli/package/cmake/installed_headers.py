@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cpp.file import CppFile, IncludeDirective
+from ...light_dataclasses import dataclass
 from ..install_table import InstallTable
 from .cmake_package import CMakePackage
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
 from .cmake_project import CMake
 
 WRITES = {

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import targets_of
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass, replace
 from .cmake_project import CMake
 from .made_paths import MadePaths
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
 from .cmake_project import CMake
 
 KEYWORDS = {"PUBLIC": "PUBLIC", "PRIVATE": "PRIVATE", "INTERFACE": "INTERFACE", "LINK_PUBLIC": "PUBLIC",

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from ...light_dataclasses import dataclass
 from ...source import Span
 from .escape import escape_fault
 from .interface_file import GrammarProblem

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
 from ..cmake.components import InterfaceTarget
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from ...light_dataclasses import dataclass
 from ...ros.interfaces import PRIMITIVES, STRINGS
 from ...source import Span
 from .comments import InterfaceComment, comment_problems

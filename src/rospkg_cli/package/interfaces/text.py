@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+from ...light_dataclasses import dataclass
 from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
 from .interface_file import GrammarProblem, InterfaceFile, MessageSection

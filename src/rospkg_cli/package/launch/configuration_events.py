@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
 from typing import Literal as OneOf
 
+from ...light_dataclasses import dataclass, replace
 from ...source import Span
 from .text import LaunchText, Literal
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from ...languages.located_text import LocatedText
 from ...languages.syntax_problem import SyntaxProblem
 from ...languages.xml.parser import Document, Element, read_xml
 from ...languages.yaml.aliases import read_resolved
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from ...languages.located_text import LocatedText
 from ...languages.syntax_problem import SyntaxProblem
+from ...light_dataclasses import dataclass, field
 from ...ros.launch_entities import ACTIONS
 from ...source import Source, Span
 from .argument_defaults import literal_defaults

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.python.evaluate.values import Call, Function, Namespace, Value
 from ...languages.python.file import PythonFile
+from ...light_dataclasses import dataclass
 from ...source import Span
 
 UseKind = Literal["function", "method", "operator"]

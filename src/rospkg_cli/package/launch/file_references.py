@@ -5,11 +5,11 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal as OneOf
 
 from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
+from ...light_dataclasses import dataclass
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 from ...files import ReaderInput
 from ...languages.python.file import Import, PythonFile
 from ...languages.syntax_problem import SyntaxProblem
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from .configuration_events import ConfigurationSummary, LaunchEvent, summary
 from .entity import Entity

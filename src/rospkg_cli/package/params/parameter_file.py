@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...light_dataclasses import dataclass
 from ...source import Source
 
 KEY = "ros__parameters"

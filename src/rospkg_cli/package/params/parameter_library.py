@@ -8,11 +8,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode, documents
+from ...light_dataclasses import dataclass
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..cmake.cmake_project import CMake

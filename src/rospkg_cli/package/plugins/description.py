@@ -9,10 +9,10 @@ pluginlib (class_loader_imp.hpp) reads `<library path>` elements, alone or below
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.xml.parser import Attribute, Document, Element
+from ...light_dataclasses import dataclass
 from ...ros.plugins import RQT
 from ...source import Source, Span
 

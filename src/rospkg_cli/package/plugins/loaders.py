@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile, read_cpp
 from ...languages.cpp.read import SUFFIXES
+from ...light_dataclasses import dataclass
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 

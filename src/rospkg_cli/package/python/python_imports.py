@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import PurePosixPath
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import Import, PythonFile, parse_python
+from ...light_dataclasses import dataclass
 from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import Role, role_of

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, TypeVar
 
 from ...languages.xml.elements import Document, Element
+from ...light_dataclasses import dataclass
 from ...resources import resources
 from ...ros.manifest import ORDER, place_of
 from .violation import Violation

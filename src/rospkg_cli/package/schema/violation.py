@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 
 from ...languages.xml.elements import Element
+from ...light_dataclasses import dataclass
 
 
 class ViolationKind(Enum):

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.python.evaluate.sandbox_filesystem import ROOT, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.values import Constant, GlobResult, Sequence, Text, Unknown, Value
+from ...light_dataclasses import dataclass
 from ...source import Span
 from .setup_text import SetupText
 

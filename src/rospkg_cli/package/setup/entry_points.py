@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.python.evaluate.conversion import is_known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
+from ...light_dataclasses import dataclass
 from ...source import Span
 from ..package_facts import NOWHERE
 from .setup_text import SetupText

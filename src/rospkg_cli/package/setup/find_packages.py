@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from ...languages.python.evaluate.conversion import NoPythonValueError, to_python
 from ...languages.python.evaluate.sandbox_filesystem import MAX_DEPTH, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState, Intrinsic
 from ...languages.python.evaluate.values import Call, Text, Value
+from ...light_dataclasses import dataclass
 from ...source import Span
 
 ALWAYS_EXCLUDED = ("ez_setup", "*__pycache__")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Argument, Call, Constant, Sequence, Text, Unknown, Value
 from ...languages.python.file import PythonFile
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from .setup_cfg import SetupCfg
 from .setup_cfg_arguments import SetupCfgArguments

@@ -5,9 +5,9 @@ from __future__ import annotations
 import configparser
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from ...files import ReaderInput
+from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .setup_text import SetupText

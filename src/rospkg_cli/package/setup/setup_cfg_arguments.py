@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC, OutsideError, SandboxFilesystem
 from ...languages.python.evaluate.values import Unknown
+from ...light_dataclasses import dataclass
 from ...source import Span
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint, parse_entry_point

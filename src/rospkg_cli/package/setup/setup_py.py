@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from ...languages.python.evaluate.conversion import unknowns
 from ...languages.python.evaluate.sandbox_filesystem import Kind, OutsideError
 from ...languages.python.evaluate.values import Call, GlobResult, Sequence, Text, Unknown, Value
 from ...languages.python.evaluate.values import Mapping as MappingValue
+from ...light_dataclasses import dataclass
 from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint

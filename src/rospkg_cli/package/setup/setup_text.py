@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from ...languages.python.evaluate.values import Text
+from ...light_dataclasses import dataclass, replace
 from ...source import Span
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from ...languages.xml.parser import Document, Element
+from ...light_dataclasses import dataclass
 from ...source import Source, Span
 
 Use = Literal["include", "resource"]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ...checks.fault import Fault
 from ...checks.urdf.missing_files import MissingResource, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 GOOD = """\

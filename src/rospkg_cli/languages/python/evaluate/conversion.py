@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
 from itertools import groupby
 
+from ....light_dataclasses import dataclass, replace
 from ....source import Span
 from .limits import ITEM, MAX_TEXT, STEP, spend
 from .values import AttributeValue, Call, Constant, Kind, Mapping, PartialText, Sequence, Symbol, Text, Unknown, Value

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
+from ....light_dataclasses import replace
 from ....source import Span
 from .conversion import NoPythonValueError, to_python
 from .limits import ITEM, spend

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from string import Formatter
 
+from ....light_dataclasses import replace
 from ....source import Span
 from .conversion import NoPythonValueError, join_texts, to_python
 from .limits import STEP, spend

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
+from ....light_dataclasses import replace
 from .conversion import NoPythonValueError, to_python
 from .iterables import items_of
 from .limits import ITEM, MAX_ITEMS, spend

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import posixpath
-from dataclasses import replace
 
+from ....light_dataclasses import replace
 from .conversion import from_python, join_texts
 from .dict_methods import DICT_METHODS
 from .formatting import as_text, brace_format

@@ -6,9 +6,9 @@ import ast
 import operator
 import posixpath
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
+from ....light_dataclasses import replace
 from ....source import Span
 from .conversion import NoPythonValueError, from_python, join_texts, to_python
 from .formatting import percent_format

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
+from ....light_dataclasses import dataclass, field
 from ....source import Span
 from .limits import spend
 from .scalar_values import Constant as Constant
