@@ -9,4 +9,5 @@ from rospkg_cli.example import Example
 
 CASES: dict[str, tuple[Example, ...]] = {}
 for path in sorted(Path(__file__).parent.glob("[a-z]*.py")):
-    CASES |= importlib.import_module(f"{__name__}.{path.stem}").CASES
+    for code, cases in importlib.import_module(f"{__name__}.{path.stem}").CASES.items():
+        CASES[code] = CASES.get(code, ()) + cases
