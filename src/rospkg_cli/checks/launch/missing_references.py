@@ -91,7 +91,7 @@ class LaunchContext:
         there = named.path in facts.share_files
         if not named.has_slash:
             return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
-        if there:
+        if there or (facts is self.package and self.files.absent.is_expected(named.path)):
             return None
         state, better_path = self.state(facts, named.path)
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
@@ -113,7 +113,7 @@ class LaunchContext:
         """Return a missing file that is named relative to the launch file, in the source and where it is installed."""
         if self.files.is_there(named.path) or self.package.may_write(named.path):
             return None
-        if not self.package.knows("share_files"):
+        if not self.package.knows("share_files") or self.files.absent.is_expected(named.path):
             return None
         away = posixpath.relpath(named.path, posixpath.dirname(self.file.path) or ".")
         for place in self.places:

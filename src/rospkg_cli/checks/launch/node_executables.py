@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...source import Span
 from ...suggest import nearest
+from ..fault import Level
+from .idle_actions import level_at
 from .missing_references import LaunchContext
 
 
@@ -22,6 +25,12 @@ class ExecutableUse:
     plain: bool
     """Whether the span holds the name and nothing else."""
     facts: PackageFacts
+    level: Level | None = None
+    """None for the rule's own."""
+    why: str = ""
+    """Of another level: part of a sentence."""
+    sister: str = ""
+    """Another package that installs one of this name."""
 
     @property
     def suggestion(self) -> str | None:
@@ -42,11 +51,12 @@ class NodeExecutables:
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
         file = self.scope.file
-        for package, executable, span in file.programs():
-            facts = self.scope.workspace.named(package)
+        for package, executable, node in file.programs():
+            facts, span = self.scope.workspace.named(package), executable.span
             if facts is not None:
-                plain = file.source.slice(span) == executable
-                yield ExecutableUse(file.path, span, executable, plain, facts)
+                plain = file.source.slice(span) == executable.literal
+                level, why = level_at(file, node.span)
+                yield ExecutableUse(file.path, span, executable.literal or "", plain, facts, level, why)
 
     def unknown_executables(self) -> Iterator[ExecutableUse]:
         """Yield the nodes whose package installs no such executable anywhere; none where its executables are unknown.
@@ -61,4 +71,8 @@ class NodeExecutables:
                 node.executable
             )
             if facts.knows("executables") and not known:
-                yield node
+                yield replace(node, sister=self.sister(node))
+
+    def sister(self, node: ExecutableUse) -> str:
+        having = (each.name for each in self.scope.workspace.packages if node.executable in each.executables)
+        return next(having, "")

@@ -68,7 +68,7 @@ class RobotInWorkspace:
         for reference in self.robot.references:
             facts = self.facts_of(reference)
             path = reference.path
-            if facts is None or not path or path.startswith("..") or facts.may_write(path):
+            if facts is None or not path or path.startswith("..") or self.is_expected(facts, path):
                 continue
             state, meant = self.state(facts, path), self.suggestion(facts, path)
             if state is not None and (facts.knows("share_files") or meant) and not self.is_told(facts, path, state):
@@ -78,9 +78,17 @@ class RobotInWorkspace:
                     reference.path_span, facts.name, path, state, reference.use == "include", better, folder
                 )
         for local in self.robot.includes:
-            if not self.files.exists(local.path) and not local.path.startswith(".."):
+            if not local.path.startswith("..") and not self.files.exists(local.path) and not self.is_made(local.path):
                 near = nearest(posixpath.basename(local.path), self.neighbours(local.path))
                 yield MissingResource(local.span, self.package.name, local.path, "absent", True, near)
+
+    def is_expected(self, facts: PackageFacts, path: str) -> bool:
+        """Return whether a build or a submodule may bring a file."""
+        return facts.may_write(path) or (facts is self.package and self.is_made(path))
+
+    def is_made(self, path: str) -> bool:
+        is_there = self.files.exists(path) or path in self.files.folders
+        return not is_there and self.files.absent.is_expected(path)
 
     def facts_of(self, reference: ResourceReference) -> PackageFacts | None:
         own = reference.package == self.package.name

@@ -148,17 +148,19 @@ class LaunchFile:
         """Yield the uses of launch configurations: `$(var x)`."""
         return (found for found in self.substitutions if found.name == "var")
 
-    def programs(self) -> Iterator[tuple[str, str, Span]]:
-        """Yield package, executable and the executable's span of what it starts under literal names, but for ROS 1."""
+    def programs(self) -> Iterator[tuple[str, LaunchText, LaunchedNode]]:
+        """Yield package, executable and node of what it starts under literal names, but for ROS 1."""
         for node in self.nodes if not self.is_ros1 else ():
             if node.package and node.executable and node.package.literal and node.executable.literal:
-                yield node.package.literal, node.executable.literal, node.executable.span
+                yield node.package.literal, node.executable, node
 
 
 def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     """Return package and executable of every node that a package's launch files start under literal names."""
     files = reading.parts(LaunchFile).good
-    return frozenset((package, executable) for file in files for package, executable, _ in file.programs())
+    return frozenset(
+        (package, executable.literal or "") for file in files for package, executable, _ in file.programs()
+    )
 
 
 def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:

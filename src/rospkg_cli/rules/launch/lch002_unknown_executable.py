@@ -30,6 +30,10 @@ FILES = {
     "unknown-executable",
     over=NodeExecutables,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "the node's condition is false with the defaults of the arguments",
+        Severity.INFO: "the node is built and never added to the launch description",
+    },
     examples=(
         Example(
             bad=FILES,
@@ -43,24 +47,36 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## What it does
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
-    script that CMake installs. Packages whose executables are not all known are left alone, and launch files of tests
-    that CMake does not run.
+    script that CMake installs.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
+
+    ## When it is quiet
+    Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
+    files of tests that CMake does not run. A node whose condition is false by default is a warning, one that is built
+    and never added to the launch description an info.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
     """
     for node in started.unknown_executables():
         suggestion = node.suggestion
-        there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8]) or "no executable at all"
-        hint = f"did you mean `{suggestion}`?" if suggestion else f"it installs {there}"
-        message = (
-            f'`{node.facts.name}` installs no executable `{node.executable}`: the launch stops with "executable '
-            f"'{node.executable}' not found on the libexec directory\"; {hint}"
-        )
-        yield Hit(node.path, node.span, message, fix=rename(node, suggestion))
+        start = f"`{node.facts.name}` installs no executable `{node.executable}`"
+        ends = f"the launch stops with \"executable '{node.executable}' not found on the libexec directory\""
+        told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, and {node.why}"}
+        level = Severity(node.level) if node.level else None
+        message = f"{told[node.level]}; {hint(node)}"
+        yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
+
+
+def hint(node: ExecutableUse) -> str:
+    if node.suggestion:
+        return f"did you mean `{node.suggestion}`?"
+    if node.sister:
+        return f"`{node.sister}` has one"
+    there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8])
+    return f"it installs {there or 'no executable at all'}"
 
 
 def rename(node: ExecutableUse, suggestion: str | None) -> Fix | None:

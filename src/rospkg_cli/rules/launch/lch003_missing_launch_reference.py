@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -50,7 +51,10 @@ HARM: dict[ReferenceKind, str] = {
     "missing-launch-reference",
     over=LaunchContext,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
+    levels={
+        Severity.WARNING: "it is or holds the default of an argument, is for RViz, or under a condition that is off",
+        Severity.INFO: "the action that names it is never added to the launch description",
+    },
     examples=(
         Example(
             bad={
@@ -71,25 +75,41 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     ## What it does
     Finds files that a launch file names and that do not exist.
     It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
-    `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file. Files that are checked
-    first (`os.path.exists`, `try`), that the build writes, and packages whose files are not all known are left alone;
-    so are launch files of tests that CMake does not run.
+    `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file.
 
     ## Why is this bad?
-    The build is green, and the launch stops with "No such file or directory", or a node starts without its parameters.
+    The build is green, and the launch stops at an included file that can't be opened. A node whose parameter file is
+    missing starts with its defaults ("Parameter file path is not a file"), RViz with its default view.
+
+    ## When it is quiet
+    Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build writes, that git
+    ignores or that lie in a submodule that is not checked out (`git submodule update --init`); so are packages whose
+    installed files are not all known, and launch files of tests that CMake does not run. Where the defaults of the
+    arguments switch the action off, it is a warning, where nothing adds the action, an info.
     """
     for each in scope.missing():
         if each.state in ("absent", "no slash"):
-            level = Severity.WARNING if each.use == "default" else None
+            softer, why = level_at(scope.file, each.span)
+            mild = each.use == "default" or is_for_rviz(each)
+            level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
-            yield Hit(scope.file.path, each.span, message(each), level, others)
+            yield Hit(scope.file.path, each.span, message(each, why), level, others)
 
 
-def message(missing: MissingReference) -> str:
+def message(missing: MissingReference, why: str) -> str:
+    harm = f"{harm_of(missing)}, {why}" if why else harm_of(missing)
     if missing.state == "no slash":
         return (
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
-            f"{HARM[missing.use]}; begin it with `/`"
+            f"{harm}; begin it with `/`"
         )
-    hint = f" (did you mean `{missing.better_path}`?)" if missing.better_path else ""
-    return f"`{missing.package}` has no file `{missing.path}`{hint}: {HARM[missing.use]}"
+    hint = f"did you mean `{missing.better_path}`?" if missing.better_path else "add it, or mend the path"
+    return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint}"
+
+
+def harm_of(missing: MissingReference) -> str:
+    return "RViz starts with its default view" if is_for_rviz(missing) else HARM[missing.use]
+
+
+def is_for_rviz(missing: MissingReference) -> bool:
+    return missing.path.endswith(".rviz")

@@ -1,0 +1,98 @@
+"""Actions of a launch file that a plain `ros2 launch` never visits: never added, or under a condition that is off."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+
+from ...languages.python.evaluate.values import Call
+from ...languages.python.file import PythonFile
+from ...package.launch.argument_defaults import literal_defaults
+from ...package.launch.launch_classes import class_of
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.python_to_text import text_of
+from ...package.launch.text import LaunchText, Substitution
+from ...source import Span
+from ..fault import Level
+from .python_expressions import filled, parsed
+
+NEVER_ADDED = "the action is built and never added to the launch description"
+OFF = "only where its condition holds, which it does not by default"
+TRUTHS = {"true": True, "1": True, "false": False, "0": False}
+"""What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
+
+NEGATED = {"IfCondition": False, "UnlessCondition": True, "if": False, "unless": True}
+VARIABLE = re.compile(r"\$\(var ([^()\s]+)\)")
+
+
+def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
+    """Return the level of a fault in an action, None for the rule's own, and why it is not that."""
+    if file.python is not None and any(contains(each, span) for each in never_added(file.python)):
+        return "info", NEVER_ADDED
+    if any(contains(each, span) for each in switched_off(file)):
+        return "warning", OFF
+    return None, ""
+
+
+def contains(around: Span, span: Span) -> bool:
+    return around.start <= span.start and span.end <= around.end
+
+
+def never_added(file: PythonFile) -> Iterator[Span]:
+    """Yield the calls in functions whose result nothing names: bound to a local that is never read, or to nothing."""
+    read = {node.id for node in ast.walk(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
+    for function in ast.walk(file.tree):
+        for node in ast.walk(function) if isinstance(function, ast.FunctionDef) and "locals" not in read else ():
+            if isinstance(node, ast.Assign) and all(isinstance(t, ast.Name) and t.id not in read for t in node.targets):
+                yield file.span(node.value)
+
+
+def is_stored(name: ast.Name) -> bool:
+    return isinstance(name.ctx, ast.Store)
+
+
+def switched_off(file: LaunchFile) -> tuple[Span, ...]:
+    """Return the actions whose own condition is false with the defaults of the file's arguments."""
+    defaults = literal_defaults(file.arguments, file.assigned)
+    return (*in_python(file, defaults), *in_entities(file, defaults))
+
+
+def in_python(file: LaunchFile, defaults: Mapping[str, str]) -> Iterator[Span]:
+    for call in file.evaluated.calls if file.evaluated else ():
+        condition = call.get("condition")
+        if isinstance(condition, Call) and class_of(condition) in NEGATED:
+            value = condition.get("predicate_expression", 0)
+            holds = None if value is None else truth(text_of(value), defaults)
+            if holds is NEGATED[class_of(condition)]:
+                yield call.span
+
+
+def in_entities(file: LaunchFile, defaults: Mapping[str, str]) -> Iterator[Span]:
+    for entity in file.root.walk() if file.root else ():
+        for name in ("if", "unless"):
+            written = entity.attributes.get(name)
+            text = written.text.strip() if written is not None else ""
+            found = VARIABLE.fullmatch(text)
+            if TRUTHS.get((defaults.get(found.group(1), "") if found else text).lower()) is NEGATED[name]:
+                yield entity.span
+
+
+def truth(text: LaunchText, defaults: Mapping[str, str]) -> bool | None:
+    """Return what a condition is with these defaults: of an argument, a literal, or a comparison of both."""
+    match text.parts:
+        case (Substitution(name="eval", arguments=(expression,)),):
+            names = (each.arguments[0].literal for each in expression.substitutions("var") if each.arguments)
+            known = all(name in defaults for name in names) and not any(expression.substitutions("?", "env"))
+            return compared(filled(expression, None, defaults)) if known else None
+        case (Substitution(name="var", arguments=(name,)),):
+            return TRUTHS.get(defaults.get(name.literal or "", "").lower())
+    return TRUTHS.get((text.literal or "").lower())
+
+
+def compared(expression: str) -> bool | None:
+    """Return the value of `'a' == 'b'`; None for any other expression."""
+    match parsed(expression):
+        case ast.Expression(ast.Compare(ast.Constant(left), [ast.Eq() | ast.NotEq() as how], [ast.Constant(right)])):
+            return bool(left == right) is isinstance(how, ast.Eq)
+    return None

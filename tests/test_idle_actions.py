@@ -1,0 +1,185 @@
+"""What a plain `ros2 launch` never visits is no error: actions that nothing adds, or whose condition is off."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.checks.launch.idle_actions import NEVER_ADDED, OFF
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+IMPORTS = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.conditions import IfCondition, UnlessCondition
+from launch.substitutions import EnvironmentVariable, LaunchConfiguration, PythonExpression
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+"""
+PYTHON = (
+    IMPORTS
+    + """\
+def generate_launch_description():
+    sim = LaunchConfiguration('sim')
+    node = Node(package='my_pkg', executable='missing'{condition})
+    return LaunchDescription([
+        DeclareLaunchArgument('sim', default_value='{default}'),
+        {added}
+    ])
+"""
+)
+XML = """\
+<launch>
+  <arg name="sim" default="{default}"/>
+  <node pkg="my_pkg" exec="missing" {condition}/>
+</launch>
+"""
+HINT = "; it installs no executable at all"
+
+
+def levels(text: str, path: str = "launch/a.launch.py", code: str = "LCH002") -> list[tuple[str, str]]:
+    files = {"package.xml": manifest(), "setup.py": SETUP, "my_pkg/__init__.py": "", path: text}
+    return [(each.severity.value, each.message) for each in lint_files(files, [code]).findings]
+
+
+SETUP = "from setuptools import setup\n\nsetup(name='my_pkg', version='0.1.0', packages=['my_pkg'])\n"
+
+
+@pytest.mark.parametrize(
+    "condition, default, level",
+    [
+        ("", "true", "error"),
+        (", condition=IfCondition(sim)", "true", "error"),
+        (", condition=IfCondition(sim)", "True", "error"),
+        (", condition=IfCondition(sim)", "false", "warning"),
+        (", condition=IfCondition(sim)", "0", "warning"),
+        (", condition=IfCondition(sim)", "1", "error"),
+        (", condition=UnlessCondition(sim)", "1", "warning"),
+        (", condition=UnlessCondition(sim)", "false", "error"),
+        (", condition=IfCondition('false')", "true", "warning"),
+        (", condition=IfCondition(LaunchConfiguration('other'))", "false", "error"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "error"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "real", "warning"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "gz", "warning"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "real", "error"),
+        (""", condition=UnlessCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "warning"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' in ('gz',)"]))""", "real", "error"),
+        (
+            """, condition=IfCondition(PythonExpression(["'", sim, EnvironmentVariable('X'), "' == 'gz'"]))""",
+            "real",
+            "error",
+        ),
+    ],
+)
+def test_a_condition_counts_with_the_defaults(condition: str, default: str, level: str) -> None:
+    ((found, message),) = levels(PYTHON.format(condition=condition, default=default, added="node,"))
+    assert found == level
+    assert message.endswith(HINT)
+    assert (f", {OFF}; it" in message) is (level == "warning")
+    assert "the launch stops with" in message
+
+
+@pytest.mark.parametrize(
+    "condition, default, level",
+    [
+        ("", "true", "error"),
+        ('if="$(var sim)"', "false", "warning"),
+        ('if="$(var sim)"', "true", "error"),
+        ('unless="$(var sim)"', "true", "warning"),
+        ('unless=" $(var sim) "', "false", "error"),
+        ('if="false"', "true", "warning"),
+        ('if="$(var sim) and more"', "false", "error"),
+        ('if="$(var other)"', "false", "error"),
+    ],
+)
+def test_a_condition_in_xml_counts_too(condition: str, default: str, level: str) -> None:
+    ((found, _),) = levels(XML.format(condition=condition, default=default), "launch/a.launch.xml")
+    assert found == level
+
+
+def test_what_is_never_added_is_an_info() -> None:
+    ((level, message),) = levels(PYTHON.format(condition="", default="true", added=""))
+    assert level == "info"
+    assert message.endswith(f"`missing`, and {NEVER_ADDED}{HINT}")
+
+
+@pytest.mark.parametrize(
+    "more",
+    ["print(node)", "locals()", "other = [node]", "def later(): return [node]"],
+)
+def test_a_node_that_anything_reads_may_be_added(more: str) -> None:
+    text = PYTHON.format(condition="", default="true", added="").replace("    return", f"    {more}\n    return")
+    assert [level for level, _ in levels(text)] == ["error"]
+
+
+def test_a_node_of_the_module_may_be_added_by_who_imports_it() -> None:
+    text = PYTHON.format(condition="", default="true", added="")
+    node = "node = Node(package='my_pkg', executable='missing')\n"
+    text = text.replace(f"    {node}", "").replace("def generate", f"{node}\n\ndef generate")
+    assert [level for level, _ in levels(text)] == ["error"]
+
+
+def test_a_node_bound_to_two_names_of_which_one_is_read() -> None:
+    text = PYTHON.format(condition="", default="true", added="again,").replace("node = ", "node = again = ")
+    assert [level for level, _ in levels(text)] == ["error"]
+
+
+FILE = "[FindPackageShare('my_pkg'), '/launch/{}']"
+INCLUDE = PYTHON.replace("Node(package='my_pkg', executable='missing'{condition})", "{include}")
+
+
+@pytest.mark.parametrize(
+    "include, added, name, level",
+    [
+        ("IncludeLaunchDescription({})", "node,", "b.launch.py", "error"),
+        ("IncludeLaunchDescription({}, condition=IfCondition(sim))", "node,", "b.launch.py", "warning"),
+        ("IncludeLaunchDescription({})", "", "b.launch.py", "info"),
+        ("Node(package='rviz2', executable='rviz2', arguments=['-d', {}])", "node,", "b.rviz", "warning"),
+    ],
+)
+def test_a_missing_file_counts_where_it_is_opened(include: str, added: str, name: str, level: str) -> None:
+    text = INCLUDE.format(include=include.format(FILE.format(name)), default="false", added=added)
+    setup = SETUP.replace(")\n", ", data_files=[('share/my_pkg', ['package.xml'])])\n")
+    files = {"package.xml": manifest(), "setup.py": setup, "my_pkg/__init__.py": "", "launch/a.launch.py": text}
+    (finding,) = lint_files(files, ["LCH003"]).findings
+    assert finding.severity.value == level
+    assert ("RViz starts with its default view; add it" in finding.message) is (name == "b.rviz")
+    assert (f", {OFF}; add it" in finding.message) is ("IfCondition" in include)
+
+
+def test_a_sister_package_that_has_the_program_is_named() -> None:
+    text = PYTHON.format(condition="", default="true", added="node,").replace("missing", "camera")
+    files = {}
+    for name in ("my_pkg", "sister"):
+        scripts = "entry_points={'console_scripts': ['camera = sister.camera:main']}" if name == "sister" else ""
+        files[f"{name}/package.xml"] = manifest("", "ament_python", name)
+        files[f"{name}/setup.py"] = SETUP.replace("my_pkg", name).replace(")\n", f", {scripts})\n")
+        files[f"{name}/setup.cfg"] = (
+            f"[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n"
+        )
+        files[f"{name}/{name}/__init__.py"] = ""
+    (finding,) = lint_files({**files, "my_pkg/launch/a.launch.py": text}, ["LCH002"]).findings
+    assert finding.message.endswith("; `sister` has one")
+
+
+@pytest.mark.parametrize(
+    "more",
+    [{".gitignore": "launch/made/\n"}, {".gitmodules": '[submodule "m"]\n\tpath = launch/made\n\turl = u\n'}],
+)
+def test_what_git_ignores_or_a_submodule_holds_is_not_missing(more: dict[str, str]) -> None:
+    text = INCLUDE.format(include=f"IncludeLaunchDescription({FILE.format('made/b.launch.py')})", default="", added="")
+    setup = SETUP.replace(")\n", ", data_files=[('share/my_pkg', ['package.xml'])])\n")
+    robot = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="{}"/></robot>\n'
+    files = {
+        "package.xml": manifest(),
+        "setup.py": setup,
+        "my_pkg/__init__.py": "",
+        "launch/a.launch.py": text,
+        "urdf/a.xacro": robot.format("$(find my_pkg)/launch/made/b.xacro"),
+        "launch/b.xacro": robot.format("made/c.xacro"),
+        "launch/c.launch.xml": '<launch><include file="$(dirname)/made/b.launch.py"/></launch>\n',
+    }
+    assert len(lint_files(files, ["LCH003", "URD002"]).findings) == 4
+    assert lint_files({**files, **more}, ["LCH003", "URD002"]).findings == ()
