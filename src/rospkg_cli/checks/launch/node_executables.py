@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...source import Span
 from ...suggest import nearest
