@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import io
+import os
+import pty
 import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
+from typing import IO
 
 from rich.console import Console
 from rich.text import Text
@@ -48,7 +53,18 @@ def screen(folder: Path) -> str:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text.replace("my_pkg", "my_robot_nav"))
     command = [sys.executable, "-m", "rospkg_cli", *COMMAND.split()[1:], "--color", "always"]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False).stdout
+    reader, terminal = pty.openpty()
+    environment = {**os.environ, "COLUMNS": str(WIDTH)}
+    with subprocess.Popen(command, cwd=folder, stdout=terminal, stderr=subprocess.DEVNULL, env=environment):
+        os.close(terminal)
+        with os.fdopen(reader, encoding="utf-8", newline="") as said:
+            return "".join(until_closed(said)).replace("\r\n", "\n")
+
+
+def until_closed(said: IO[str]) -> Iterator[str]:
+    """Yield the lines of a terminal; Linux ends them with an error where nobody holds it any more."""
+    with suppress(OSError):
+        yield from said
 
 
 def main() -> None:

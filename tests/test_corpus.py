@@ -23,7 +23,7 @@ PACKAGES = sorted(p.name for p in CORPUS.iterdir() if p.is_dir())
 def test_what_is_said(name: str, pytestconfig: pytest.Config) -> None:
     session = Session(DiskTree(CORPUS), Scope((name,), frozenset({name})), EVERYTHING.codes())
     stream = io.StringIO()
-    render("text", Report(session.run(), CORPUS, CORPUS), stream)
+    render("text", Report(session.run(), CORPUS, CORPUS, width=80, shows_info=True, shows_all=True), stream)
     golden = CORPUS / f"{name}.out"
     if pytestconfig.getoption("--update-golden"):
         golden.write_text(stream.getvalue())

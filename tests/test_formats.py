@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -132,7 +133,7 @@ def test_rdjson_suggests_the_edits_of_safe_fixes() -> None:
 
 
 def test_text_fits_80_columns_and_underlines_the_spot(report: Report) -> None:
-    lines = rendered("text", report).splitlines()
+    lines = rendered("text", replace(report, width=80)).splitlines()
     source = next(i for i, line in enumerate(lines) if "<description>" in line)
     assert lines[source + 1].index("^") == lines[source].index("TODO")
     assert all(len(line) <= 80 for line in lines if " | " not in line)

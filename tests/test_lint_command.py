@@ -90,7 +90,7 @@ def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
     findings = json.loads(done.stdout)["findings"]
     assert [f["code"] for f in findings] == ["RPK005", "XML104"]
     assert "Traceback" not in done.stderr
-    again = subprocess.run([*command, "-v"], cwd=package, capture_output=True, text=True)
+    again = subprocess.run([*command, "--traceback"], cwd=package, capture_output=True, text=True)
     assert "RuntimeError: no" in again.stderr
 
 

@@ -13,7 +13,7 @@ import pytest
 FORMATS = "text concise json sarif github gitlab junit markdown rdjson".split()
 COMMANDS = [
     ["lint", *(word for name in FORMATS for word in ("--output", f"{name}:{os.devnull}"))],
-    ["lint", "--pedantic", "--release", "--jobs", "2", "-v"],
+    ["lint", "--pedantic", "--release", "--jobs", "2", "--traceback"],
     ["lint", "--diff"],
     ["lint", "--fix", "--unsafe-fixes"],
     ["lint", "--add-ignores", "for now"],

@@ -54,7 +54,9 @@ def test_inspect_shows_tables_that_are_safe(hostile: Path, monkeypatch: pytest.M
     json.loads(stream.getvalue())
 
 
-@pytest.mark.parametrize("options", ["", "--diff", "--statistics", "--fix", "--format concise", "--add-ignores x -v"])
+@pytest.mark.parametrize(
+    "options", ["", "--diff", "--statistics", "--fix", "--format concise", "--add-ignores x --traceback"]
+)
 def test_lint_prints_nothing_raw(hostile: Path, options: str, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
     monkeypatch.chdir(hostile.parent)
     monkeypatch.setattr("sys.argv", ["rospkg", "lint", "--pedantic", "--color", "never", *options.split()])
@@ -117,7 +119,7 @@ def test_a_fault_of_ours_is_told_safely(tmp_path: Path, monkeypatch, capsys) -> 
 
     monkeypatch.setattr("rospkg_cli.cli.lint.run.lint", raises)
     monkeypatch.chdir(tmp_path)
-    for more in ([], ["-v"]):
+    for more in ([], ["--traceback"]):
         monkeypatch.setattr("sys.argv", ["rospkg", "lint", *more])
         assert run() == 3
         said = capsys.readouterr().err

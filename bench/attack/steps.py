@@ -194,5 +194,5 @@ def lint_options(package: Path, fixing: FixOptions | None = None, **report: Any)
         jobs="1",
         rules=RuleOptions(pedantic=True, release=True),
         fixing=fixing or FixOptions(),
-        report=ReportOptions(**{"verbose": True, "color": "never", **report}),
+        report=ReportOptions(**{"traceback": True, "color": "never", **report}),
     )

@@ -52,6 +52,9 @@ def main(
     version: Annotated[
         bool, typer.Option("--version", "-V", callback=show_version, is_eager=True, help="Print the version and exit.")
     ] = False,
+    traceback: Annotated[
+        bool, typer.Option("--traceback", help="Show the traceback of an internal error.", show_default=False)
+    ] = False,
 ) -> None:
     """Take the options that belong to no verb."""
 
@@ -106,7 +109,7 @@ def failed(error: Exception) -> int:
             command = context.command_path if context else "rospkg"
             say(f"{message} `{command} --help` shows how.")
         return 2
-    if "-v" in sys.argv or "--verbose" in sys.argv:
+    if "--traceback" in sys.argv:
         import traceback
 
         from ..control_characters import visible_lines, without_workflow_commands
@@ -117,5 +120,5 @@ def failed(error: Exception) -> int:
             file=sys.stderr,
         )
     what = f"{type(error).__name__}: {error}"
-    say(f"internal error: {what}; please report it with the output of -v")
+    say(f"internal error: {what}; please report it with the output of --traceback")
     return 3

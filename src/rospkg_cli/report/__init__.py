@@ -29,12 +29,16 @@ class Report:
     cwd: Path
     """Paths are shown relative to it."""
     color: bool = False
-    verbose: bool = False
     fixed: int = 0
     """How many findings `--fix` fixed."""
-    width: int = 80
+    width: int | None = None
+    """Columns of the text for people; None where no line is broken."""
     exact: bool = False
     """Whether paths are given as they are, not as they can be shown."""
+    shows_info: bool = False
+    """Whether that text shows infos as it shows other findings; else they are only counted."""
+    shows_all: bool = False
+    """Whether it shows every finding in full, however many there are."""
 
     def path(self, path: str) -> str:
         """Return a finding's path as the user should see it, with `/`."""

@@ -7,7 +7,7 @@ from typing import IO
 
 from ..finding import Finding
 from . import Report
-from .text import summary
+from .summary import summary
 
 MOST = 200
 SPAN = re.compile(r"`([^`]+)`")

@@ -1,101 +1,118 @@
-"""For people: the line of source with the spot underlined, what is wrong, and how to fix it."""
+"""For people: by package, the worst last; the line of source, what is wrong, how to fix it; counts at the end."""
 
 from __future__ import annotations
 
-import textwrap
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 from typing import IO
 
-from ..control_characters import visible_lines, without_workflow_commands
-from ..engine.baseline import REASON
 from ..finding import Finding, Safety, Severity
-from .color import SEVERITY_COLORS, paint
+from .color import SEVERITY_COLORS
+from .excerpt import excerpt
+from .package_groups import badness, by_package, by_rule
+from .rule_counts import rule_counts, table
+from .short_message import lowered, short_message, without_advice
+from .summary import counted, summary
+from .wrap import Word, words, wrapped
 
 from . import Report  # isort: skip
 
-MAX_EXCERPT = 110
+LONG = 15
+"""Findings that are shown in full; of more, only errors are, and a table of the rules follows."""
+
+NOTES = "RPK008"
+"""The rule whose findings are notes on the run, not on a package: they are told behind the counts."""
 
 
 def render(report: Report, stream: IO[str]) -> None:
-    for finding in report.results.findings:
-        stream.write("\n".join(block(report, finding)) + "\n\n")
-    stream.write(summary(report) + "\n")
+    findings = [f for f in report.results.findings if f.code != NOTES]
+    shown = [f for f in findings if f.severity is not Severity.INFO or report.shows_info]
+    is_long = len(shown) > LONG and not report.shows_all
+    for package, found in by_package(shown):
+        lines = [] if report.results.packages < 2 else [heading(report, package, findings)]
+        lines += short_blocks(report, found) if is_long else full_blocks(report, found)
+        stream.write("".join(f"{line}\n" for line in lines))
+    for line in ending(report, findings, len(findings) - len(shown), is_long):
+        stream.write(f"{line}\n")
 
 
-def block(report: Report, finding: Finding) -> list[str]:
-    """Return the lines that show one finding."""
-    color, level = report.color, SEVERITY_COLORS[finding.severity]
-    head = f"{paint(report.where(finding), 'bold', color)}: {paint(finding.severity.value, level, color)} "
-    lines = [head + f"{finding.code} {paint(finding.name, 'dim', color)}", *excerpt(report, finding)]
-    lines += wrapped(finding.message, report.width)
-    for place, why in finding.related:
-        lines += wrapped(f"see {report.path(place.path)}:{place.line}:{place.column}: {why}", report.width)
+def heading(report: Report, package: str, findings: Sequence[Finding]) -> str:
+    """Return the line above a package: its name, and what it has, with what is not shown."""
+    counts = badness(f for f in findings if f.package == package)
+    told = [counted(n, level.value) for n, level in zip(counts, reversed(Severity), strict=True) if n]
+    return "\n".join(lines(report, [(f"{package or 'workspace'}:", "bold"), *words(", ".join(told))], "", "  "))
+
+
+def full_blocks(report: Report, findings: Sequence[Finding]) -> Iterator[str]:
+    for finding in findings:
+        yield from (*full(report, finding), "")
+
+
+def short_blocks(report: Report, findings: Sequence[Finding]) -> Iterator[str]:
+    """Yield each error in full; of the other levels a few lines for each rule, and one for each further file."""
+    for first, *others in by_rule(findings):
+        if first.severity is Severity.ERROR:
+            yield from full(report, first, "  ")
+        else:
+            head = [(f"{report.where(first)}:", "bold"), *level_and_code(first)]
+            yield from lines(report, [*head, *words(f"{short_message(first)}{repair(first, '; ')}")], "  ", "    ")
+        for _, same_file in groupby(others, key=lambda other: other.location.path):
+            yield from lines(report, further(report, list(same_file)), "    ", "      ")
+
+
+def further(report: Report, others: Sequence[Finding]) -> Iterator[Word]:
+    """Yield the places of further findings of a rule in one file, each with its repair, or else what is wrong."""
+    for number, other in enumerate(others):
+        place = report.where(other) if not number else f"{other.location.line}:{other.location.column}"
+        yield f"{place}:", "bold"
+        end = ";" if number < len(others) - 1 else ""
+        yield from words((lowered(other.fix.title) if other.fix else short_message(other)) + end)
+
+
+def full(report: Report, finding: Finding, indent: str = "") -> Iterator[str]:
+    """Yield the lines that show one finding in full."""
+    head = [(f"{report.where(finding)}:", "bold"), *level_and_code(finding), (finding.name, "dim")]
+    inner = f"{indent}  "
+    yield from lines(report, head, indent, inner)
+    yield from (indent + line for line in excerpt(finding, report.width, report.color))
+    yield from lines(report, words(without_advice(finding)), inner)
+    for why, places in related(report, finding).items():
+        listed: list[Word] = [(f"{place}{':' if place == places[-1] else ','}", "") for place in places]
+        yield from lines(report, [("see", ""), *listed, *words(why)], inner, f"{inner}  ")
     if finding.fix:
-        how = "--fix" if finding.fix.safety is Safety.SAFE else "--fix --unsafe-fixes"
-        title = finding.fix.title[0].lower() + finding.fix.title[1:]
-        lines += [paint(line, "green", color) for line in wrapped(f"{how}: {title}", report.width)]
-    return lines
+        yield from lines(report, words(repair(finding), "green"), inner)
 
 
-def wrapped(text: str, width: int) -> list[str]:
-    lines = textwrap.wrap(
-        text, width, initial_indent="  ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
-    )
-    return [without_workflow_commands(line) for line in lines]
+def lines(report: Report, found: Iterable[Word], first: str, rest: str | None = None) -> list[str]:
+    return wrapped(found, report.width, first, rest, report.color)
 
 
-def excerpt(report: Report, finding: Finding) -> list[str]:
-    """Return the source line with a number, and a line of carets below it; nothing for a file without text."""
-    line = finding.excerpt.removesuffix("\r")
-    if not line.strip():
-        return []
-    place, tabs = finding.location, drawn(line)
-    start = len(drawn(line[: place.column - 1]))
-    end = place.end_column - 1 if place.end_line == place.line else len(line.rstrip())
-    length = max(1, len(drawn(line[:end])) - start)
-    skipped = max(0, min(start - 20, len(tabs) - MAX_EXCERPT)) if len(tabs) > MAX_EXCERPT else 0
-    shown = tabs[skipped : skipped + MAX_EXCERPT].rstrip()
-    start -= skipped
-    marks = "^" * max(1, min(length, len(shown) - start))
-    gutter = f"{place.line:>5} | "
-    return [
-        paint(gutter, "dim", report.color) + shown,
-        paint(" " * 5 + " | ", "dim", report.color)
-        + " " * start
-        + paint(marks, SEVERITY_COLORS[finding.severity], report.color),
-    ]
+def level_and_code(finding: Finding) -> list[Word]:
+    return [(finding.severity.value, SEVERITY_COLORS[finding.severity]), (finding.code, "")]
 
 
-def drawn(line: str) -> str:
-    """Return a line of source as it is shown: what a terminal would obey is seen, tabs are blanks."""
-    return visible_lines(line).expandtabs(4)
+def repair(finding: Finding, before: str = "") -> str:
+    """Return the option that fixes a finding and what it does; "" for no fix."""
+    if finding.fix is None:
+        return ""
+    how = "--fix" if finding.fix.safety is Safety.SAFE else "--fix --unsafe-fixes"
+    return f"{before}{how}: {lowered(finding.fix.title)}"
 
 
-def summary(report: Report) -> str:
-    """Return the last line: how many findings there are, how many can be fixed, how many are set aside."""
-    results, color = report.results, report.color
-    where = f"{counted(results.packages, 'package')}, {counted(results.files, 'file')}"
-    counts = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
-    parts = (
-        [f"Found {', '.join(counts)} in {where}."]
-        if counts
-        else [f"{paint('No problems found', 'green', color)} ({where})."]
-    )
-    safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
-    unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
-    if report.fixed:
-        parts.append(f"{report.fixed} fixed.")
-    if safe:
-        parts.append(f"{safe} fixable with --fix.")
-    if unsafe:
-        parts.append(f"{unsafe}{' more' if safe else ''} fixable with --fix --unsafe-fixes.")
-    known = sum(finding.suppressed == REASON for finding in results.suppressed)
-    if known:
-        parts.append(f"{known} in the baseline.")
-    if len(results.suppressed) > known:
-        parts.append(f"{len(results.suppressed) - known} ignored.")
-    return " ".join(parts)
+def related(report: Report, finding: Finding) -> dict[str, list[str]]:
+    """Return the related places by what is said of them."""
+    found: dict[str, list[str]] = {}
+    for place, why in finding.related:
+        found.setdefault(why, []).append(f"{report.path(place.path)}:{place.line}:{place.column}")
+    return found
 
 
-def counted(number: int, what: str) -> str:
-    plural = {"info": "info"}.get(what, f"{what}s")
-    return f"{number} {what if number == 1 else plural}"
+def ending(report: Report, findings: Sequence[Finding], hidden: int, is_long: bool) -> Iterator[str]:
+    """Yield the counts: by rule where the report is long, of the infos that are not shown, and of all."""
+    if is_long:
+        yield from ("", *table(rule_counts(findings), report.width, report.color), "")
+    elif hidden:
+        infos = rule_counts(f for f in findings if f.severity is Severity.INFO)
+        told = ", ".join(f"{count.code}\xa0{count.name}" for count in infos)
+        yield from lines(report, words(f"not shown: {counted(hidden, 'info')} ({told})"), "", "  ")
+    yield from lines(report, words(summary(report)), "")

@@ -27,6 +27,8 @@ class FixOptions:
     fix: bool = False
     unsafe_fixes: bool = False
     diff: bool = False
+    fix_only: bool = False
+    show_fixes: bool = False
     exit_non_zero_on_fix: bool = False
 
 
@@ -48,7 +50,9 @@ class ReportOptions:
     statistics: bool = False
     color: str = "auto"
     quiet: bool = False
-    verbose: bool = False
+    show: tuple[str, ...] = ()
+    """What the text shows beyond errors and warnings: info, all."""
+    traceback: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,7 @@ class LintOptions:
     allow_empty: bool = False
     fail_on: str | None = None
     """The least severity that fails; None where the config decides."""
+    exit_zero: bool = False
     rules: RuleOptions = field(default_factory=RuleOptions)
     fixing: FixOptions = field(default_factory=FixOptions)
     suppression: SuppressionOptions = field(default_factory=SuppressionOptions)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +14,8 @@ from ..arguments import one_of, split
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
 CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", "Fixes", "Output"
 FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
+
+SHOWN = ("info", "all")
 
 Names = list[str] | None
 
@@ -47,6 +50,12 @@ def lint(
     diff: Annotated[
         bool, Option("--diff", help="Show what --fix would change; change nothing.", rich_help_panel=FIXES)
     ] = False,
+    fix_only: Annotated[
+        bool, Option("--fix-only", help="Fix, and do not report what is left.", rich_help_panel=FIXES)
+    ] = False,
+    show_fixes: Annotated[
+        bool, Option("--show-fixes", help="List every fix, not only the first.", rich_help_panel=FIXES)
+    ] = False,
     exit_non_zero_on_fix: Annotated[
         bool,
         Option("--exit-non-zero-on-fix", help="Exit with status 1 when files were changed.", rich_help_panel=FIXES),
@@ -72,12 +81,19 @@ def lint(
         str | None,
         Option(metavar="LEVEL", help="error, warning or info.", show_default="warning", rich_help_panel=OUTPUT),
     ] = None,
+    exit_zero: Annotated[
+        bool, Option("--exit-zero", help="Exit with status 0 whatever is found.", rich_help_panel=OUTPUT)
+    ] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.", rich_help_panel=OUTPUT)] = "auto",
     quiet: Annotated[
         bool, Option("--quiet", "-q", help="Print nothing when there are no problems.", rich_help_panel=OUTPUT)
     ] = False,
-    verbose: Annotated[
-        bool, Option("--verbose", "-v", help="Show the traceback of an internal error.", rich_help_panel=OUTPUT)
+    show: Annotated[
+        Names,
+        Option(metavar="WHAT", help="In text: info (infos too), all (each finding in full).", rich_help_panel=OUTPUT),
+    ] = None,
+    traceback: Annotated[
+        bool, Option("--traceback", help="Show the traceback of an internal error.", rich_help_panel=OUTPUT)
     ] = False,
     workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
@@ -95,6 +111,9 @@ def lint(
         one_of("--fail-on", fail_on, ("error", "warning", "info"))
     if workspace is not None and not workspace.is_dir():
         raise UsageError(f"--workspace: `{workspace}` is not a folder")
-    typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target")}
+    typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target", "show")}
+    for each in typed["show"]:
+        one_of("--show", each, SHOWN)
     typed |= {name: tuple(typed[name] or ()) for name in ("paths", "output")}
+    typed["traceback"] |= "--traceback" in sys.argv  # typed before the verb
     return run_lint(LintOptions.of(typed))

@@ -39,7 +39,7 @@ def print_report(options: ReportOptions, report: Report, files: Sequence[tuple[s
         stream.write(statistics(report))
     elif not (options.quiet and options.format == "text" and not report.results.findings):
         render(options.format, report, stream)
-    if options.verbose:
+    if options.traceback:
         for crash in report.results.crashes:
             print(without_workflow_commands(visible_lines(crash.error)), file=sys.stderr)
 

@@ -6,17 +6,19 @@ import sys
 from pathlib import Path
 from typing import IO
 
-from ...config.file import find_config
+from ...config.file import Config, find_config
 from ...current_folder import common_folder, current_folder
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix import FixResults, fix_all
 from ...engine.fixing.remove_leftovers import remove_leftovers
 from ...engine.fixing.write import write_changes
 from ...engine.run.session import Results, Session
+from ...engine.selection import rule_names
 from ...fence import Fence
 from ...finding import Safety, Severity
 from ...report import Report
 from ...report.color import wants_color
+from ...report.wrap import terminal_width
 from ..diff import unified
 from ..index.age import warn_of_age
 from ..progress import progress
@@ -49,9 +51,10 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     for finding, why in found.refused:
         say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
     fixed = 0 if fixing.diff else len(found.applied)
-    report = Report(
-        found.results, located.root, current_folder(), wants_color(shown.color, stream), shown.verbose, fixed
-    )
+    shows_all = "all" in shown.show
+    shows_info = shows_all or asks_for_info(options, config)
+    colored, width = wants_color(shown.color, stream), terminal_width(stream)
+    report = Report(found.results, located.root, current_folder(), colored, fixed, width, False, shows_info, shows_all)
     if fixing.diff:
         stream.writelines(unified(session.tree, found.changes))
     elif fixing.fix:
@@ -64,6 +67,12 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     warn_of_age(session.scope.index, found.results.findings)
     changed = bool(found.changes) and (fixing.diff or fixing.exit_non_zero_on_fix)
     return exit_status(found.results, Severity(options.fail_on or config.fail_on), changed)
+
+
+def asks_for_info(options: LintOptions, config: Config) -> bool:
+    """Return whether the text shows infos: asked for, or the reason of a failure, or what a rule was named for."""
+    fails = (options.fail_on or config.fail_on) == Severity.INFO.value
+    return "info" in options.report.show or fails or not set(options.rules.select).isdisjoint(rule_names())
 
 
 def run_session(session: Session, options: FixOptions) -> FixResults:

@@ -18,7 +18,8 @@ def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
     The other rules and packages go on; the exit status is 3 after everything has been printed.
 
     ## Why is this bad?
-    That rule did not check the package. This is an internal error of rospkg: please report it with the output of `-v`.
+    That rule did not check the package. This is an internal error of rospkg: please report it with the output of
+    `--traceback`.
     """
     last = crash.error.strip().splitlines()[-1]
     what = f"{crash.what} {crash.code}"

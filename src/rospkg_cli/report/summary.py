@@ -1,0 +1,41 @@
+"""The sentence at the end of a report: how many findings there are, can be fixed, are set aside."""
+
+from __future__ import annotations
+
+from ..engine.baseline import REASON
+from ..finding import Safety, Severity
+from .color import paint
+
+from . import Report  # isort: skip
+
+
+def summary(report: Report) -> str:
+    """Return the counts of a report in one line."""
+    results, color = report.results, report.color
+    where = f"{counted(results.packages, 'package')}, {counted(results.files, 'file')}"
+    counts = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
+    parts = (
+        [f"Found {', '.join(counts)} in {where}."]
+        if counts
+        else [f"{paint('No problems found', 'green', color)} ({where})."]
+    )
+    safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
+    unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
+    if report.fixed:
+        parts.append(f"{report.fixed} fixed.")
+    if safe:
+        parts.append(f"{safe} fixable with --fix.")
+    if unsafe:
+        parts.append(f"{unsafe}{' more' if safe else ''} fixable with --fix --unsafe-fixes.")
+    known = sum(finding.suppressed == REASON for finding in results.suppressed)
+    if known:
+        parts.append(f"{known} in the baseline.")
+    if len(results.suppressed) > known:
+        parts.append(f"{len(results.suppressed) - known} ignored.")
+    return " ".join(parts)
+
+
+def counted(number: int, what: str) -> str:
+    """Return a number with a noun: `1 file`, `2 files`, `2 info`."""
+    plural = {"info": "info"}.get(what, f"{what}s")
+    return f"{number} {what if number == 1 else plural}"
