@@ -16,6 +16,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from rospkg_cli.checks.interfaces.grammar_sentences import sentence_of
 from rospkg_cli.checks.interfaces.member_names import is_accepted
 from rospkg_cli.package.interfaces.text import parse_interface
 from rospkg_cli.source import Source
@@ -51,7 +52,7 @@ def universal(text: str) -> str:
 
 def ours(case: Case) -> tuple[bool, list[str]]:
     found = parse_interface(Source(f"{case[0]}/{case[1]}.{case[0]}", case[2]), case[0])
-    return is_accepted(found), [problem.message for problem in found.problems]
+    return is_accepted(found), [sentence_of(problem) for problem in found.problems]
 
 
 def theirs(cases: Sequence[Case], python: str) -> list[str | None]:

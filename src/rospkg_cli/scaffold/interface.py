@@ -7,6 +7,7 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
+from ..checks.interfaces.grammar_sentences import sentence_of
 from ..light_dataclasses import dataclass
 from ..package.interfaces.text import parse_interface
 from ..ros.core_messages import CORE_MESSAGES
@@ -70,7 +71,7 @@ def interface_of(form: str, asked: str, messages: set[str]) -> RequestedInterfac
     parsed = parse_interface(Source(f"{form}/{name}.{form}", text), form)
     for problem in parsed.problems:
         line = text.splitlines()[parsed.source.position(problem.span.start)[0] - 1]
-        raise ScaffoldError(f"--{form} {name}: {problem.message} (in `{line}`)")
+        raise ScaffoldError(f"--{form} {name}: {sentence_of(problem)} (in `{line}`)")
     types = [member.type for section in parsed.sections for member in section.members]
     for type in types:
         if not type.is_primitive and not type.package and type.base not in messages:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...source import Span
 from .escape import escape_fault
-from .interface_file import GrammarProblem
+from .grammar_problem import GrammarCode, GrammarProblem
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +44,7 @@ def comment_problems(comments: Sequence[InterfaceComment], *, of_field: bool) ->
         if escape_fault(text):
             yield backslash(comment)
     if unit and of_field and "\n" in unit.inside:
-        yield GrammarProblem(
-            span_of(comments),
-            f"rosidl takes `[{unit.inside.splitlines()[0]}` and the next line for a unit, and generates an .idl "
-            "file with a broken string from it; keep what stands in brackets on one line, or use parentheses",
-        )
+        yield GrammarProblem(span_of(comments), GrammarCode.UNIT_OVER_LINES, (unit.inside.splitlines()[0],))
     elif unit and of_field and escape_fault(unit.inside):
         yield backslash(next(comment for comment in comments if unit.inside in comment.text))
 
@@ -56,15 +52,12 @@ def comment_problems(comments: Sequence[InterfaceComment], *, of_field: bool) ->
 def backslash(comment: InterfaceComment) -> GrammarProblem:
     start, end = escape_fault(comment.text) or (0, len(comment.text))
     escape, span = comment.text[start:end], Span(comment.at + start, comment.at + end)
-    message = (
-        f"rosidl copies comments into the .idl file and decodes `{escape}` there as an escape: "
-        "the build stops with a UnicodeDecodeError or a syntax error; double the backslash, or do without it"
-    )
+    found = GrammarProblem(span, GrammarCode.BACKSLASH_IN_COMMENT, (escape,))
     repaired = comment.text[:start] + "\\" + comment.text[start:]
     left = escape_fault(repaired)
     if left is None or left[0] > end:
-        return GrammarProblem(span, message, "\\" + escape, span, "double the backslash")
-    return GrammarProblem(span, message)
+        return replace(found, repair="\\" + escape, repair_span=span)
+    return found
 
 
 def span_of(comments: Sequence[InterfaceComment]) -> Span:

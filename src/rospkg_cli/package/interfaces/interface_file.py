@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
+from .grammar_problem import GrammarProblem
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,19 +57,6 @@ class MessageSection:
     @property
     def constants(self) -> tuple[Member, ...]:
         return tuple(member for member in self.members if member.is_constant)
-
-
-@dataclass(frozen=True, slots=True)
-class GrammarProblem:
-    """What rosidl refuses, or reads otherwise than it is written; `repair` replaces `repair_span`."""
-
-    span: Span
-    message: str
-    repair: str | None = None
-    repair_span: Span | None = None
-    title: str = ""
-    is_certain: bool = True
-    """Nothing but the repair can have been intended."""
 
 
 @dataclass(frozen=True)

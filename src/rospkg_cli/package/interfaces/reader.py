@@ -11,7 +11,8 @@ from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from ..manifest import Manifest
-from .interface_file import GrammarProblem, InterfaceFile
+from .grammar_problem import GrammarCode, GrammarProblem
+from .interface_file import InterfaceFile
 from .text import parse_interface
 
 MAX_LENGTH = 200_000
@@ -41,7 +42,5 @@ def read(files: PackageFiles, source: Source) -> InterfaceFile:
     found = parse_interface(source, source.path.rpartition(".")[2])
     if not files.tree.entry(source.path).text.bom:
         return found
-    mark = GrammarProblem(
-        Span(0, 0), "the file begins with a byte order mark, which rosidl takes for a part of the first type"
-    )
+    mark = GrammarProblem(Span(0, 0), GrammarCode.BYTE_ORDER_MARK)
     return InterfaceFile(source, found.kind, found.sections, (mark, *found.problems))

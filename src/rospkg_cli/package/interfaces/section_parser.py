@@ -10,7 +10,8 @@ from ...ros.interfaces import PRIMITIVES, STRINGS
 from ...source import Span
 from .comments import InterfaceComment, comment_problems
 from .escape import escape_fault
-from .interface_file import FieldType, GrammarProblem, Member
+from .grammar_problem import GrammarCode, GrammarProblem, ValueProblem
+from .interface_file import FieldType, Member
 from .type_parser import TypeProblemError, parse_type
 from .value import QUOTES, string_value, value_fault
 
@@ -70,20 +71,19 @@ class SectionReader:
             self.members.append(member)
             self.of_last, self.waiting = self.waiting, []
 
-    def problem(self, span: Span, message: str, repair: str | None = None, title: str = "") -> None:
-        self.problems.append(GrammarProblem(span, message, repair, span if repair is not None else None, title))
+    def problem(self, span: Span, code: GrammarCode, *details: str, repair: str | None = None) -> None:
+        self.problems.append(GrammarProblem(span, code, details, repair, span if repair is not None else None))
 
     def member(self, line: InterfaceLine, comment: InterfaceComment) -> Member | None:
         """Read a line that declares something; None, and a problem, where it does not."""
         text = line.text
         start = len(text) - len(text.lstrip(" "))
         if start:
-            message = "rosidl can't read a line that begins with a blank: the build stops with an IndexError"
-            self.problem(line.span(0, start), message, "", "remove the blanks")
+            self.problem(line.span(0, start), GrammarCode.LEADING_BLANK, repair="")
         kind, _, rest = text[start:].partition(" ")
         rest_at = len(text) - len(rest.lstrip())
         if not rest.strip():
-            self.problem(line.span(start, len(text)), f"`{text[start:]}` lacks a blank between a type and a name")
+            self.problem(line.span(start, len(text)), GrammarCode.ONE_WORD, text[start:])
             return None
         if "=" in rest:
             return self.constant(line, line.span(start, start + len(kind)), rest_at, comment)
@@ -105,14 +105,15 @@ class SectionReader:
         name, value = name.rstrip(), value.lstrip()
         span = line.span(at, at + len(name))
         if not NAME.fullmatch(name):
-            hint = "a default value can't hold one" if any(q in name for q in QUOTES) else "a default has none"
-            self.problem(line.span(at, len(line.text)), f"rosidl reads a line with `=` as a constant; {hint}")
+            is_text = any(quote in name for quote in QUOTES)
+            code = GrammarCode.CONSTANT_WITH_QUOTE if is_text else GrammarCode.DEFAULT_WITH_EQUALS_SIGN
+            self.problem(line.span(at, len(line.text)), code)
             return None
         kind = self.type_at(line, kind_span)
         if kind is None:
             return None
         if kind.text not in PRIMITIVES:
-            self.problem(kind.span, f"a constant has a primitive type without bounds or brackets, not `{kind.text}`")
+            self.problem(kind.span, GrammarCode.CONSTANT_TYPE, kind.text)
             return None
         value_span = line.span(len(line.text) - len(value), len(line.text))
         self.check_value(kind, value, value_span, comment)
@@ -130,23 +131,23 @@ class SectionReader:
             return True
         span = line.span(at, at + len(name))
         if name.startswith("["):
-            self.problem(span, f"the brackets belong to the type, without a blank: `{line.text.split()[0]}{name} …`")
+            self.problem(span, GrammarCode.BRACKETS_AT_NAME, line.text.split()[0], name)
         elif NAME.fullmatch(name[:-1]) and name[-1] in ";," and not value:
             end = line.span(at + len(name) - 1, at + len(name))
-            self.problem(end, f"a line ends without `{name[-1]}`: one field a line", "", f"remove the `{name[-1]}`")
+            self.problem(end, GrammarCode.SIGN_AT_END, name[-1], repair="")
         else:
-            self.problem(span, f"`{name}` is no name of a field: lower case letters, digits and single `_`")
+            self.problem(span, GrammarCode.FIELD_NAME, name)
         return False
 
     def check_value(self, kind: FieldType, value: str, span: Span, comment: InterfaceComment) -> None:
         fault = value_fault(kind, value)
         if kind.base in STRINGS and is_open(value) and value[0] in comment.text:
             span = Span(span.start, comment.at + comment.text.index(value[0]) + 1)
-            fault = f"rosidl cuts the line at the `#`, even inside quotes: the value becomes `{value}`"
+            fault = ValueProblem(GrammarCode.NUMBER_SIGN_IN_STRING, (value,))
         elif fault is None and kind.base in STRINGS:
             fault = text_fault(kind, value)
         if fault:
-            self.problem(span, fault)
+            self.problem(span, fault.code, *fault.details)
 
 
 def is_open(value: str) -> bool:
@@ -154,13 +155,13 @@ def is_open(value: str) -> bool:
     return value[:1] in QUOTES and (len(value) == 1 or value[-1] != value[0])
 
 
-def text_fault(kind: FieldType, value: str) -> str | None:
+def text_fault(kind: FieldType, value: str) -> ValueProblem | None:
     """Return why rosidl can't write a string into the .idl file."""
     if kind.is_array:
         ascii_only = all(ord(char) < 128 or not char.isprintable() for char in value)
-        return None if ascii_only else "rosidl can't write default values of string arrays that are not ASCII"
+        return None if ascii_only else ValueProblem(GrammarCode.STRING_ARRAY_NOT_ASCII)
     if escape_fault(string_value(value)):
-        return f"rosidl decodes the backslashes in `{value}` as escapes and then can't read what it wrote; double them"
+        return ValueProblem(GrammarCode.BACKSLASH_IN_STRING, (value,))
     return None
 
 

@@ -9,7 +9,8 @@ from itertools import pairwise
 from ...light_dataclasses import dataclass
 from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
-from .interface_file import GrammarProblem, InterfaceFile, MessageSection
+from .grammar_problem import GrammarCode, GrammarProblem
+from .interface_file import InterfaceFile, MessageSection
 from .section_parser import InterfaceLine, SectionReader
 
 NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
@@ -66,14 +67,11 @@ def separator_problems(
     kind: str, marks: Sequence[SeparatorLine], chosen: Sequence[SeparatorLine], lines: Sequence[InterfaceLine]
 ) -> Iterator[GrammarProblem]:
     wanted = SEPARATORS[kind]
-    has = {0: "no line `---`", 1: "exactly one line `---`", 2: "exactly two lines `---`"}[wanted]
     for mark in marks:
         if not mark.exact and mark in chosen[:wanted]:
-            message = "rosidl takes only a line that is exactly `---` for a separator, without spaces around it"
-            yield GrammarProblem(mark.span, f"{message}: the build stops here", "---", mark.span, "write `---`")
+            yield GrammarProblem(mark.span, GrammarCode.SEPARATOR_WITH_BLANKS, (), "---", mark.span)
         elif mark not in chosen[:wanted]:
-            yield GrammarProblem(mark.span, f"a .{kind} file has {has}; this one is too many, and the build stops here")
+            yield GrammarProblem(mark.span, GrammarCode.TOO_MANY_SEPARATORS, (kind,))
     if len(chosen) < wanted:
-        parts = " and ".join({"srv": ("request", "response"), "action": ("goal", "result", "feedback")}[kind])
         first = Span(lines[0].at, lines[0].at + len(lines[0].text)) if lines else Span(0, 0)
-        yield GrammarProblem(first, f"a .{kind} file has {has} between {parts}; here is {len(chosen) or 'none'}")
+        yield GrammarProblem(first, GrammarCode.TOO_FEW_SEPARATORS, (kind, str(len(chosen) or "none")))

@@ -5,41 +5,43 @@ from __future__ import annotations
 import re
 
 from ...ros.interfaces import FLOATS, INTEGERS
+from .grammar_problem import GrammarCode, ValueProblem
 from .interface_file import FieldType
 
 QUOTES = ('"', "'")
 
 
-def value_fault(kind: FieldType, value: str) -> str | None:
+def value_fault(kind: FieldType, value: str) -> ValueProblem | None:
     """Return why a value does not fit a type, or None where it does."""
     if not kind.is_primitive:
-        return f"`{kind.text}` can't have a default value: only primitive types can"
+        return ValueProblem(GrammarCode.INTERFACE_WITH_DEFAULT, (kind.text,))
     if not kind.is_array:
         return primitive_fault(kind, value)
     if not (value.startswith("[") and value.endswith("]")):
-        return f"the value of an array stands in brackets: `[{value.strip('[]')}]`"
+        return ValueProblem(GrammarCode.ARRAY_WITHOUT_BRACKETS, (value.strip("[]"),))
     elements = elements_of(kind, value[1:-1])
     if elements is None:
-        return f"`{value}` can't be split into its elements; quote each string: `['a', 'b']`"
+        return ValueProblem(GrammarCode.ARRAY_ELEMENTS, (value,))
     count = len(elements)
     if kind.size is not None and (count > kind.size if kind.is_bounded else count != kind.size):
-        wanted = f"at most {kind.size}" if kind.is_bounded else f"exactly {kind.size}"
-        return f"`{kind.text}` takes {wanted} elements, not {count}"
+        code = GrammarCode.ARRAY_TOO_LONG if kind.is_bounded else GrammarCode.ARRAY_LENGTH
+        return ValueProblem(code, (kind.text, str(kind.size), str(count)))
     return next((fault for each in elements if (fault := primitive_fault(kind, each.strip()))), None)
 
 
-def primitive_fault(kind: FieldType, value: str) -> str | None:
+def primitive_fault(kind: FieldType, value: str) -> ValueProblem | None:
     """Check the value of one element."""
     name = kind.base
     if name == "bool":
         fits = value.lower() in ("true", "false", "1", "0")
-        return None if fits else f"`{value}` is no `bool`: write `true` or `false`"
+        return None if fits else ValueProblem(GrammarCode.NO_BOOL, (value,))
     if name in INTEGERS:
         low, high = INTEGERS[name]
         number = integer(value)
-        return None if number is not None and low <= number <= high else f"`{value}` is no `{name}`: {low} to {high}"
+        fits = number is not None and low <= number <= high
+        return None if fits else ValueProblem(GrammarCode.NO_INTEGER, (value, name, str(low), str(high)))
     if name in FLOATS:
-        return None if is_float(value) else f"`{value}` is no `{name}`: write it like `1.5` or `1e-3`"
+        return None if is_float(value) else ValueProblem(GrammarCode.NO_FLOAT, (value, name))
     return string_fault(kind, value)
 
 
@@ -60,16 +62,16 @@ def is_float(text: str) -> bool:
     return True
 
 
-def string_fault(kind: FieldType, value: str) -> str | None:
+def string_fault(kind: FieldType, value: str) -> ValueProblem | None:
     text = unquoted(value)
     for quote in QUOTES:
         if value.startswith(quote) and value.endswith(quote):
             if re.search(rf"(?<!\\){quote}", text):
-                return f"write a quote inside the string as `\\{quote}`, or use the other kind of quotes around it"
+                return ValueProblem(GrammarCode.QUOTE_IN_STRING, (quote,))
             text = text.replace("\\" + quote, quote)
             break
     if kind.string_bound is not None and len(text) > kind.string_bound:
-        return f"the string has {len(text)} characters; `{kind.text}` takes {kind.string_bound}"
+        return ValueProblem(GrammarCode.STRING_TOO_LONG, (str(len(text)), kind.text, str(kind.string_bound)))
     return None
 
 
