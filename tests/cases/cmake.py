@@ -58,10 +58,20 @@ CASES = {
     "CMK001": (
         called("project(other)", "my pkg"),
         called("set(NAME other)\nproject(${NAME})", "my_pkg"),
+        called("if(SUPER)\n  project(SUPER NONE)\n  return()\nelse()\n  project(my_pkg)\nendif()", "my_pkg"),
+        called("if(FALSE)\n  project(my_pkg)\nendif()\nproject(other)", "my_pkg"),
+        called("if(SUPER)\n  project(other)\nendif()", "my_pkg"),
+        called("project(first)\nproject(other)", "my_pkg"),
+        called("project(other)\nif(FALSE)\n  project()\nendif()", "my_pkg"),
+        Example(bad={"CMakeLists.txt": "project(other)\n"}, good={}, on="ament_cmake"),
     ),
     "CMK002": (
         Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.5")}, good={}, on="ament_cmake", targets=("lyrical",)),
         Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.4")}, good={}, on="ament_cmake"),
+    ),
+    "CMK003": tuple(
+        Example(bad={"CMakeLists.txt": f"project(my_pkg)\nfind_package(ament_cmake)\n{line}\n"}, good={}, on="ament_cmake")
+        for line in ("team_package()", "include(${team_DIR}/all.cmake)", "ament_python_install_package(a)", "project(b)")
     ),
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",

@@ -18,6 +18,9 @@ from .components import Component, InterfaceTarget, components_of, interface_tar
 from .find_package import FoundPackage, found_packages
 from .install_rules import InstallRule
 
+PACKAGE_ENDS = ("ament_package", "ament_auto_package")
+"""How the commands are called that end a package."""
+
 
 @dataclass(frozen=True)
 class CMake:
@@ -101,10 +104,18 @@ class CMake:
         return False
 
     @cached_property
+    def projects(self) -> tuple[EvaluatedCommand, ...]:
+        """The calls of project() in CMakeLists.txt itself."""
+        return tuple(call for call in self.named("project") if call.path == ROOT and call.words)
+
+    @cached_property
     def project(self) -> Word | None:
-        """The name that project() gives, where it is called in CMakeLists.txt itself."""
-        calls = [call for call in self.named("project") if call.path == ROOT and call.words]
-        return calls[0].words[0] if calls else None
+        """The name that ament_package() goes by: that of the last project() before it."""
+        ends = [at for at, call in enumerate(self.calls) if call.name.endswith(PACKAGE_ENDS)]
+        before = self.calls[: ends[-1]] if ends else ()
+        last = next((c for c in reversed(before) if c.name == "project" and c.path == ROOT and c.words), None)
+        call = last or next(iter(self.projects), None)
+        return call.words[0] if call is not None else None
 
     @property
     def project_name(self) -> str:
@@ -113,7 +124,7 @@ class CMake:
     @property
     def ends_a_package(self) -> bool:
         """Whether `ament_package` is called, by whatever name."""
-        return any(call.name.endswith(("ament_package", "ament_auto_package")) for call in self.calls)
+        return any(call.name.endswith(PACKAGE_ENDS) for call in self.calls)
 
     @cached_property
     def exports(self) -> tuple[EvaluatedCommand, ...]:

@@ -9,6 +9,7 @@ from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.cmake_project import CMake
 from ...rule import rule
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
@@ -36,17 +37,31 @@ def project_name_mismatch(package: CMakePackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     ament_package() stops the build when they differ. This is what is left when a package was copied or renamed.
+
+    ## When it is quiet
+    Where any `project()` of CMakeLists.txt has the right name: a superbuild calls another one first, and returns before
+    it comes to `ament_package()`. Where the name, or whether `project()` is called, can't be evaluated, and where no
+    `ament_package()` compares the names.
     """
-    name, word = package.manifest.name, package.cmake.project
-    if not package.is_ament or not name or word is None or not word.is_known or word.maybe or word.text == name:
+    name, cmake = package.manifest.name, package.cmake
+    word = cmake.project
+    if not package.is_ament or not name or word is None or not word.is_known or name in names(cmake):
+        return
+    if not cmake.ends_a_package or any(call.words[0] is word and call.maybe for call in cmake.projects):
         return
     span = literal_span(package.cmake.file(word.path).source, word.span, word.text)
     valid = NAME.fullmatch(name)
     fix = Fix(f"call the project `{name}`", (Edit(word.path, span, name),)) if span and valid else None
     advice = f"write `project({name})`" if valid else "give both one name"
     message = (
-        f"the project is called `{word.text}`, the package `{name}`: ament_package() stops the build with "
-        f"\"package name '{name}' in package.xml does not match current PROJECT_NAME\"; {advice}"
+        f"`project({word.text})` does not fit the package `{name}`: ament_package() stops the build with "
+        f'"does not match current PROJECT_NAME"; {advice}'
     )
     related = Related(package.manifest.path, package.manifest.name_span, "the package's name")
     yield Hit(word.path, span or word.span, message, related=(related,), fix=fix)
+
+
+def names(cmake: CMake) -> set[str]:
+    """Return the names of all calls of project() in CMakeLists.txt, those of branches that are not taken too."""
+    unreachable = (call for call in cmake.unreachable if call.name == "project" and call.path == cmake.root.path)
+    return {call.words[0].text for call in (*cmake.projects, *unreachable) if call.words}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...edits.cmake_commands import add_at_end
@@ -17,6 +18,9 @@ find_package(ament_cmake REQUIRED)
 
 ament_package()
 """
+
+MACRO = re.compile(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install)\w*package\w*")
+"""What may be a macro around ament_package(), such as `my_team_package`."""
 
 
 @rule(
@@ -41,21 +45,27 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds ament_cmake packages whose CMakeLists.txt never calls `ament_package()`.
-    `ament_auto_package()` counts as well. A package that holds nothing but tests is left alone.
+    `ament_auto_package()` counts as well.
 
     ## Why is this bad?
     colcon builds them, but nothing registers them: no package.xml in share/, no entry in the resource index, no
     environment. `ros2 run` and `find_package()` don't find the package.
+
+    ## When it is quiet
+    Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
+    package whose name has `package` in it is called: both may call `ament_package()`.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
+        return
+    if cmake.reads_unknown_files or any(MACRO.fullmatch(call.name) for call in cmake.calls):
         return
     root = cmake.root
     projects = [command for command in root.syntax.commands if command.name == "project"]
     place = projects[0].span if projects else root.source.line_span(1)
     message = (
-        "CMakeLists.txt never calls `ament_package()`: colcon builds the package, but nothing registers it, so "
-        f"`ros2 run {package.facts.name}` and `find_package({package.facts.name})` don't find it; call it last"
+        "CMakeLists.txt never calls `ament_package()`: the build is green, but "
+        f"`ros2 run {package.facts.name}` and `find_package({package.facts.name})` don't find the package; call it last"
     )
     knows_ament = any(each.name.startswith("ament_cmake") for each in cmake.packages)
     fix = Fix("call `ament_package()` at the end", (add_at_end(root, "ament_package()"),)) if knows_ament else None
