@@ -54,6 +54,8 @@ USER = {
     "user/src/a.cpp": MAIN,
 }
 
+END = "ament_package()\n"
+
 CASES = {
     "CMK001": (
         called("project(other)", "my pkg"),
@@ -70,8 +72,8 @@ CASES = {
         Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.4")}, good={}, on="ament_cmake"),
     ),
     "CMK003": tuple(
-        Example(bad={"CMakeLists.txt": f"project(my_pkg)\nfind_package(ament_cmake)\n{line}\n"}, good={}, on="ament_cmake")
-        for line in ("team_package()", "include(${team_DIR}/all.cmake)", "ament_python_install_package(a)", "project(b)")
+        Example(bad={"CMakeLists.txt": f"{CMAKE.removesuffix(END)}{line}\n"}, good={}, on="ament_cmake")
+        for line in ("team_package()", "include(${team_DIR}/a.cmake)", "ament_python_install_package(a)", "project(b)")
     ),
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",

@@ -87,10 +87,6 @@ CASES = {
         on_cmake(commented("geometry_msgs", dep108.TOOLS + dep108.RUNTIME + dep108.GROUP, "ament_cmake"),
                  CMakeLists_DOT_txt=dep108.CMAKE_MSG, msg__Pose_DOT_msg="geometry_msgs/Pose2D pose\n"),
     ),
-    "IDL002": (
-        Example(bad={"interfaces/Speed.msg": "float32 speed\n"}, good={}, on="interfaces"),
-        Example(bad={"Speed.msg": "float32 speed\n"}, good={}, on="interfaces"),
-    ),
     "IDL007": (
         Example(
             bad={**idl007.FILES, "CMakeLists.txt": idl007.GOOD.replace("DEPENDENCIES std", "DEPENDENCIES some")},

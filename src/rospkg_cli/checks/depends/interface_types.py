@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...light_dataclasses import dataclass
 from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
+from ..interfaces.package_interfaces import InterfaceGeneration
 from .declared_dependencies import DeclaredDependencies
 
 
@@ -19,12 +20,13 @@ class InterfaceTypeUse:
 class InterfaceTypeDependencies:
     declared: DeclaredDependencies
     interfaces: tuple[InterfaceFile, ...]
+    generation: InterfaceGeneration
 
     def undeclared(self) -> dict[str, list[InterfaceTypeUse]]:
         """Return the packages whose types are used and which are not declared, with the places."""
         found: dict[str, list[InterfaceTypeUse]] = {}
         for interface in self.interfaces if self.is_generated else ():
-            for each in interface.types:
+            for each in interface.types if self.generation.may_read(interface.path) else ():
                 if each.package and not self.declared.has([each.package]):
                     use = InterfaceTypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
                     found.setdefault(each.package, []).append(use)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -10,7 +11,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import InterfaceTarget
 from ...package.cmake.made_paths import MadePaths
 from ...package.interfaces.interface_file import FieldType, InterfaceFile
-from ...package.interfaces.listed_interfaces import ListedInterface, listed_path
+from ...package.interfaces.listed_interfaces import ListedInterface
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES
@@ -28,7 +29,7 @@ class UnlistedDependency:
     kind: FieldType
     """Its first use."""
     is_certain: bool
-    """None of the packages that are listed can pass it on."""
+    """None of the packages that are listed can pass it on, and the file is listed under no condition."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class RosidlTargets:
     @cached_property
     def listed(self) -> tuple[ListedInterface, ...]:
         return tuple(
-            ListedInterface(word, target, listed_path(word, target))
+            ListedInterface(word, target, target.path_of(word))
             for target in self.cmake.interface_targets
             for word in target.files
         )
@@ -50,14 +51,20 @@ class RosidlTargets:
     @property
     def is_complete(self) -> bool:
         """Whether every file that is generated is known."""
-        return self.cmake.is_complete and all(each.word.is_known for each in self.listed) and bool(self.listed)
+        return self.cmake.knows_interfaces and bool(self.listed)
 
     def unlisted(self) -> Iterator[InterfaceFile]:
-        """Yield the files in `msg/`, `srv/` and `action/` that no call lists."""
-        listed = {each.path for each in self.listed}
-        for interface in self.interfaces:
-            if self.is_complete and interface.path not in listed and interface.folder.rpartition("/")[2] in KINDS:
+        """Yield the files in `msg/`, `srv/` and `action/` that no call lists, and that git does not ignore."""
+        ignores = self.cmake.package_files.absent.is_ignored
+        for interface in self.interfaces if self.is_complete else ():
+            is_listed = interface.path in self.cmake.generated_interfaces
+            if not is_listed and interface.folder.rpartition("/")[2] in KINDS and not ignores(interface.path):
                 yield interface
+
+    def is_commented_out(self, interface: InterfaceFile) -> bool:
+        """Return whether a comment of the CMake files names an interface file: then it is left out on purpose."""
+        named = re.compile(rf"^[ \t]*#.*\b{re.escape(interface.path)}", re.MULTILINE)
+        return any(named.search(file.source.text) for file in self.cmake.files)
 
     def missing(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
@@ -90,7 +97,8 @@ class RosidlTargets:
                 for kind in interface.types if interface else ():
                     if interface and kind.package not in seen:
                         seen.add(kind.package)
-                        yield UnlistedDependency(target, kind.package, interface, kind, certain)
+                        sure = certain and self.cmake.generated_interfaces.get(interface.path, False)
+                        yield UnlistedDependency(target, kind.package, interface, kind, sure)
 
     def passed_on(self, target: InterfaceTarget) -> tuple[set[str], bool]:
         """Return the packages whose interfaces a call links, and whether these are all.

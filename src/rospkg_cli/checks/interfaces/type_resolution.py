@@ -12,6 +12,7 @@ from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.interfaces import FOREIGN_TYPES
 from ...suggest import near_names, nearest
+from .package_interfaces import InterfaceGeneration
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,16 @@ class InterfaceInWorkspace:
     interface: InterfaceFile
     package: PackageFacts
     workspace: Workspace
+    generation: InterfaceGeneration
+
+    @property
+    def is_read(self) -> bool:
+        """Whether code may be generated of the file."""
+        return self.generation.may_read(self.interface.path)
+
+    @property
+    def is_surely_read(self) -> bool:
+        return self.generation.surely_reads(self.interface.path)
 
     def is_own(self, kind: FieldType) -> bool:
         return kind.package in ("", self.package.name)

@@ -162,6 +162,22 @@ class CMake:
         return tuple(interface_targets_of(self.calls))
 
     @cached_property
+    def generated_interfaces(self) -> dict[str, bool]:
+        """The interface files of the package that are generated, by path: whether that is certain."""
+        found: dict[str, bool] = {}
+        for target in self.interface_targets:
+            for word in target.files:
+                if (path := target.path_of(word)) is not None:
+                    found[path] = found.get(path, False) or not (word.maybe or target.call.maybe)
+        return found
+
+    @cached_property
+    def knows_interfaces(self) -> bool:
+        """Whether no other interface file of the package is generated."""
+        unclear = not self.is_complete or self.reads_unknown_files
+        return not unclear and all(word.is_known for target in self.interface_targets for word in target.files)
+
+    @cached_property
     def packages(self) -> tuple[FoundPackage, ...]:
         """The calls of find_package."""
         return tuple(found_packages(self.calls))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
+from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
 from ...languages.cmake.values import Word, as_value
 from ...light_dataclasses import dataclass
 
@@ -28,6 +28,17 @@ class InterfaceTarget:
     dependencies: tuple[Word, ...]
     skip_install: bool
     call: EvaluatedCommand
+
+    def path_of(self, word: Word) -> str | None:
+        """Return the path of a listed file, relative to the package; None where it is elsewhere or unknown.
+
+        An absolute one has a `:` where its own part begins.
+        """
+        text = word.text
+        if text.startswith("/") and ":" in text:
+            base, _, own = text.rpartition(":")
+            text = f"{base}/{own}"
+        return path_in_package(text, self.call.folder) if word.is_known else None
 
 
 def components_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Component]:

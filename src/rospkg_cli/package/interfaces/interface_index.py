@@ -7,7 +7,6 @@ from ...ros.interfaces import KINDS
 from ..cmake.build import is_built_with_cmake
 from ..cmake.cmake_project import CMake
 from ..file_role import role_of
-from .listed_interfaces import listed_path
 from .reader import interface_paths
 
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
@@ -39,4 +38,4 @@ def all_are_own(reading: ReaderInput) -> bool:
     if cmake is None or not cmake.is_complete:
         return False
     listed = [(word, target) for target in cmake.interface_targets for word in target.files]
-    return all(listed_path(word, target) is not None for word, target in listed)
+    return all(target.path_of(word) is not None for word, target in listed)

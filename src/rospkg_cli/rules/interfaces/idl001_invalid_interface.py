@@ -9,6 +9,7 @@ from ...checks.interfaces.type_resolution import InterfaceInWorkspace
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 
@@ -17,6 +18,7 @@ from ...rule import rule
     "invalid-interface",
     over=InterfaceInWorkspace,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "rosidl may read the file, under a condition or from a list that is not known"},
     examples=(
         Example(
             on="interfaces",
@@ -71,6 +73,10 @@ def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     ## Why is this bad?
     rosidl stops the build at the first of them, often with no more than a Python traceback of its own.
 
+    ## When it is quiet
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or commented out of it (IDL005 tells), or
+    setup.py builds the package (IDL008 tells). Where it is listed only under a condition, or may be, it is a warning.
+
     ## Fix safety
     The fix is safe where there is only one way to read the line. A type of C or Python is replaced under
     `--unsafe-fixes`, because its width is not known.
@@ -79,8 +85,10 @@ def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     rosidl_adapter/parser.py; https://docs.ros.org/en/rolling/Concepts/Basic/About-Interfaces.html
     """
     path = scope.interface.path
-    yield from hits(path, grammar_faults(scope.interface))
-    for kind in scope.bare_headers():
+    level = None if scope.is_surely_read else Severity.WARNING
+    for hit in hits(path, grammar_faults(scope.interface)) if scope.is_read else ():
+        yield replace(hit, level=level)
+    for kind in scope.bare_headers() if scope.is_read else ():
         message = "a bare `Header` was ROS 1; here it means one of this package, which has none"
         fix = Fix("write `std_msgs/Header`", (Edit(path, kind.base_span, "std_msgs/Header"),))
-        yield Hit(path, kind.base_span, f"{message}: write `std_msgs/Header`", fix=fix)
+        yield Hit(path, kind.base_span, f"{message}: write `std_msgs/Header`", level, fix=fix)

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.interfaces.package_interfaces import PackageInterfaces
 from ...example import INTERFACES_CMAKE, Example
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.interfaces import KINDS, valid_interface_name
 from ...rule import rule
 from ...source import Span
 
+TOP = Span(0, 0)
+
 
 @rule(
     "IDL002",
     "invalid-interface-name",
-    over=InterfaceFile,
+    over=PackageInterfaces,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the file is in a folder that is none of `msg`, `srv`, `action`"},
+    levels={
+        Severity.WARNING: "the folder is none of `msg`, `srv`, `action`; or rosidl may read the file, "
+        "under a condition or from a list that is not known"
+    },
     examples=(
         Example(
             on="interfaces",
@@ -47,24 +53,45 @@ from ...source import Span
         ),
     ),
 )
-def invalid_interface_name(interface: InterfaceFile) -> Iterator[Hit]:
+def invalid_interface_name(package: PackageInterfaces) -> Iterator[Hit]:
     """
     ## What it does
     Finds interface files whose name is not CamelCase, or that are in the wrong folder.
-    CamelCase is an uppercase letter, then letters and digits; the folder is `msg/`, `srv/` or `action/`.
+    CamelCase is an uppercase letter, then letters and digits; the folder is `msg/`, `srv/` or `action/`. A wrong folder
+    is one finding, with all its files.
 
     ## Why is this bad?
-    rosidl makes the name of a type from the file's name and refuses any other form: the build stops. It decides by the
-    folder, not by the suffix, what a file is installed and indexed as, and whether it needs `action_msgs`.
+    rosidl makes the name of a type from the file's name and refuses any other form: the build stops. The folder decides
+    as what a file is installed: of `srvs/Pause.srv`, `ros2 interface list` shows two types, and `ros2 interface show`
+    ends with a traceback.
+
+    ## When it is quiet
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or setup.py builds the package.
     """
-    name, kind, top = interface.name, interface.kind, Span(0, 0)
-    if not valid_interface_name(name):
-        better = "".join(word[:1].upper() + word[1:] for word in name.replace("-", "_").split("_"))
-        hint = f": rename the file to `{better}.{kind}`" if valid_interface_name(better) else ""
-        yield Hit(interface.path, top, f"rosidl refuses `{name}` as the name of an interface; CamelCase is it{hint}")
-    folder = interface.folder.rpartition("/")[2]
-    if folder != kind:
-        level = None if folder in KINDS else Severity.WARNING
-        shown = f"`{folder}/`" if folder else "the package's own folder"
-        message = f"a .{kind} file belongs into `{kind}/`, not into {shown}: it is installed and indexed by its folder"
-        yield Hit(interface.path, top, f"{message}, and tools won't find `{name}`", level)
+    folders: dict[str, list[InterfaceFile]] = {}
+    for interface in package.read():
+        name, kind = interface.name, interface.kind
+        if not valid_interface_name(name):
+            better = "".join(word[:1].upper() + word[1:] for word in name.replace("-", "_").split("_"))
+            hint = (
+                f"to `{better}.{kind}`"
+                if valid_interface_name(better)
+                else "with a letter first, then letters and digits"
+            )
+            message = f"`{name}` is no CamelCase name: rosidl stops the build; rename the file {hint}"
+            level = None if package.generation.surely_reads(interface.path) else Severity.WARNING
+            yield Hit(interface.path, TOP, message, level)
+        if interface.folder.rpartition("/")[2] != kind:
+            folders.setdefault(interface.folder, []).append(interface)
+    for folder, (first, *others) in folders.items():
+        sure = folder.rpartition("/")[2] in KINDS and package.generation.surely_reads(first.path)
+        related = tuple(Related(each.path, TOP, "and this file") for each in others)
+        yield Hit(first.path, TOP, misplaced(folder, first), None if sure else Severity.WARNING, related=related)
+
+
+def misplaced(folder: str, first: InterfaceFile) -> str:
+    shown, last, kind = f"`{folder}/`" if folder else "the package's own folder", folder.rpartition("/")[2], first.kind
+    start = f"a .{kind} file belongs into `{kind}/`, not into {shown}"
+    if last in KINDS:
+        return f"{start}: it is installed as a {last}, and tools don't find `{first.name}`; move it"
+    return f"{start}: `ros2 interface show` ends with a traceback for `{first.name}`; move it"

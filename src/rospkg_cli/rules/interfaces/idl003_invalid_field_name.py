@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.interfaces.member_names import is_valid, language_of, repeated, suggestion
+from ...checks.interfaces.package_interfaces import InterfaceInPackage
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.interfaces.interface_file import InterfaceFile, Member
+from ...package.interfaces.interface_file import Member
 from ...rule import rule
 
 HARM = {
@@ -20,9 +21,12 @@ HARM = {
 @rule(
     "IDL003",
     "invalid-field-name",
-    over=InterfaceFile,
+    over=InterfaceInPackage,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "the name is a keyword of OMG IDL only"},
+    levels={
+        Severity.WARNING: "rosidl may read the file, under a condition or from a list that is not known",
+        Severity.INFO: "the name is a keyword of OMG IDL only",
+    },
     examples=(
         Example(
             on="interfaces",
@@ -53,7 +57,7 @@ HARM = {
         ),
     ),
 )
-def invalid_field_name(interface: InterfaceFile) -> Iterator[Hit]:
+def invalid_field_name(scope: InterfaceInPackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds fields and constants whose names are malformed, duplicate or keywords.
@@ -64,22 +68,30 @@ def invalid_field_name(interface: InterfaceFile) -> Iterator[Hit]:
     rosidl refuses the names and stops the build. Keywords it takes: then the generated Python module can't be
     imported, or the generated header does not compile.
 
+    ## When it is quiet
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or setup.py builds the package.
+
     ## Fix safety
     The new name is used elsewhere, in code that is not looked at.
     """
+    interface = scope.interface
     path = interface.path
+    if not scope.generation.may_read(path):
+        return
+    level = None if scope.generation.surely_reads(path) else Severity.WARNING
     for member in interface.members:
         language = language_of(member)
         if not is_valid(member):
-            yield Hit(path, member.name_span, refusal(member), fix=rename(path, member))
+            yield Hit(path, member.name_span, refusal(member), level, fix=rename(path, member))
         elif language:
-            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}"
-            yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else None)
+            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}; rename it"
+            yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else level)
     for section in interface.sections:
         for member, first in repeated(section):
             what = "constant" if member.is_constant else "field"
-            message = f"the {what} `{member.name}` is here twice: rosidl stops the build"
-            yield Hit(path, member.name_span, message, related=(Related(path, first.name_span, "the first one"),))
+            message = f"the {what} `{member.name}` is here twice: rosidl stops the build; rename one"
+            related = (Related(path, first.name_span, "the first one"),)
+            yield Hit(path, member.name_span, message, level, related=related)
 
 
 def refusal(member: Member) -> str:

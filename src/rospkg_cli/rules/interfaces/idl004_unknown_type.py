@@ -18,12 +18,15 @@ WITH_SENSORS = {
     ).replace("\n)\nament_export", "\n  DEPENDENCIES sensor_msgs\n)\nament_export"),
 }
 
+STOPS = "rosidl stops the build with FileNotFoundError"
+
 
 @rule(
     "IDL004",
     "unknown-type",
     over=InterfaceInWorkspace,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "rosidl may read the file, under a condition or from a list that is not known"},
     examples=(
         Example(
             on="interfaces",
@@ -53,22 +56,28 @@ def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     A package that is not available is believed.
 
     ## Why is this bad?
-    The build stops in the generated code, at an `#include` of a header that does not exist.
+    The build stops before anything is compiled: a generator of rosidl ends with "FileNotFoundError: …/Battery.json"
+    (Humble has no such generator, and stops at an `#include` of a header that does not exist).
+
+    ## When it is quiet
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`. Where the package of the type is not in the
+    workspace, or makes its messages while it is built, and where the type has a `_` in it, as parts of services do.
     """
     path = scope.interface.path
-    for kind in scope.unknown_types():
+    level = None if scope.is_surely_read else Severity.WARNING
+    for kind in scope.unknown_types() if scope.is_read else ():
         better = scope.suggestion(kind)
-        hint = f": write `{better}`" if better else ""
         fix = None
         if better:
             fix = Fix(f"write `{better}`", (Edit(path, kind.base_span, better),), Safety.UNSAFE)
-        yield Hit(path, kind.base_span, absence(scope, kind) + hint, fix=only_plain_names(fix, better or ""))
+        message = f"{absence(scope, kind)}; write `{better}`" if better else absence(scope, kind)
+        yield Hit(path, kind.base_span, message, level, fix=only_plain_names(fix, better or ""))
 
 
 def absence(scope: InterfaceInWorkspace, kind: FieldType) -> str:
     other = scope.service_or_action(kind)
     if other:
-        return f"`{kind.base}` is `{other}`: only a message can be the type of a field, and the build stops here"
+        return f"`{kind.base}` is `{other}`: only a message can be the type of a field, and the build stops"
     if scope.is_own(kind):
-        return f"this package has no `msg/{kind.base}.msg`: the build stops in the generated code"
-    return f"`{kind.package}` has no message `{kind.base}`: the build stops in the generated code"
+        return f"this package has no `msg/{kind.base}.msg`: {STOPS}"
+    return f"`{kind.package}` has no message `{kind.base}`: {STOPS}"

@@ -22,6 +22,7 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
     "interface-not-generated",
     over=RosidlTargets,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "a comment in CMakeLists.txt names it"},
     examples=(
         Example(
             on="interfaces",
@@ -50,11 +51,16 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
     ## Why is this bad?
     The build succeeds, and the type does not exist: code that includes or imports it gets an error that does not say
     why.
+
+    ## When it is quiet
+    Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where a
+    comment in CMakeLists.txt names it, it is left out on purpose: an info, without a fix.
     """
     for interface in generated.unlisted():
-        message = f"`{interface.path}` is not in `rosidl_generate_interfaces`: nothing is generated of it"
-        edit = add_interface_file(generated, interface)
-        fix = Fix("list it in CMakeLists.txt", (edit,)) if edit else None
-        yield Hit(
-            interface.path, Span(0, 0), f"{message}; list it, or delete it", fix=only_plain_names(fix, interface.path)
-        )
+        aside = generated.is_commented_out(interface)
+        edit = None if aside else add_interface_file(generated, interface)
+        fix = only_plain_names(Fix("list it in CMakeLists.txt", (edit,)), interface.path) if edit else None
+        where = "only in a comment, not" if aside else "not"
+        message = f"`{interface.path}` is {where} in `rosidl_generate_interfaces`: nothing is generated of it"
+        level = Severity.INFO if aside else None
+        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", level, fix=fix)

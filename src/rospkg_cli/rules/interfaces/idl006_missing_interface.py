@@ -38,9 +38,15 @@ def missing_interface(generated: RosidlTargets) -> Iterator[Hit]:
 
     ## Why is this bad?
     CMake stops: "the passed file … doesn't exist relative to the CMAKE_CURRENT_SOURCE_DIR".
+
+    ## When it is quiet
+    Where a command writes the file, or a program is run in its folder; where a .gitignore names it; below a submodule
+    that is not checked out; and under a condition that can't be evaluated.
     """
     known = [interface.path for interface in generated.interfaces]
     for listed in generated.missing():
         hint = did_you_mean(listed.path or "", known)
-        message = f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops the build"
+        message = (
+            f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops CMake; name an existing file"
+        )
         yield Hit(listed.word.path, listed.word.span, message)

@@ -27,7 +27,10 @@ FILES = {
     "missing-interface-dependency",
     over=RosidlTargets,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a listed package that is not available may pass the interfaces on"},
+    levels={
+        Severity.WARNING: "a listed package that is not available may pass the interfaces on; or the file is listed "
+        "under a condition"
+    },
     examples=(
         Example(
             on="interfaces",
@@ -50,8 +53,12 @@ def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
     The `DEPENDENCIES` of `rosidl_generate_interfaces` neither list them nor pass them on.
 
     ## Why is this bad?
-    The generated code includes headers of that package, and the compiler does not find them. A listed package must be
-    found first: the fix adds `find_package()` where it is missing.
+    A generator of rosidl stops the build with "KeyError: 'std_msgs'"; on Humble, which lacks it, the generated code
+    does not compile. A listed package must be found first: the fix adds `find_package()` where it is missing.
+
+    ## When it is quiet
+    Where a listed package is known to pass the interfaces on, as actions do with `action_msgs`. Where the DEPENDENCIES
+    can't be evaluated. Where a listed package is not available and may pass them on, it is a warning.
     """
     offered: set[int] = set()
     for need in generated.unlisted_needs():
@@ -63,7 +70,7 @@ def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
         message = f"`{need.package}` is not among the DEPENDENCIES of `rosidl_generate_interfaces`"
         call = Related(need.target.call.path, need.target.call.command.name_span, "this call")
         level = None if need.is_certain else Severity.WARNING
-        harm = "the generated code does not compile"
+        harm = f"rosidl stops the build (KeyError: '{need.package}'); add it"
         yield Hit(
             need.interface.path,
             need.kind.base_span,

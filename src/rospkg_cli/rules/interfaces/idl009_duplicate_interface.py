@@ -15,7 +15,7 @@ from ...rule import rule
     "IDL009",
     "duplicate-interface",
     over=RosidlTargets,
-    severity=Severity.WARNING,
+    severity=Severity.INFO,
     examples=(
         Example(
             on="interfaces",
@@ -36,11 +36,15 @@ def duplicate_interface(generated: RosidlTargets) -> Iterator[Hit]:
 
     ## Why is this bad?
     The second one does nothing, and sooner or later only one of them is renamed.
+
+    ## When it is quiet
+    Where one of the two is listed under a condition that can't be evaluated, or by another call.
     """
     for again, first in generated.repeated():
         fix = None
         if again.word.span != first.word.span:
             edit = remove_argument(generated.cmake.file(again.word.path), again.word.span)
             fix = Fix("remove the second one", (edit,)) if edit else None
+        message = f"`{again.path}` is listed twice: the second one does nothing; remove it"
         related = (Related(first.word.path, first.word.span, "the first one"),)
-        yield Hit(again.word.path, again.word.span, f"`{again.path}` is listed twice", related=related, fix=fix)
+        yield Hit(again.word.path, again.word.span, message, related=related, fix=fix)

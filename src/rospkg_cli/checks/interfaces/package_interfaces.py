@@ -1,0 +1,44 @@
+"""Rule inputs: interface files, with what generates code of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...package.interfaces.interface_file import InterfaceFile
+from ...package.package_facts import PackageFacts
+
+
+@dataclass(frozen=True)
+class InterfaceGeneration:
+    """What `rosidl_generate_interfaces` of a package lists."""
+
+    package: PackageFacts
+    cmake: CMake | None
+
+    def may_read(self, path: str) -> bool:
+        """Return whether it may list a file; nothing reads one that it leaves out."""
+        if self.cmake is None:
+            return self.package.build_type != "ament_python"
+        return path in self.cmake.generated_interfaces or not self.cmake.knows_interfaces
+
+    def surely_reads(self, path: str) -> bool:
+        """Return whether it lists a file under no condition; a package without CMake files is taken to do so."""
+        return self.cmake is None or self.cmake.generated_interfaces.get(path, False)
+
+
+@dataclass(frozen=True)
+class InterfaceInPackage:
+    interface: InterfaceFile
+    generation: InterfaceGeneration
+
+
+@dataclass(frozen=True)
+class PackageInterfaces:
+    interfaces: tuple[InterfaceFile, ...]
+    generation: InterfaceGeneration
+
+    def read(self) -> Iterator[InterfaceFile]:
+        """Yield the files that may be read."""
+        return (each for each in self.interfaces if self.generation.may_read(each.path))

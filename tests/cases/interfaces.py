@@ -1,0 +1,67 @@
+"""Sentences about interfaces that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import INTERFACES_CMAKE, Example, manifest
+
+STATUS = '  "msg/Status.msg"\n'
+CALL = "rosidl_generate_interfaces(${PROJECT_NAME}\n"
+
+
+def listed(old: str, new: str, **files: str) -> Example:
+    """A package of interfaces with another list, and messages by their names."""
+    named = {f"msg/{name}.msg": text for name, text in files.items()}
+    return Example(bad={"CMakeLists.txt": INTERFACES_CMAKE.replace(old, new), **named}, good={}, on="interfaces")
+
+
+def perhaps(text: str, name: str = "Status") -> tuple[Example, ...]:
+    """A message that is listed under a condition, by something unknown, in a comment, and not at all."""
+    asked = f"if(SOMETHING)\n  list(APPEND files msg/{name}.msg)\nendif()\n{CALL}  ${{files}}\n"
+    return (
+        listed(CALL + STATUS, asked, **{name: text}),
+        listed(STATUS, "  ${FILES_OF_ANOTHER}\n", **{name: text}),
+        listed(STATUS, f'  # "msg/{name}.msg"\n', **{name: text}),
+        listed(STATUS, "", **{name: text}),
+    )
+
+
+OLD = {"srvs/Pause.srv": "---\n", "srvs/Clear.srv": "---\n", "msg/srv/Reset.srv": "---\n"}
+OLD_CMAKE = INTERFACES_CMAKE.replace('srv/SetMode.srv"', 'srvs/Pause.srv" "srvs/Clear.srv" "msg/srv/Reset.srv"')
+
+CASES = {
+    "IDL001": (*perhaps("int a\n"), *perhaps("Header header\n")),
+    "IDL002": (
+        *perhaps("int32 a\n", "a_status"),
+        listed("Status", "8", **{"8": "int32 a\n"}),
+        Example(bad={"CMakeLists.txt": OLD_CMAKE, "srv/SetMode.srv": None, **OLD}, good={}, on="interfaces"),
+        Example(
+            bad={"CMakeLists.txt": INTERFACES_CMAKE.replace("msg/Status", "Status"), "Status.msg": "int32 a\n"},
+            good={},
+            on="interfaces",
+        ),
+    ),
+    "IDL003": (*perhaps("int32 from\nint32 A\nint32 b\nint32 b\nint32 sequence\n"),),
+    "IDL004": (*perhaps("Nothing a\n"),),
+    "IDL005": (
+        listed(STATUS, f'  # "msg/Zone.msg"\n{STATUS}', Zone="int32 a\n"),
+        listed(STATUS, f'  # "msg/Zones.msg"\n{STATUS}', Zone="int32 a\n"),
+        listed("rosidl_gen", "include(${x_DIR}/x.cmake)\nrosidl_gen", Zone="int32 a\n"),
+        Example(bad={".gitignore": "msg/Zone.msg\n", "msg/Zone.msg": "int32 a\n"}, good={}, on="interfaces"),
+    ),
+    "IDL007": (*perhaps("std_msgs/Header a\n"),),
+    "IDL008": (
+        Example(bad={"msg/A.msg": "int32 a\n", "msg/B.msg": "int32 a\n", "data/msg/C.msg": "int32 a\n"}, good={}),
+        Example(
+            bad={
+                "a/package.xml": manifest(name="a"),
+                "a/setup.py": "",
+                "a/msg/A.msg": "int32 a\n",
+                "b/package.xml": manifest(build_type="ament_cmake", name="b"),
+                "b/CMakeLists.txt": INTERFACES_CMAKE.replace("my_pkg", "b"),
+                "b/msg/A.msg": "int32 a\n",
+            },
+            good={},
+            on="",
+        ),
+    ),
+}
