@@ -102,7 +102,7 @@ def test_a_condition_in_xml_counts_too(condition: str, default: str, level: str)
 def test_what_is_never_added_is_an_info() -> None:
     ((level, message),) = levels(PYTHON.format(condition="", default="true", added=""))
     assert level == "info"
-    assert message.endswith(f"`missing`, and {NEVER_ADDED}{HINT}")
+    assert message.endswith(f"`missing`, {NEVER_ADDED}{HINT}")
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,7 @@ from launch_ros.substitutions import FindPackageShare
 from ament_index_python.packages import get_package_share_directory
 from pathlib import Path
 a, b = LaunchConfiguration('a'), LaunchConfiguration('b')
+c = LaunchConfiguration('c')
 source = get_package_share_directory('other') + '/launch/other.launch.py'
 """
 
@@ -107,9 +108,72 @@ def test_launch_can_not_take_it(action: str, place: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "action, level",
+    [
+        ("LogInfo(msg='x', condition=IfCondition(not a))", None),
+        ("LogInfo(msg='x', condition=IfCondition(a and b))", "warning"),
+        ("LogInfo(msg='x', condition=a or b)", None),
+        ("LogInfo(msg='x', condition=IfCondition(IfCondition(a) or a))", None),
+        ("LogInfo(msg='x', condition=IfCondition(a) and a)", None),
+        ("LogInfo(msg='x', condition=IfCondition(a) or a)", "warning"),
+        ("LogInfo(msg='x', condition=IfCondition(a and IfCondition(b)))", None),
+        ("LogInfo(msg='x', condition=UnlessCondition(a == 'b'))", None),
+        ("LogInfo(msg='x' if a == 'b' else 'y')", "warning"),
+        ("LogInfo(msg='x' if c else 'y')", "warning"),
+        ("LogInfo(msg='x' if IfCondition(a) else 'y')", "warning"),
+        ("LogInfo(msg='x' if True and LaunchConfiguration('c') else 'y')", "warning"),
+        ("LogInfo(msg=f'from {a}')", "warning"),
+        ("LogInfo(msg={'x': 'y'}.get(a, 'z'))", "warning"),
+        ("LogInfo(msg='from ' + a)", None),
+        ("LogInfo(msg=os.path.join('maps', a))", None),
+        ("LogInfo(msg=a.lower())", None),
+    ],
+)
+def test_a_launch_that_goes_on_is_a_warning(action: str, level: str | None) -> None:
+    file = read(f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{action}])\n")
+    assert [each.level for each in call_faults(file)] == [level]
+
+
+@pytest.mark.parametrize(
+    "test",
+    [
+        "if c: pass",
+        "if y and c: pass",
+        "if IfCondition(a): pass",
+        "while IfCondition(a) and x: pass",
+        "x if a == 'b' else y",
+    ],
+)
+def test_a_test_that_python_makes_is_a_warning(test: str) -> None:
+    file = read(f"{HEAD}x = y = 1\ndef generate_launch_description():\n    {test}\n    return LaunchDescription([])\n")
+    assert [each.level for each in call_faults(file)] == ["warning"]
+
+
+@pytest.mark.parametrize(
+    "action, level",
+    [
+        ("LogInfo(msg='x', condition=a)", "warning"),
+        ("Node(package='p', executable='e', output='scren')", "warning"),
+        ("TimerAction(period=5.0, actions=LogInfo(msg='x'))", "warning"),
+        ("IncludeLaunchDescription(source, launch_arguments={'a': 'x'})", "warning"),
+        ("Node(package='p', executable='e', arguments=['--x', 1.5])", None),
+    ],
+)
+def test_what_launch_looks_at_later_is_a_warning_where_nothing_adds_it(action: str, level: str | None) -> None:
+    text = f"{HEAD}def generate_launch_description():\n    action = {action}\n    return LaunchDescription([ADDED])\n"
+    (fault,) = call_faults(read(text.replace("ADDED", "")))
+    assert fault.level == level
+    assert fault.message.endswith(", as soon as the action is added") is (level == "warning")
+    (added,) = call_faults(read(text.replace("ADDED", "action")))
+    assert added.level is None
+
+
+@pytest.mark.parametrize(
     "action",
     [
         "LogInfo(msg='x', condition=IfCondition(a))",
+        "LogInfo(msg={'x': 'y'}.get('x', a))",
+        "LogInfo(msg='x' if isinstance(a, str) else 'y')",
         "LogInfo(msg=['from ', a])",
         "LogInfo(msg='x', condition=None)",
         "Node(package='p', executable='e', arguments=['--x', '1.5', a], parameters=[{'rate': 1.5}, 'a.yaml', a])",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..source import Span
 
 Level = Literal["info", "warning", "error"]
@@ -35,3 +35,8 @@ class Fault:
 def replacement(span: Span, text: str, *, is_certain: bool = True) -> TextRepair:
     """Return the repair that replaces one span, titled by the text that it writes."""
     return TextRepair(f"write `{text}`", ((span, text),), is_certain)
+
+
+def softer(fault: Fault, level: Level, when: str) -> Fault:
+    """Return a fault that is one only under a condition."""
+    return replace(fault, level=level, message=f"{fault.message}, {when}")

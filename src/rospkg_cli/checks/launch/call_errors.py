@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from ...languages.python.evaluate.values import Argument, Call, Constant, Function, PartialText, Sequence, Text, Value
-from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
-from ...package.launch.launch_classes import class_of, is_resolved_at_run_time, named_arguments, type_name
+from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
+from ...package.launch.evaluated_launch import EvaluatedLaunch
+from ...package.launch.launch_classes import class_of, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
-from ..fault import Fault
+from ..fault import Fault, softer
 from .argument_types import TYPE_CHECKS, action_list_faults
+from .idle_actions import contains, never_added
+from .python_truth import Truth, test_faults, truth_values, use_faults
 from .removed_arguments import RENAMED
 
 DESCRIBES = "generate_launch_description"
 ANY_ARGUMENT = frozenset(name for signature in SIGNATURES.values() for name in signature.kinds)
 """Arguments that some class of launch has."""
-AT_RUN_TIME = "its text is known only when the launch runs"
+VISITED = frozenset({"condition", "output", "actions", "pairs"})
+"""Kinds of arguments that launch looks at when it visits the action, and not when Python makes it."""
 
 
 def call_faults(file: LaunchFile) -> list[Fault]:
@@ -34,15 +37,21 @@ def call_faults(file: LaunchFile) -> list[Fault]:
     return [found[span] for span in sorted(found) if span not in inside]
 
 
-def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, str]) -> Iterator[Fault]:
+def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterator[Fault]:
+    idle = tuple(never_added(launch.file))
     for call in launch.calls:
         signature = SIGNATURES.get(class_of(call))
         if signature is not None:
             yield from signature_faults(call, class_of(call), signature)
+            is_idle = any(contains(each, call.span) for each in idle)
             for keyword, argument in named_arguments(call, signature):
-                yield from argument_faults(class_of(call), keyword, argument, truths)
+                late = is_idle and signature.kinds.get(keyword) in VISITED
+                for fault in argument_faults(class_of(call), keyword, argument, truths):
+                    yield softer(fault, "warning", "as soon as the action is added") if late else fault
+    tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     for use in launch.uses:
-        yield from use_faults(use)
+        yield from use_faults(use, is_tested=use.span in tested)
+    yield from test_faults(launch)
     yield from description_faults(launch)
     for call in launch.calls:
         if class_of(call) == "OpaqueFunction":
@@ -73,66 +82,35 @@ def signature_faults(call: Call, name: str, signature: Signature) -> Iterator[Fa
             yield Fault(call.span, f"`{name}` is called without its required `{missing}`: Python raises TypeError")
 
 
-def argument_faults(name: str, keyword: str, argument: Argument, truths: Mapping[Span, str]) -> Iterator[Fault]:
+def argument_faults(name: str, keyword: str, argument: Argument, truths: Mapping[Span, Truth]) -> Iterator[Fault]:
     """Yield what is wrong with one argument: a condition that Python evaluated itself, or its type."""
     signature, value = SIGNATURES[name], argument.value
     kind = signature.kinds.get(keyword, "any")
-    if (kind == "condition" or keyword == "predicate_expression") and value.span in truths:
-        if why := truths[value.span]:
+    if is_test(kind, keyword) and value.span in truths:
+        if why := truths[value.span].why:
             better = "combine them in a PythonExpression, or with AndSubstitution, OrSubstitution"
-            yield Fault(value.span, f"{why}: {better}")
+            wanted = "condition" if kind == "condition" else "substitution"
+            yield Fault(value.span, f"{why}: {better}", "warning" if truths[value.span].makes == wanted else None)
     elif kind in TYPE_CHECKS and not (keyword in signature.optional and is_none(value)):
         yield from TYPE_CHECKS[kind](argument, f"`{keyword}` of `{name}`")
 
 
+def is_test(kind: str, keyword: str) -> bool:
+    return kind == "condition" or keyword == "predicate_expression"
+
+
+def tests_of(call: Call) -> Iterator[Argument]:
+    """Yield the arguments of which launch itself wants a truth value."""
+    signature = SIGNATURES.get(class_of(call))
+    if signature is None:
+        return
+    for keyword, argument in named_arguments(call, signature):
+        if is_test(signature.kinds.get(keyword, "any"), keyword):
+            yield argument
+
+
 def is_none(value: Value) -> bool:
     return isinstance(value, Constant) and value.value is None
-
-
-def is_plain(value: Value) -> bool:
-    return isinstance(value, Text | PartialText)
-
-
-def is_comparison(use: SubstitutionUse) -> bool:
-    """Return whether a substitution is compared with what it never equals: a string or a bool."""
-    return use.name in ("==", "!=") and any(
-        is_plain(each) or (isinstance(each, Constant) and isinstance(each.value, bool)) for each in use.operands
-    )
-
-
-def truth_values(launch: EvaluatedLaunch) -> dict[Span, str]:
-    """Return where Python makes a truth value of substitutions, and what it makes; "" where `use_faults` reports it."""
-    found: dict[Span, str] = {}
-    for use in launch.uses:
-        if is_comparison(use):
-            found[use.span] = ""
-        elif use.name == "not":
-            shown = next(type_name(each) for each in use.operands if is_resolved_at_run_time(each))
-            found[use.span] = f"`not` makes False of {shown}, whatever its value at run time"
-        elif use.name in ("and", "or") and len(use.operands) > 1 and all(map(is_resolved_at_run_time, use.operands)):
-            taken = "first" if use.name == "or" else "last"
-            of = ", ".join(dict.fromkeys(map(type_name, use.operands)))
-            found[use.span] = f"Python's `{use.name}` takes the {taken} of these ({of}), whatever their values"
-    return found
-
-
-def use_faults(use: SubstitutionUse) -> Iterator[Fault]:
-    """Yield what happens where Python works on a substitution as on a string."""
-    shown = next(type_name(each) for each in use.operands if is_resolved_at_run_time(each))
-    if use.kind == "function":
-        better = "use PathJoinSubstitution" if use.name == "os.path.join" else "do it in an OpaqueFunction"
-        yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: {AT_RUN_TIME}; {better}")
-    elif use.kind == "method":
-        yield Fault(use.span, f"{shown} has no `{use.name}`: {AT_RUN_TIME}; do it in an OpaqueFunction")
-    elif use.name == "+" and any(map(is_plain, use.operands)):
-        yield Fault(use.span, f"`+` raises TypeError for {shown} and a string: put both into a list, `[a, b]`")
-    elif use.name == 'f""':
-        message = "the f-string holds the name of an object, `<launch… object at 0x…>`"
-        yield Fault(use.span, f"{message}, not the value of {shown}; make it a list of its parts")
-    elif is_comparison(use):
-        outcome = "never" if use.name == "==" else "always"
-        better = "use EqualsSubstitution or PythonExpression, or compare in an OpaqueFunction"
-        yield Fault(use.span, f"this is {outcome} true, since {AT_RUN_TIME}: it compares {shown} itself; {better}")
 
 
 def description_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:

@@ -11,11 +11,11 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.xml.parser import Element
-from ...light_dataclasses import dataclass, replace
+from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import UnreadableError
-from ..fault import Fault, Level
+from ..fault import Fault, softer
 
 CALL = re.compile(r"<xacro:([^\s<>/\"']+)")
 EXPRESSION = re.compile(r"\$\{([^}]*)")
@@ -87,8 +87,3 @@ def ancestors(root: Element, place: Span) -> Iterator[Element]:
                     yield child
                 waiting = [child]
                 break
-
-
-def softer(fault: Fault, level: Level, when: str) -> Fault:
-    """Return a fault that is one only under a condition."""
-    return replace(fault, level=level, message=f"{fault.message}, {when}")

@@ -10,7 +10,7 @@ from ...languages.python.file import PythonFile
 from ...light_dataclasses import dataclass
 from ...source import Span
 
-UseKind = Literal["function", "method", "operator"]
+UseKind = Literal["function", "method", "operator", "lookup"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class SubstitutionUse:
     """Of the function with its module (`os.path.join`), or of the method; the operator: `+`, `==`, `!=`, `not`, `and`,
     `or`, and `f""` for an f-string."""
     operands: tuple[Value, ...]
-    """Of a function the substitution that is passed to it, of a method the object."""
+    """Of a function the substitution that is passed to it, of a method the object, of a lookup in a dict the key."""
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Mapping as MappingType
 
 from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.known_functions import LIBRARY
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState, Intrinsic
-from ...languages.python.evaluate.values import Call, Constant, Symbol, Value
+from ...languages.python.evaluate.values import Call, Constant, Mapping, Symbol, Value
 from ...languages.python.file import PythonFile
 from .evaluated_launch import SubstitutionUse
 from .launch_classes import class_of, is_resolved_at_run_time, is_substitution
@@ -25,7 +25,7 @@ class SubstitutionTracker(Evaluator):
     """An evaluator that records every use of a substitution by Python itself."""
 
     def __init__(
-        self, file: PythonFile, folder: SandboxFilesystem, knows: Mapping[str, Intrinsic], *, name: str
+        self, file: PythonFile, folder: SandboxFilesystem, knows: MappingType[str, Intrinsic], *, name: str
     ) -> None:
         super().__init__(file, folder, knows, name=name)
         self.uses: list[SubstitutionUse] = []
@@ -46,12 +46,19 @@ class SubstitutionTracker(Evaluator):
         finds = call.callee == "find"  # FindPackageShare(x).find(x)
         if receiver is not None and call.callee in STRING_METHODS and not finds and is_substitution(receiver):
             self.uses.append(SubstitutionUse(call.span, "method", call.callee, (receiver,)))
+        if isinstance(receiver, Mapping) and call.callee == "get" and is_key(call):
+            self.uses.append(SubstitutionUse(call.span, "lookup", "get", (call.positional[0],)))
         return super().known_call(function, receiver, call)
 
     def on_operands(self, node: ast.expr, *operands: Value) -> None:
         operator = operator_of(node)
         if operator and any(map(is_resolved_at_run_time, operands)):
             self.uses.append(SubstitutionUse(self.span(node), "operator", operator, operands))
+
+
+def is_key(call: Call) -> bool:
+    """Return whether a substitution is looked up in a dict."""
+    return bool(call.positional) and is_substitution(call.positional[0])
 
 
 def operator_of(node: ast.expr) -> str:

@@ -64,7 +64,7 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         suggestion = node.suggestion
         start = f"`{node.facts.name}` installs no executable `{node.executable}`"
         ends = f"the launch stops with \"executable '{node.executable}' not found on the libexec directory\""
-        told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, and {node.why}"}
+        told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, {node.why}"}
         level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node)}"
         yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))

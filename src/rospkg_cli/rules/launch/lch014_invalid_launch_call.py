@@ -43,6 +43,7 @@ def generate_launch_description():
     "invalid-launch-call",
     over=LaunchFile,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the launch goes on, with another value than is meant, or the action is never added"},
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD},
@@ -58,14 +59,19 @@ def generate_launch_description():
 def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
-    Finds calls in Python launch files that raise when the file is launched.
-    These are numbers where launch takes strings, a set where a parameter dict is expected, `launch_arguments` without
+    Finds calls in Python launch files that raise, or do not do what they say.
+    They are numbers where launch takes strings, a set where a parameter dict is expected, `launch_arguments` without
     `.items()`, arguments that a class does not have or that are missing; and places that treat a substitution as if its
-    value were known while the file is read: `not x`, `a and b`, `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`.
+    value were known while the file is read: `not x`, `if x:`, `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`,
+    `names.get(x)`.
 
     ## Why is this bad?
-    Most of these end the launch with a TypeError from deep inside of launch. The others are worse: a condition that is
-    always true, a path with the name of a Python object in it.
+    Most of these end the launch with a TypeError from deep inside of launch. With the others it goes on: a condition is
+    always true, a path holds the name of a Python object.
+
+    ## When it is quiet
+    Arguments of unknown value are left alone, and files that `ros2 launch` can't start. What launch looks at only when
+    it visits an action is a warning where nothing adds the action.
 
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.

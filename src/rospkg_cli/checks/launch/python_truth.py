@@ -1,0 +1,113 @@
+"""Where Python itself works on substitutions and conditions, and what it makes of them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import Literal
+
+from ...languages.python.evaluate.values import Call, Constant, PartialText, Text, Value
+from ...languages.python.file import PythonFile
+from ...light_dataclasses import dataclass
+from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
+from ...package.launch.launch_classes import is_condition, is_resolved_at_run_time, type_name
+from ...source import Span
+from ..fault import Fault
+
+AT_RUN_TIME = "its text is known only when the launch runs"
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """What Python makes of an expression of substitutions and conditions."""
+
+    makes: Literal["bool", "substitution", "condition"]
+    why: str = ""
+    """Empty where `use_faults` reports it."""
+
+
+def truth_values(launch: EvaluatedLaunch) -> dict[Span, Truth]:
+    """Return where Python makes a truth value of substitutions, and what it makes."""
+    found: dict[Span, Truth] = {}
+    for use in launch.uses:
+        if is_comparison(use):
+            found[use.span] = Truth("bool")
+        elif use.name == "not":
+            shown = next(type_name(each) for each in use.operands if is_resolved_at_run_time(each))
+            found[use.span] = Truth("bool", f"`not` makes False of {shown}, whatever its value at run time")
+        elif use.name in ("and", "or") and len(use.operands) > 1 and all(map(is_resolved_at_run_time, use.operands)):
+            taken, index = ("first", 0) if use.name == "or" else ("last", -1)
+            of = ", ".join(dict.fromkeys(map(type_name, use.operands)))
+            why = f"Python's `{use.name}` takes the {taken} of these ({of}), whatever their values"
+            found[use.span] = Truth("condition" if is_condition(use.operands[index]) else "substitution", why)
+    return found
+
+
+def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
+    """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition."""
+    shown = next(type_name(each) for each in use.operands if is_resolved_at_run_time(each))
+    if use.kind == "function":
+        better = "use PathJoinSubstitution" if use.name == "os.path.join" else "do it in an OpaqueFunction"
+        yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: {AT_RUN_TIME}; {better}")
+    elif use.kind == "method":
+        yield Fault(use.span, f"{shown} has no `{use.name}`: {AT_RUN_TIME}; do it in an OpaqueFunction")
+    elif use.kind == "lookup":
+        message = f"no dict has {shown} itself as a key, so this gives the default: {AT_RUN_TIME}"
+        yield Fault(use.span, f"{message}; look it up in an OpaqueFunction", "warning")
+    elif use.name == "+" and any(map(is_plain, use.operands)):
+        yield Fault(use.span, f"`+` raises TypeError for {shown} and a string: put both into a list, `[a, b]`")
+    elif use.name == 'f""':
+        message = "the f-string holds the name of an object, `<launch… object at 0x…>`"
+        yield Fault(use.span, f"{message}, not the value of {shown}; make it a list of its parts", "warning")
+    elif is_comparison(use):
+        outcome = "never" if use.name == "==" else "always"
+        better = "use EqualsSubstitution or PythonExpression, or compare in an OpaqueFunction"
+        message = f"this is {outcome} true, since {AT_RUN_TIME}: it compares {shown} itself; {better}"
+        yield Fault(use.span, message, None if is_tested else "warning")
+
+
+def is_plain(value: Value) -> bool:
+    return isinstance(value, Text | PartialText)
+
+
+def is_comparison(use: SubstitutionUse) -> bool:
+    """Return whether a substitution is compared with what it never equals: a string or a bool."""
+    return use.name in ("==", "!=") and any(
+        is_plain(each) or (isinstance(each, Constant) and isinstance(each.value, bool)) for each in use.operands
+    )
+
+
+def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
+    """Yield the tests of `if` and `while` that are a substitution or a condition itself, which is always true."""
+    file = launch.file
+    made = {call.span: call for call in launch.calls if is_resolved_at_run_time(call)}
+    bound = bindings_of(file, made)
+    for node in ast.walk(file.tree):
+        for test in operands(node.test) if isinstance(node, ast.If | ast.IfExp | ast.While) else ():
+            call = bound.get(test.id) if isinstance(test, ast.Name) else made.get(file.span(test))
+            if call is not None:
+                message = f"{type_name(call)} itself is always true for Python: {AT_RUN_TIME}"
+                yield Fault(
+                    file.span(test), f"{message}; test it in an OpaqueFunction, or pass a `condition`", "warning"
+                )
+
+
+def bindings_of(file: PythonFile, made: Mapping[Span, Call]) -> Mapping[str, Call | None]:
+    """Return what each name of a file holds wherever it is bound; None where it may hold something else."""
+    found: dict[str, Call | None] = {}
+    values = {id(node.targets[0]): node.value for node in ast.walk(file.tree) if isinstance(node, ast.Assign)}
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            value = values.get(id(node))
+            call = made.get(file.span(value)) if value is not None else None
+            found[node.id] = call if found.get(node.id, call) is not None else None
+        elif isinstance(node, ast.arg):
+            found[node.arg] = None
+    return found
+
+
+def operands(test: ast.expr) -> Iterator[ast.expr]:
+    """Yield a test, and the operands of its `and` and `or`."""
+    yield test
+    for each in test.values if isinstance(test, ast.BoolOp) else ():
+        yield from operands(each)

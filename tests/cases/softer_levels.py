@@ -1,0 +1,81 @@
+"""Levels of what only some suffer: a condition that is off, an action that nothing adds, a macro that nothing calls."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.rules.launch import lch002_unknown_executable as lch002
+from rospkg_cli.rules.launch import lch003_missing_launch_reference as lch003
+from rospkg_cli.rules.launch import lch014_invalid_launch_call as lch014
+
+OFF = """\
+<launch>
+  <arg name="sim" default="false"/>
+  <node pkg="my_pkg" exec="taker" if="$(var sim)"/>
+</launch>
+"""
+NEVER_ADDED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    node = Node(package='my_pkg', executable='tracker')
+    return LaunchDescription([])
+"""
+ACTION = "return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[config])])"
+CONDITION = lch014.BAD_CONDITION.replace("«", "").replace("»", "")
+COMPARED = CONDITION.replace("IfCondition(not quiet)", "None").replace("'up'", "'up' if quiet == 'true' else 'on'")
+LOG = "LogInfo(msg='up', condition=IfCondition(not quiet))"
+NEVER_VISITED = CONDITION.replace(f"        {LOG},\n", "").replace(
+    "    return", "    log = LogInfo(msg='up', condition=quiet)\n    return"
+)
+XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n  {}\n</robot>\n'
+JOINT = '<joint name="a" type="revolute"><parent link="b"/><child link="c"/></joint>'
+MESH = '<mesh filename="package://my_pkg/meshes/base.stl"/>'
+
+
+def started(text: str, name: str) -> Example:
+    return Example(bad={**lch002.FILES, "launch/a.launch.xml": None, f"launch/{name}": text}, good={})
+
+
+def named(python: str) -> Example:
+    text = python.replace("«", "").replace("»", "")
+    return Example(bad={**lch003.NODE, "launch/robot.launch.py": text}, good={})
+
+
+def robot(body: str) -> Example:
+    install = "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package"
+    files = {"CMakeLists.txt": CMAKE.replace("ament_package", install), "urdf/robot.urdf.xacro": XACRO.format(body)}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
+def called(text: str) -> Example:
+    return Example(bad={"package.xml": manifest(lch014.NEEDED), "launch/a.launch.py": text}, good={})
+
+
+CASES = {
+    "LCH002": (started(OFF, "b.launch.xml"), started(NEVER_ADDED, "b.launch.py")),
+    "LCH003": (
+        named(
+            lch003.PYTHON.replace("    config = «", "    node = Node(package='my_pkg', executable='x', parameters=[")
+            .replace("yaml')»", "yaml')])")
+            .replace(ACTION, "return LaunchDescription([])")
+        ),
+        named(lch003.PYTHON.replace("robot_params.yaml", "robot.rviz")),
+    ),
+    "LCH014": (
+        called(COMPARED),
+        called(NEVER_VISITED),
+    ),
+    "URD001": (
+        robot(f'<xacro:if value="$(arg sim)">{JOINT}</xacro:if>'),
+        robot(f'<xacro:macro name="arm" params="name">{JOINT}</xacro:macro>'),
+        robot('<xacro:property name="width" value="${1 +"/>'),
+        robot('<link name="a"><visual/></link>'),
+    ),
+    "URD002": (
+        robot(f'<xacro:unless value="$(arg sim)">{MESH}</xacro:unless>'),
+        robot('<xacro:property name="mesh" value="package://my_pkg/meshes/base.stl"/>'),
+        robot(MESH + MESH.replace("base", "wheel")),
+    ),
+}  # fmt: skip
