@@ -16,6 +16,8 @@ from rospkg_cli.rules.launch import lch008_undeclared_launch_argument as lch008
 from rospkg_cli.rules.manifest import xml004_feature_needs_format_3 as xml004
 from rospkg_cli.rules.plugins import plg006_unlisted_rqt_plugin as plg006
 from rospkg_cli.rules.setup import set302_package_not_installed as set302
+from rospkg_cli.rules.urdf import urd001_invalid_urdf as urd001
+from rospkg_cli.rules.urdf import urd002_missing_resource as urd002
 
 from .cmake import cmake
 
@@ -119,6 +121,27 @@ CASES = {
     "SET302": (
         on_python(set302.FILES, setup_DOT_py=setup_py().replace(set302.FOUND, "[package_name]"),
                   my_pkg__talker_DOT_py="print('hello')\n"),
+    ),
+    "URD001": tuple(
+        Example(bad={"config/robot.urdf.xacro": urd001.XACRO.replace("  <link", f"  {lines}\n  <link")}, good={},
+                on="config")
+        for lines in (
+            '<xacro:property name="unread" value="${radius * 2"/>',
+            '<xacro:property name="unread" value="${radius * 2" lazy_eval="false"/>',
+            '<xacro:property name="read" value="${radius *}"/>\n  <xacro:property name="more" value="${read}"/>',
+            '<xacro:if value="1">\n    <link name="${radius *}"/>\n  </xacro:if>',
+            '<xacro:unless value="${radius *}">\n  </xacro:unless>',
+            '<xacro:macro name="unused">\n    <link name="${radius *}"/>\n  </xacro:macro>',
+            '<xacro:macro name="used">\n    <link name="${radius *}"/>\n  </xacro:macro>\n  <xacro:used/>',
+        )
+    ),
+    "URD002": tuple(
+        on_cmake(urd002.FILES, urdf__robot_DOT_urdf_DOT_xacro=urd002.GOOD.replace(
+            '  <link', f'  {lines}\n  <link', 1))
+        for lines in (
+            '<xacro:property name="unread" value="package://my_pkg/meshes/no.stl"/>',
+            '<xacro:macro name="unused">\n    <xacro:include filename="no.xacro"/>\n  </xacro:macro>',
+        )
     ),
     "XML004": (
         on_python({"package.xml": plain(xml004.BAD).replace(' condition="$ROS_VERSION == 2"', "").replace(
