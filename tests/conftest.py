@@ -10,7 +10,6 @@ import pytest
 from hypothesis import settings
 
 from rospkg_cli.example import Example
-from rospkg_cli.index.cache import cache_file
 from rospkg_cli.tree import to_entry
 
 settings.register_profile("usual", deadline=None)
@@ -45,11 +44,10 @@ def clean() -> dict[str, str]:
 
 @pytest.fixture(autouse=True)
 def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Keep the ROS of the machine, and its colours, out of the tests."""
+    """Keep the ROS of the machine, its colours, and the user's cache and index out of the tests."""
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "NO_COLOR", "FORCE_COLOR", "CI", "GITHUB_ACTIONS"):
         monkeypatch.delenv(name, raising=False)
-    if cache_file(os.environ).exists():  # names that were fetched here would change what is found
-        monkeypatch.setenv("XDG_CACHE_HOME", os.devnull)
+    monkeypatch.setenv("XDG_CACHE_HOME", os.devnull)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -13,7 +13,8 @@ import pytest
 
 from rospkg_cli.cli.inspect import run as inspecting
 from rospkg_cli.cli.inspect.run import inspect
-from rospkg_cli.disk import MAX_BYTES, DiskTree
+from rospkg_cli.disk import DiskTree
+from rospkg_cli.disk_trace import MAX_BYTES
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.finding_builder import rule_by_code

@@ -6,6 +6,8 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
+from .disk_trace import is_folder, real_path
+
 
 def current_folder() -> Path:
     """Return the current folder as the shell shows it, with symlinks, where $PWD is right."""
@@ -21,11 +23,11 @@ def current_folder() -> Path:
 def absolute(path: Path) -> Path:
     """Return a typed path as an absolute one; with `..` in it, links are resolved as the system does."""
     if ".." in path.parts:
-        return path.resolve()
+        return Path(real_path(path))
     return Path(os.path.normpath(current_folder() / path))
 
 
 def common_folder(paths: Iterable[Path]) -> Path:
     """Return the innermost folder that holds all of some typed paths; their config is looked for from there."""
     common = Path(os.path.commonpath([absolute(path) for path in paths]))
-    return common if common.is_dir() else common.parent
+    return common if is_folder(common) else common.parent

@@ -8,13 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from .disk_trace import MAX_BYTES, kind_of, link_target, read_limited, scan
 from .fence import Fence
 from .leftovers import is_build_output, is_never_source
 from .light_dataclasses import dataclass, field
 from .tree import Kind, SkippedError, TreeEntry
-
-MAX_BYTES = 4_000_000
-"""Larger files are listed, not read."""
 
 
 @dataclass
@@ -54,16 +52,14 @@ class DiskTree:
 
 def read_entry(path: Path) -> TreeEntry:
     """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes."""
-    found = path.stat()
-    if not stat.S_ISREG(found.st_mode):
-        raise FileNotFoundError(str(path))
-    kind: Kind = "link" if path.is_symlink() else "file"
+    found, data = read_limited(path)
+    kind: Kind = "file" if link_target(path) is None else "link"
     mode = stat.S_IMODE(found.st_mode)
-    if found.st_size > MAX_BYTES:
+    if data is None:
         size = f"{found.st_size / 1_000_000:.1f} MB"
         limit = f"{MAX_BYTES // 1_000_000} MB"
         return TreeEntry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than the limit of {limit}")
-    return TreeEntry(kind, path.read_bytes(), mode)
+    return TreeEntry(kind, data, mode)
 
 
 def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
@@ -75,10 +71,10 @@ def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
     while waiting:
         prefix = waiting.pop()
         try:
-            with os.scandir(os.path.join(root, prefix)) as found:  # noqa: PTH118
-                entries = [entry for entry in found if not is_never_source(entry.name)]
+            found = scan(os.path.join(root, prefix))  # noqa: PTH118
         except OSError:
             continue
+        entries = [entry for entry in found if not is_never_source(entry.name)]
         if prefix and is_build_output(prefix, {entry.name for entry in entries}):
             continue
         if not entries and prefix:
@@ -87,17 +83,17 @@ def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
             if entry.is_dir(follow_symlinks=False):
                 waiting.append(f"{prefix}{entry.name}/")
             else:
-                yield prefix + entry.name, kind_of(entry, prefix + entry.name, fence)
+                yield prefix + entry.name, kind_in_tree(entry, prefix + entry.name, fence)
 
 
-def kind_of(entry: os.DirEntry[str], path: str, fence: Fence) -> Kind:
+def kind_in_tree(entry: os.DirEntry[str], path: str, fence: Fence) -> Kind:
     """Return the kind of a directory entry that is not a folder."""
     if entry.is_file(follow_symlinks=False):
         return "file"
     try:
         if entry.is_dir():
             inner = os.path.join(entry.path, "__init__.py")  # noqa: PTH118
-            return "linked-package" if os.path.isfile(inner) else "linked-dir"  # noqa: PTH113
+            return "linked-package" if kind_of(inner) == "f" else "linked-dir"
         if not entry.is_symlink() or not entry.is_file():
             return "other"
         fence.check(path)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from functools import cached_property
 from pathlib import Path
 
+from .disk_trace import is_there, link_target, real_path
 from .light_dataclasses import dataclass
 from .tree import LeadsOutError
 
@@ -23,7 +24,7 @@ class Fence:
 
     def check(self, path: str) -> str:
         """Return the real path; raises LeadsOutError where that is outside of its package and repository."""
-        real = os.path.realpath(self.root / path)
+        real = real_path(self.root / path)
         if any(is_within(real, each) for each in self.allowed(path)):
             return real
         target = self.target(path)
@@ -34,8 +35,8 @@ class Fence:
         parts = path.split("/")
         for end in range(1, len(parts) + 1):
             place = self.root.joinpath(*parts[:end])
-            if place.is_symlink():
-                return os.readlink(place)  # noqa: PTH115
+            if (target := link_target(place)) is not None:
+                return target
         return path
 
     def allowed(self, path: str) -> tuple[str, ...]:
@@ -43,7 +44,7 @@ class Fence:
         while path and path not in self._packages:
             path = path.rpartition("/")[0]
         if path not in self._allowed:
-            real = os.path.realpath(self.root / path)
+            real = real_path(self.root / path)
             repository = repository_of(Path(real))
             self._allowed[path] = (real, str(repository)) if repository else (real,)
         return self._allowed[path]
@@ -66,7 +67,7 @@ def repository_of(folder: Path) -> Path | None:
     for each in (folder, *folder.parents):
         if is_shared(each):
             return None
-        if os.path.lexists(each / ".git"):
+        if is_there(each / ".git"):
             return each
     return None
 

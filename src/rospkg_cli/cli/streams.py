@@ -142,8 +142,13 @@ def mute(stream: IO[str]) -> None:
         pass
 
 
+said: list[str] = []
+"""The sentences that were printed on stderr so far."""
+
+
 def say(sentence: str) -> None:
     """Print a sentence on stderr, on one line that nothing in it can break."""
     from ..control_characters import visible
 
+    said.append(sentence)
     print(f"rospkg: {visible(sentence)}", file=sys.stderr)

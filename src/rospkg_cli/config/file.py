@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import sys
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..current_folder import absolute, current_folder
+from ..disk_trace import is_file, read_limited
 from ..light_dataclasses import dataclass, field
 from .schema import FORMS, key_position, read_section
 from .schema import ConfigError as ConfigError
@@ -80,17 +82,17 @@ def find_config(start: Path) -> Config:
 
 
 def config_files(folder: Path) -> Iterator[tuple[Path, tuple[str, ...]]]:
-    if (folder / "rospkg.toml").is_file():
+    if is_file(folder / "rospkg.toml"):
         yield folder / "rospkg.toml", ()
     pyproject = folder / "pyproject.toml"
-    if pyproject.is_file() and "[tool.rospkg" in read_config_text(pyproject):
+    if is_file(pyproject) and "[tool.rospkg" in read_config_text(pyproject):
         yield pyproject, ("tool", "rospkg")
 
 
 def user_config() -> Config:
     """Return the user's config, for keys that a repository may not set; raises ConfigError."""
     path = user_config_path()
-    return load_config(path, own=True) if path.is_file() else Config()
+    return load_config(path, own=True) if is_file(path) else Config()
 
 
 def user_config_path() -> Path:
@@ -134,10 +136,12 @@ def refuse_long_keys(text: str, path: Path) -> None:
 def read_config_text(path: Path) -> str:
     """Return as much of a file as can be a config, and one character; raises ConfigError."""
     try:
-        with path.open(encoding="utf-8", errors="replace") as stream:
-            return stream.read(MAX_TEXT + 1)
+        data = read_limited(path)[1]
     except OSError as error:
         raise ConfigError(f"{path}: it can't be read: {error.strerror or error}") from None
+    if data is None:
+        return " " * (MAX_TEXT + 1)
+    return io.TextIOWrapper(io.BytesIO(data), encoding="utf-8", errors="replace").read(MAX_TEXT + 1)
 
 
 PER = ("per-package", "per-path")

@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from ..disk_trace import read
 from ..finding import Finding
 from ..light_dataclasses import replace
 from .run.session import Results
@@ -39,7 +40,7 @@ def write_baseline(findings: Iterable[Finding], shown: Callable[[str], str]) -> 
 def read_baseline(path: Path) -> Counter[Key]:
     """Read a baseline; raises BaselineError."""
     try:
-        data = json.loads(path.read_text("utf-8"))
+        data = json.loads(read(path).decode("utf-8"))
         return Counter({(e["code"], e["path"], e["message"]): int(e["count"]) for e in data["findings"]})
     except OSError as error:
         hint = f"create it with --write-baseline {path}"

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from ..disk_trace import read
 from ..engine.fixing.write import WriteError, write_text
 from ..ros.name_index import BrokenIndexError, Index, check, dump, parse
 from ..ros.names import BUILT_IN, FetchedNames, Names
@@ -34,7 +35,7 @@ def read_text(environment: Mapping[str, str]) -> str | None:
     except NamesError:
         return None
     try:
-        text = path.read_bytes().decode("utf-8")
+        text = read(path).decode("utf-8")
         check(text)
     except (FileNotFoundError, NotADirectoryError):
         return None

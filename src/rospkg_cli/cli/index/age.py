@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from datetime import datetime, timezone
 
+from ...cache.recheck import today
+from ...disk_trace import note
 from ...finding import Finding
 from ...ros.name_index import Index
 from ...ros.names import FetchedNames, Names
@@ -31,5 +33,6 @@ def warn_of_age(names: Names, findings: Iterable[Finding]) -> None:
     """Warn on stderr that the index is old, where a finding depends on it."""
     if isinstance(names, FetchedNames) and any(finding.code == ASKS for finding in findings):
         days = age(names.index)
+        note("d", today() if days < OLD else "")  # no answer comes again: it may be older before the day is over
         if days > OLD:
             say(f"the index of names is {days} days old; `rospkg index update` fetches a new one")

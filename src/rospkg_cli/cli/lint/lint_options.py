@@ -61,6 +61,7 @@ class LintOptions:
     workspace: Path | None = None
     jobs: str = "auto"
     allow_empty: bool = False
+    no_cache: bool = False
     fail_on: str | None = None
     """The least severity that fails; None where the config decides."""
     exit_zero: bool = False

@@ -98,9 +98,11 @@ def lint(
     workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
     allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
+    no_cache: Annotated[bool, Option("--no-cache", help="Use nothing of earlier runs, and keep nothing.")] = False,
 ) -> int:
     """Find mistakes in packages; --fix corrects them."""
     typed: dict[str, Any] = dict(locals())
+    from ...disk_trace import is_folder
     from ...report import FORMATS
     from .lint_options import LintOptions
     from .run import lint as run_lint
@@ -109,7 +111,7 @@ def lint(
     one_of("--color", color, ("auto", "always", "never"))
     if fail_on is not None:
         one_of("--fail-on", fail_on, ("error", "warning", "info"))
-    if workspace is not None and not workspace.is_dir():
+    if workspace is not None and not is_folder(workspace):
         raise UsageError(f"--workspace: `{workspace}` is not a folder")
     typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target", "show")}
     for each in typed["show"]:

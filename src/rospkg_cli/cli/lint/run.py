@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import IO
 
+from ...cache.kept_run import take_pending
 from ...config.file import Config, find_config
 from ...current_folder import common_folder, current_folder
 from ...engine.discovery.locate import Located, locate
@@ -22,8 +23,9 @@ from ...report.wrap import terminal_width
 from ..diff import unified
 from ..index.age import warn_of_age
 from ..progress import progress
-from ..streams import say
+from ..streams import said, say
 from .add_ignores import add_ignores
+from .kept_output import KeptOutput, may_be_kept
 from .lint_options import FixOptions, LintOptions
 from .print_report import print_report, report_files
 from .result_filter import save_baseline
@@ -32,7 +34,15 @@ from .session import make_session
 
 def lint(options: LintOptions) -> int:
     """Lint and report to stdout; return the exit status. Raises as lint_to does."""
-    return lint_to(options, sys.stdout)
+    run = take_pending()
+    if run is None or not may_be_kept(options):
+        return lint_to(options, sys.stdout)
+    shown, before = KeptOutput(sys.stdout), len(said)
+    status = lint_to(options, shown)
+    sys.stdout.flush()
+    if status in (0, 1) and len(said) == before:
+        run.keep(status, shown.text())
+    return status
 
 
 def lint_to(options: LintOptions, stream: IO[str]) -> int:

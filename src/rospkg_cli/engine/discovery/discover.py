@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
+from ...disk_trace import exists, is_file, real_path, scan
 from ...fence import is_within
 from ...leftovers import is_build_output, is_never_source
 from ...tree import Tree
@@ -27,13 +28,13 @@ def packages_below(root: Path, *, given: bool = True, marked: bool = False) -> I
     """
     found: dict[str, Path] = {}
     links = list(crawl(root, found, given, marked))
-    top = os.path.realpath(root)
+    top = real_path(root)
     seen = {top}
     for _ in range(MAX_LINKED_FOLDERS):
         if not links:
             break
         link = links.pop(0)
-        real = os.path.realpath(link)
+        real = real_path(link)
         if real not in seen and not is_within(top, real):
             seen.add(real)
             links += crawl(link, found, False, marked)
@@ -46,14 +47,13 @@ def crawl(root: Path, found: dict[str, Path], given: bool, marked: bool) -> Iter
     while waiting:
         folder = waiting.pop()
         try:
-            with os.scandir(folder) as listing:
-                entries = {entry.name: entry for entry in listing if not is_never_source(entry.name)}
+            entries = {entry.name: entry for entry in scan(folder) if not is_never_source(entry.name)}
         except OSError:
             continue
         if not (marked or (given and folder == root)) and not entries.keys().isdisjoint(IGNORE_MARKERS):
             continue
         if "package.xml" in entries and is_there(entries["package.xml"]):
-            found.setdefault(os.path.realpath(folder), folder)
+            found.setdefault(real_path(folder), folder)
         elif folder == root or not is_build_output(folder.name, entries.keys()):
             waiting += [Path(each.path) for each in entries.values() if each.is_dir(follow_symlinks=False)]
             yield from sorted(Path(each.path) for each in entries.values() if each.is_symlink() and is_folder(each))
@@ -77,7 +77,7 @@ def marker_above(package: Path, below: Path) -> Path | None:
     """Return the outermost ignore marker that hides a package from a walk that starts at `below`."""
     inner = [folder for folder in (package, *package.parents) if folder != below and folder.is_relative_to(below)]
     marks = (folder / name for folder in reversed(inner) for name in IGNORE_MARKERS)
-    return next((mark for mark in marks if mark.exists()), None)
+    return next((mark for mark in marks if exists(mark)), None)
 
 
 def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple[frozenset[str], ...]:
@@ -98,7 +98,7 @@ def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple
 def enclosing_package(path: Path) -> Path | None:
     """Return the nearest folder at or above a path that holds a package.xml."""
     for folder in (path, *path.parents):
-        if (folder / "package.xml").is_file():
+        if is_file(folder / "package.xml"):
             return folder
     return None
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...disk_trace import is_folder, real_path
 from .discover import marker_above, packages_below
 
 VENDOR_FOLDERS = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
@@ -13,7 +14,9 @@ VENDOR_FOLDERS = frozenset("third_party thirdparty vendor vendored external temp
 
 def describe_hidden(paths: Iterable[Path]) -> str:
     """Return a sentence on what hides packages below the paths; "" where there are none."""
-    found = [(top, p) for top in map(Path.resolve, paths) if top.is_dir() for p in packages_below(top, marked=True)]
+    found = [
+        (top, p) for top in map(Path, map(real_path, paths)) if is_folder(top) for p in packages_below(top, marked=True)
+    ]
     if not found:
         return ""
     marks = {hiding_path(top, package).relative_to(top).as_posix(): None for top, package in found}

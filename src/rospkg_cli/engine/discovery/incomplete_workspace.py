@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ...absent_paths import MAX_SUBMODULES, SUBMODULE
+from ...disk_trace import is_file, is_folder, names_in, read_limited
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
@@ -27,29 +28,31 @@ def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:
 
 def children(folder: Path) -> Iterator[Path]:
     try:
-        yield from (each for each in folder.iterdir() if each.is_dir() and each.name[0] != ".")
+        yield from (folder / name for name in names_in(folder) if name[0] != "." and is_folder(folder / name))
     except OSError:
         return
 
 
 def lists_packages(folder: Path) -> bool:
     try:
-        if any(each.name.endswith(LISTS) for each in folder.iterdir()):
+        names = names_in(folder)
+        if any(name.endswith(LISTS) for name in names):
             return True
-        modules = folder / ".gitmodules"
-        paths = SUBMODULE.findall(modules.read_text("utf-8", "replace")) if is_small_file(modules) else []
+        paths = submodules(folder / ".gitmodules") if ".gitmodules" in names else []
     except OSError:
         return False
     return any(is_empty(folder / path) for path in paths[:MAX_SUBMODULES])
 
 
-def is_small_file(path: Path) -> bool:
-    return path.is_file() and path.stat().st_size <= MAX_BYTES
+def submodules(path: Path) -> list[str]:
+    """Return the folders that a .gitmodules names; raises OSError."""
+    data = read_limited(path)[1] if is_file(path) else None
+    return SUBMODULE.findall(data.decode("utf-8", "replace")) if data and len(data) <= MAX_BYTES else []
 
 
 def is_empty(folder: Path) -> bool:
     """Return whether a submodule is not checked out: its folder is missing, or holds nothing."""
     try:
-        return not folder.is_dir() or not any(folder.iterdir())
+        return not is_folder(folder) or not names_in(folder)
     except OSError:
         return False

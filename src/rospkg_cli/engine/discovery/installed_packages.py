@@ -6,6 +6,8 @@ import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from ...disk_trace import is_folder, names_in
+
 INSTALLED = Path("/opt/ros")
 """Where Debian packages of ROS put each distribution."""
 
@@ -19,7 +21,7 @@ def installed_package_names(environment: Mapping[str, str], installed: Path = IN
     for prefix in prefixes(environment, installed):
         index = prefix / "share/ament_index/resource_index/packages"
         try:
-            names.update(each.name for each in index.iterdir())
+            names.update(names_in(index))
         except OSError:
             continue
     return frozenset(names)
@@ -29,5 +31,5 @@ def prefixes(environment: Mapping[str, str], installed: Path) -> Iterator[Path]:
     yield from (Path(each) for each in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if each)
     if environment.get("ROS_DISTRO"):
         yield installed / environment["ROS_DISTRO"]
-    elif installed.is_dir():
-        yield from sorted(installed.iterdir())
+    elif is_folder(installed):
+        yield from (installed / name for name in names_in(installed))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ...config.file import Config
 from ...current_folder import absolute, current_folder
+from ...disk_trace import exists, is_file, is_folder, names_in, real_path
 from ...fence import is_shared
 from ...light_dataclasses import dataclass
 from ..run.session import Scope
@@ -38,7 +39,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config 
     exclude = [(config.folder, pattern) for pattern in config.exclude]
     given: list[Path] = []
     for path in paths:
-        if not path.exists():
+        if not exists(path):
             raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
         given += packages_at(absolute(path))
     kept = [p for p in each_once(given) if not is_excluded(p, exclude)]
@@ -62,7 +63,7 @@ def each_once(packages: Iterable[Path]) -> list[Path]:
     """Return each package under the first of the paths that lead to it."""
     found: dict[str, Path] = {}
     for package in packages:
-        found.setdefault(os.path.realpath(package), package)
+        found.setdefault(real_path(package), package)
     return list(found.values())
 
 
@@ -70,16 +71,23 @@ def siblings(packages: Iterable[Path]) -> Iterator[Path]:
     """Yield the packages next to some others, where there is no workspace around them."""
     for folder in dict.fromkeys(package.parent for package in packages):
         if not is_shared(folder):
-            yield from (path.parent for path in sorted(folder.glob("*/package.xml")) if path.is_file())
+            yield from (folder / name for name in names_or_none(folder) if is_file(folder / name / "package.xml"))
+
+
+def names_or_none(folder: Path) -> list[str]:
+    try:
+        return names_in(folder)
+    except OSError:
+        return []
 
 
 def is_repository(folder: Path) -> bool:
-    return any((folder / mark).exists() for mark in REPOSITORY_MARKS)
+    return any(exists(folder / mark) for mark in REPOSITORY_MARKS)
 
 
 def packages_at(path: Path) -> list[Path]:
     """Return the packages that a path means: the one it lies in, else those below it."""
-    around = enclosing_package(path if path.is_dir() else path.parent)
+    around = enclosing_package(path if is_folder(path) else path.parent)
     if around:
         return [around]
     return [p for p in packages_below(path) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
@@ -110,8 +118,8 @@ def workspace_of(packages: Sequence[Path]) -> Path | None:
 
 def looks_like_one(folder: Path, holds: Path) -> bool:
     """Return whether a folder is a colcon workspace, the parent of the `src` that holds the paths, or a git root."""
-    if all((folder / name).is_dir() for name in ("build", "install", "log")):
+    if all(is_folder(folder / name) for name in ("build", "install", "log")):
         return True
-    if (folder / "colcon.meta").exists() or (folder / ".colcon").exists() or (folder / ".git").exists():
+    if any(exists(folder / name) for name in ("colcon.meta", ".colcon", ".git")):
         return True
     return holds.is_relative_to(folder / "src")

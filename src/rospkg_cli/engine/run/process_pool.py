@@ -7,6 +7,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
 
+from ...disk_trace import Trace, current_trace, start_trace
 from ...package.collect_facts import unknown_facts
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
@@ -32,9 +33,9 @@ class ProcessPool(Pool):
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings, jobs: int) -> None:
         self.name = scope.name
         self.parts = parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
+        arguments = (targets, settings, scope.name, current_trace() is not None)
         self.workers = [
-            ProcessPoolExecutor(1, initializer=start_worker, initargs=(tree, part, targets, settings, scope.name))
-            for part in parts
+            ProcessPoolExecutor(1, initializer=start_worker, initargs=(tree, part, *arguments)) for part in parts
         ]
 
     def everywhere(self, call: Callable[..., list[T]], lost: Callable[[str], T], *arguments: object) -> list[T]:
@@ -59,6 +60,9 @@ class ProcessPool(Pool):
 
     def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
         found = self.everywhere(check_packages, lambda folder: lost_package(folder, workspace), workspace, codes)
+        if (trace := current_trace()) is not None:
+            for other in self.everywhere(asked_of_the_disk, lambda _: Trace()):
+                trace.add(other)
         return [each for each in found if each.folder in workspace.selected]
 
     def close(self) -> None:
@@ -75,8 +79,12 @@ def lost_package(folder: str, workspace: Workspace) -> PackageResults:
     )
 
 
-def start_worker(tree: Tree, folders: Sequence[str], targets: Targets, settings: RuleSettings, name: str) -> None:
+def start_worker(
+    tree: Tree, folders: Sequence[str], targets: Targets, settings: RuleSettings, name: str, is_traced: bool
+) -> None:
     global _worker
+    if is_traced:
+        start_trace()
     load_plugins(settings.plugins)
     _worker = Worker(tree, folders, targets, settings, name)
 
@@ -84,6 +92,11 @@ def start_worker(tree: Tree, folders: Sequence[str], targets: Targets, settings:
 def gather_facts() -> list[PackageFacts]:
     assert _worker is not None
     return _worker.collect_facts()
+
+
+def asked_of_the_disk() -> list[Trace]:
+    trace = current_trace()
+    return [] if trace is None else [trace]
 
 
 def check_packages(workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
