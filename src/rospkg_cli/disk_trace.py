@@ -114,7 +114,10 @@ def real_path(path: AnyPath) -> str:
 
 
 def scan(folder: AnyPath) -> list[os.DirEntry[str]]:
-    """Return the entries of a folder, by name; raises OSError. What links lead to is asked, too."""
+    """Return the entries of a folder, by name; raises OSError. What links lead to is asked, too.
+
+    Callers pass over names that are never source: a listing that differs only in these counts as the same.
+    """
     try:
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)

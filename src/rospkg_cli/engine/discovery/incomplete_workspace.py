@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ...absent_paths import MAX_SUBMODULES, SUBMODULE
-from ...disk_trace import is_file, is_folder, names_in, read_limited
+from ...disk_trace import is_file, is_folder, names_in, read_limited, scan
+from ...leftovers import is_never_source
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
@@ -28,14 +29,15 @@ def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:
 
 def children(folder: Path) -> Iterator[Path]:
     try:
-        yield from (folder / name for name in names_in(folder) if name[0] != "." and is_folder(folder / name))
+        names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
+        yield from (folder / name for name in names if name[0] != "." and is_folder(folder / name))
     except OSError:
         return
 
 
 def lists_packages(folder: Path) -> bool:
     try:
-        names = names_in(folder)
+        names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
         if any(name.endswith(LISTS) for name in names):
             return True
         paths = submodules(folder / ".gitmodules") if ".gitmodules" in names else []

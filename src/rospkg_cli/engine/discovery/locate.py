@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from fnmatch import fnmatch
 from pathlib import Path
 
 from ...config.file import Config
 from ...current_folder import absolute, current_folder
-from ...disk_trace import exists, is_file, is_folder, names_in, real_path
+from ...disk_trace import exists, is_file, is_folder, real_path, scan
 from ...fence import is_shared
+from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
@@ -71,14 +73,9 @@ def siblings(packages: Iterable[Path]) -> Iterator[Path]:
     """Yield the packages next to some others, where there is no workspace around them."""
     for folder in dict.fromkeys(package.parent for package in packages):
         if not is_shared(folder):
-            yield from (folder / name for name in names_or_none(folder) if is_file(folder / name / "package.xml"))
-
-
-def names_or_none(folder: Path) -> list[str]:
-    try:
-        return names_in(folder)
-    except OSError:
-        return []
+            with suppress(OSError):
+                names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
+                yield from (folder / name for name in names if is_file(folder / name / "package.xml"))
 
 
 def is_repository(folder: Path) -> bool:

@@ -8,11 +8,15 @@ PYTHONPATH makes of a repository's own folders is not installed.
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterable
+from contextlib import suppress
 from importlib.metadata import EntryPoint, entry_points
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from ...disk_trace import current_trace, read_limited, scan
 from ...rule import PLUGGED_IN, Rule, all_rules, rules_in
 from ...search_path import installed_folders
 from ...suggest import did_you_mean
@@ -47,7 +51,10 @@ def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
             f"plugins: there is no plugin `{name}`{hint}{known}: install it where rospkg is installed, or remove it"
         )
     refuse_linted(there[name], linted)
+    before = set(sys.modules)
+    note_package(there[name])
     found = rules_of(there[name])
+    note_modules(set(sys.modules) - before)
     own = {rule.code: rule.name for rule in all_rules()}
     for code in found:
         if code in own or not CODE.fullmatch(code):
@@ -77,6 +84,36 @@ def refuse_linted(point: EntryPoint, linted: Iterable[Path]) -> None:
             raise PluginError(
                 f"plugins: `{point.name}` {why}: install it where rospkg is installed, or take it out of PYTHONPATH"
             )
+
+
+def note_package(point: EntryPoint) -> None:
+    """Let the trace of the run hold the files of a plugin's package, before they are loaded."""
+    top = point.value.partition(":")[0].partition(".")[0]
+    spec = find_spec(top) if current_trace() is not None and top else None
+    if spec is not None and spec.origin is not None and not spec.submodule_search_locations:
+        note_file(spec.origin)
+    for folder in (spec.submodule_search_locations or ()) if spec else ():
+        note_folder(folder)
+
+
+def note_folder(folder: str) -> None:
+    for entry in scan(folder):
+        if not entry.is_dir(follow_symlinks=False):
+            note_file(entry.path)
+        elif entry.name != "__pycache__":
+            note_folder(entry.path)
+
+
+def note_modules(names: Iterable[str]) -> None:
+    """Let the trace hold the modules that a plugin has loaded, wherever they lie."""
+    if current_trace() is not None:
+        for name in sorted(names):
+            note_file(str(getattr(sys.modules.get(name), "__file__", None) or ""))
+
+
+def note_file(path: str) -> None:
+    with suppress(OSError):
+        read_limited(path)
 
 
 def rules_of(point: EntryPoint) -> dict[str, Rule[Any]]:
