@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
 from typing import NamedTuple
 
-import rospkg_cli.__main__ as entry
 from rospkg_cli import disk_trace
+from rospkg_cli.__main__ import main
+from rospkg_cli.cache import kept_run
 
 
 class Run(NamedTuple):
@@ -23,9 +25,9 @@ class Run(NamedTuple):
 def run_kept(*arguments: object, cwd: Path, **environment: str) -> Run:
     """Run `rospkg lint` as a process would, with more variables in its environment."""
     out, err, before, argv, path = StringIO(), StringIO(), Path.cwd(), sys.argv, list(sys.path)
-    variables, served, ask = dict(os.environ), [], entry.lint_as_before
+    variables, served, ask = dict(os.environ), [], kept_run.kept_run
 
-    def noted(words: list[str]) -> int | None:
+    def noted(words: Sequence[str]) -> object:
         served.append(ask(words))
         return served[-1]
 
@@ -33,14 +35,14 @@ def run_kept(*arguments: object, cwd: Path, **environment: str) -> Run:
         os.environ.update(environment, PWD=str(cwd))
         os.chdir(cwd)
         sys.argv = ["rospkg", "lint", *map(str, arguments)]
-        entry.lint_as_before = noted
+        kept_run.kept_run = noted
         with redirect_stdout(out), redirect_stderr(err):
-            status = entry.main()
+            status = main()
     finally:
-        entry.lint_as_before = ask
+        kept_run.kept_run = ask
         disk_trace.stop_trace()
         os.chdir(before)
         os.environ.clear()
         os.environ.update(variables)
         sys.argv, sys.path[:] = argv, path
-    return Run(status, out.getvalue(), err.getvalue(), served[0] is not None)
+    return Run(status, out.getvalue(), err.getvalue(), isinstance(served[0], tuple))

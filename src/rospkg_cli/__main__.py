@@ -15,26 +15,31 @@ def main() -> int:
         from .cli.streams import guarded
 
         return guarded(lambda: print(f"rospkg {__version__}") or 0)
-    if sys.argv[1:2] == ["lint"] and (status := lint_as_before(sys.argv[1:])) is not None:
-        return status
+    if sys.argv[1:2] == ["lint"]:
+        return lint(sys.argv[1:])
     from .cli.app import run
 
     return run()
 
 
-def lint_as_before(arguments: list[str]) -> int | None:
-    """Print what the same run printed before, where it would now print the same; else return None."""
-    from .cache.kept_run import RunToKeep, kept_run, set_pending
+def lint(arguments: list[str]) -> int:
+    """Lint, or print what the same run printed before where it would print the same again."""
+    from .cache.kept_run import RunToKeep, kept_run, set_run
 
     found = kept_run(arguments)
-    if isinstance(found, RunToKeep):
-        set_pending(found)
-    if not isinstance(found, tuple):
-        return None
-    from .cli.streams import guarded
+    if isinstance(found, tuple):
+        from .cli.streams import guarded
 
-    status, text = found
-    return guarded(lambda: sys.stdout.write(text) * 0 + status)
+        status, text = found
+        return guarded(lambda: sys.stdout.write(text) * 0 + status)
+    from .cli.app import run
+
+    set_run(found)
+    status = run()
+    if isinstance(found, RunToKeep):
+        found.keep(status)
+    set_run(None)
+    return status
 
 
 if __name__ == "__main__":

@@ -26,14 +26,19 @@ class RunToKeep:
         self.code = code_signature()
         self.digest = "" if self.code else code_digest()
         """Of the sources before they are imported."""
+        self.text: str | None = None
+        """What it printed; None where it can't be kept."""
         for folder in search_path():
             self.trace.note(f"p{folder}", installed_in(folder))
 
-    def keep(self, status: int, text: str) -> None:
-        """Keep the run, with what it printed."""
+    def keep(self, status: int) -> None:
+        """Keep the run with its exit status, where it ended as it should."""
+        is_traced = disk_trace.current_trace() is self.trace
         disk_trace.stop_trace()
         folder = cache_folder(os.environ)
-        if not self.trace.is_whole or not make_folder(folder):
+        if status not in (0, 1) or self.text is None or not is_traced or not self.trace.is_whole:
+            return
+        if not make_folder(folder):
             return
         code = self.digest or digest_of(self.code, folder)
         if not code:
@@ -41,7 +46,7 @@ class RunToKeep:
         known = self.trace.signatures
         asked = [(question, answer, known.get(question, "")) for question, answer in self.trace.answers.items()]
         path = os.path.join(folder, file_name(self.key))
-        write_run(path, self.key, status, text, [(f"o{HERE}", code, self.code), *asked])
+        write_run(path, self.key, status, self.text, [(f"o{HERE}", code, self.code), *asked])
 
 
 def kept_run(arguments: Sequence[str]) -> tuple[int, str] | RunToKeep | None:
@@ -96,17 +101,15 @@ def digest_of(signature: str, folder: str) -> str:
     return digest
 
 
-_pending: RunToKeep | None = None
+_run: RunToKeep | None = None
 
 
-def set_pending(run: RunToKeep) -> None:
+def set_run(run: RunToKeep | None) -> None:
     """Say which run this process was started for."""
-    global _pending
-    _pending = run
+    global _run
+    _run = run
 
 
-def take_pending() -> RunToKeep | None:
-    """Return the run that this process was started for, once."""
-    global _pending
-    run, _pending = _pending, None
-    return run
+def run_to_keep() -> RunToKeep | None:
+    """Return the run that this process was started for; None where nothing is to be kept."""
+    return _run

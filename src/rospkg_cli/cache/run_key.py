@@ -11,10 +11,11 @@ from .own_code import HERE, search_path
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import TextIO
 
 VARIABLES = (
     *("ROS_DISTRO", "AMENT_PREFIX_PATH", "HOME", "USERPROFILE", "TMPDIR", "TEMP", "PWD"),
-    *("XDG_CACHE_HOME", "XDG_CONFIG_HOME", "NO_COLOR", "FORCE_COLOR", "TERM"),
+    *("XDG_CACHE_HOME", "XDG_CONFIG_HOME", "NO_COLOR", "FORCE_COLOR", "TERM", "COLUMNS"),
 )
 """Every variable that lint asks for; `tests/test_cache_inputs.py` reads the sources for others."""
 
@@ -33,11 +34,21 @@ def run_key(arguments: Sequence[str]) -> list[str] | None:
         where = [os.getcwd(), str(is_here(os.environ.get("PWD", "")))]
     except OSError:
         return None
-    shown = [str(out.isatty()), str(out.encoding), str(out.errors)]
+    shown = [str(columns(out)), str(out.encoding), str(out.errors)]
     python = [sys.version, sys.executable, HERE, str(getattr(os, "geteuid", int)()), *search_path()]
     environment = [f"{name}={value}" for name in VARIABLES if (value := os.environ.get(name)) is not None]
     parts = [list(arguments), where, shown, python, environment]
     return [text for part in parts for text in (str(len(part)), *part)]
+
+
+def columns(out: TextIO) -> int | None:
+    """Return the width of a terminal; None for a stream that is none."""
+    if not out.isatty():
+        return None
+    try:
+        return os.get_terminal_size(out.fileno()).columns
+    except (OSError, ValueError):
+        return 0
 
 
 def is_here(folder: str) -> bool:

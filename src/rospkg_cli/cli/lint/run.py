@@ -6,9 +6,10 @@ import sys
 from pathlib import Path
 from typing import IO
 
-from ...cache.kept_run import take_pending
+from ...cache.kept_run import run_to_keep
 from ...config.file import Config, find_config
 from ...current_folder import common_folder, current_folder
+from ...disk_trace import stop_trace
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix import FixResults, fix_all
 from ...engine.fixing.remove_leftovers import remove_leftovers
@@ -34,14 +35,13 @@ from .session import make_session
 
 def lint(options: LintOptions) -> int:
     """Lint and report to stdout; return the exit status. Raises as lint_to does."""
-    run = take_pending()
+    run = run_to_keep()
     if run is None or not may_be_kept(options):
         return lint_to(options, sys.stdout)
     shown, before = KeptOutput(sys.stdout), len(said)
     status = lint_to(options, shown)
-    sys.stdout.flush()
-    if status in (0, 1) and len(said) == before:
-        run.keep(status, shown.text())
+    if len(said) == before:
+        run.text = shown.text()
     return status
 
 
@@ -73,6 +73,8 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         return save_baseline(suppression.write_baseline, report)
     if suppression.add_ignores is not None and located.scope.selected:
         return add_ignores(suppression.add_ignores, session, report)
+    if found.results.crashes:
+        stop_trace()  # what crashed may not crash again
     print_report(shown, report, files, sys.stderr if fixing.diff else stream)
     warn_of_age(session.scope.index, found.results.findings)
     changed = bool(found.changes) and (fixing.diff or fixing.exit_non_zero_on_fix)
