@@ -50,8 +50,8 @@ def said(files: dict[str, str], code: str, *targets: str) -> list[str]:
     ("share", "level"),
     [
         ("mine", Severity.ERROR),
-        ("theirs", Severity.WARNING),
-        ("get_package_share_directory('nav2_bringup')", Severity.WARNING),
+        ("theirs", Severity.INFO),
+        ("get_package_share_directory('nav2_bringup')", Severity.INFO),
         ("get_package_share_directory(name)", Severity.ERROR),
         ("FindPackageShare(package='my_pkg')", Severity.ERROR),
     ],
@@ -62,7 +62,7 @@ def test_a_folder_is_needed_where_its_own_package_is_asked_for_it(share: str, le
     assert [finding.severity for finding in lint_files(files, ["CMK101"]).findings] == [level]
 
 
-@pytest.mark.parametrize(("share", "level"), [("mine", Severity.ERROR), ("theirs", Severity.WARNING)])
+@pytest.mark.parametrize(("share", "level"), [("mine", Severity.ERROR), ("theirs", Severity.INFO)])
 def test_the_same_holds_for_setup_py(clean, share: str, level: Severity) -> None:
     launch = OPENS.format(share).replace("rviz", "bt_xml")
     files = {**clean, "bt_xml/tree.xml": "<root/>\n", "launch/a.launch.py": launch}

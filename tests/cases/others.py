@@ -127,6 +127,7 @@ CASES = {
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),
     "SET209": (installed("('share/my_pkg/xml', ['package.xml'])"),),
     "SET206": (
+        python("", setup_DOT_py=setup_py(), launch__a_DOT_launch_DOT_xml="<launch>\n</launch>\n"),
         Example(bad={**set206.FILES, "setup.py": "from glob import glob\n" + setup_py()}, good={}),
         Example(bad={**set206.FILES, "setup.py": "import glob\n" + setup_py()}, good={}),
     ),

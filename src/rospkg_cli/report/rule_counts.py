@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from ..finding import Finding, Safety, Severity
+from ..light_dataclasses import dataclass
 from .color import SEVERITY_COLORS, paint
 
 HEAD = "error  warning  info  --fix  rule"

@@ -51,10 +51,13 @@ class ComponentRegistration:
 
     @property
     def generated(self) -> bool:
-        """Whether some sources of a target are generated or unknown."""
-        targets = {component.target.text for component in self.package.cmake.components}
-        words = [w for name in targets if (t := self.package.cmake.target(name)) for w in t.sources]
-        return any(not word.is_known or word.text.startswith(BINARY) for word in words)
+        """Whether some sources of a target are generated, unknown or not there."""
+        cmake = self.package.cmake
+        targets = [t for each in cmake.components if (t := cmake.target(each.target.text)) is not None]
+        if any(not word.is_known or word.text.startswith(BINARY) for target in targets for word in target.sources):
+            return True
+        paths = [path_in_package(word.text, target.call.folder) for target in targets for word in target.sources]
+        return any(path is None or cmake.package_files.absent.is_expected(path) for path in paths)
 
     def sure(self) -> Iterator[Component]:
         for component in self.package.cmake.components:

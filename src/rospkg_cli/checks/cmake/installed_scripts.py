@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
@@ -11,10 +12,13 @@ from ...languages.cmake.evaluated_command import path_in_package
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
+from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
+
+USES_ROS = re.compile(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,7 @@ class InstalledScripts:
 
     def wrong(self, copy: CopiedFile) -> Wrong | None:
         shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)
-        if posixpath.basename(copy.source) == "__init__.py":
+        if posixpath.basename(copy.source) == "__init__.py" or self.is_no_program(copy.source):
             return None
         if copy.rule.kind == "PROGRAMS":
             if not shebang:
@@ -69,6 +73,34 @@ class InstalledScripts:
         if copy.is_executable:
             return None
         return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
+
+    def is_wanted(self, path: str) -> bool:
+        """Return whether a script uses rclpy, or a launch file, a README or another installed script names it."""
+        if USES_ROS.search(self.text(path)):
+            return True
+        readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
+        texts = (*self.launch_texts, *self.texts, *map(self.text, readmes))
+        return any(posixpath.basename(path) in text for text in texts)
+
+    def is_no_program(self, path: str) -> bool:
+        """Return whether another installed script imports a file, or a launch file hands it to Python."""
+        name = posixpath.basename(path)
+        module = re.escape(name.removesuffix(".py"))
+        imports = re.compile(rf"^[ \t]*(?:from[ \t]+\.?{module}[ \t]+import|import[ \t]+{module}\b)", re.MULTILINE)
+        if any(imports.search(text) for text in self.texts):
+            return True
+        return any("python3" in text and f"{name}'" in text.replace('"', "'") for text in self.launch_texts)
+
+    @cached_property
+    def launch_texts(self) -> tuple[str, ...]:
+        paths = self.package.cmake.package_files.paths
+        return tuple(self.text(path) for path in paths if LAUNCH.fullmatch(posixpath.basename(path)))
+
+    def text(self, path: str) -> str:
+        try:
+            return self.package.cmake.package_files.source(path).text
+        except UnreadableError:
+            return ""
 
     def is_runnable(self, path: str) -> bool:
         """Return whether a file is a program, by its name."""
@@ -114,10 +146,8 @@ class InstalledScripts:
     @cached_property
     def texts(self) -> tuple[str, ...]:
         """The installed scripts' texts."""
-        found = []
-        for copy in self.copies:
-            try:
-                found.append(self.package.cmake.package_files.source(copy.source).text)
-            except UnreadableError:
-                continue
-        return tuple(found)
+        return tuple(self.text(copy.source) for copy in self.copies)
+
+
+def is_readme(path: str) -> bool:
+    return posixpath.basename(path).lower().startswith("readme")

@@ -73,7 +73,7 @@ class MisplacedExecutables:
         for copy in copied_files(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
-            if self.starts(name) or ros or place == "bin":
+            if self.starts(name) or ((ros or place == "bin") and not self.runs_by_path(name)):
                 yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), ros)
 
     def is_wrong(self, place: str | None) -> bool:
@@ -95,6 +95,16 @@ class MisplacedExecutables:
             if own is not None and own.name != target and depth < MAX_DEPTH and self.uses_ros(own.name, depth + 1):
                 return True
         return False
+
+    def runs_by_path(self, name: str) -> bool:
+        """Return whether a launch file has the name of a script in quotes, or at the end of a path."""
+        wanted = re.compile(rf"""["'/]{re.escape(name)}["'\s<]""")
+        return any(wanted.search(text) for text in self.launch_texts)
+
+    @cached_property
+    def launch_texts(self) -> tuple[str, ...]:
+        paths = self.package.cmake.package_files.paths
+        return tuple(self.text(path) for path in paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
 
     def starts(self, name: str) -> bool:
         return name in self.started

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
@@ -16,6 +16,7 @@ from ...package.workspace import Workspace
 from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
+REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
 VARIABLE = re.compile(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")
 BY_MACRO = {
     "generate_parameter_library": frozenset(
@@ -59,7 +60,8 @@ class ExportedDependencies:
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
             if passed and package in self.needed and package not in self.there | seen:
                 seen.add(package)
-                loaded = (plugins or link.target in components) and not self.is_built_against
+                loads = plugins or link.target in components or self.registers_classes(link.target)
+                loaded = loads and not self.is_built_against
                 yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
 
     @cached_property
@@ -67,6 +69,13 @@ class ExportedDependencies:
         """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
         name = self.headers.package.facts.name
         return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
+
+    def registers_classes(self, name: str) -> bool:
+        """Return whether a source of a library registers a class that pluginlib or a container loads."""
+        target = self.headers.package.cmake.target(name)
+        words = target.sources if target is not None else ()
+        paths = {path_in_package(word.text, target.call.folder) for word in words} if target is not None else set()
+        return any(any(True for _ in file.calls_to(*REGISTERS)) for file in self.headers.sources if file.path in paths)
 
     def package_of(self, link: TargetLink) -> str:
         """Return the package that an argument of a link refers to: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""

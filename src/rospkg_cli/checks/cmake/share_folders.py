@@ -10,9 +10,8 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_packa
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
-from ...ros.share_layout import FOLDERS, LAUNCH
-from ...unreadable import UnreadableError
-from ..share_references import references_folder
+from ...ros.share_layout import FOLDERS
+from ..share_uses import ShareUses
 
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 USED_AT_BUILD = re.compile(
@@ -36,14 +35,18 @@ class RuntimeFolders:
         ):
             return
         for folder in FOLDERS:
-            if self.useful(folder) and not self.is_installed(folder) and not self.is_named(folder):
+            if self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
+                continue
+            if not self.uses.opens_in_source(folder):
                 yield folder
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
         paths = self.package.cmake.package_files.below(folder)
         useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
-        return tuple(path for path in useful if path not in self.built_from and "/test/" not in path)
+        ignores = self.package.cmake.package_files.absent.is_ignored
+        useful = [path for path in useful if path not in self.built_from and "/test/" not in path]
+        return tuple(path for path in useful if not ignores(path))
 
     @cached_property
     def built_from(self) -> frozenset[str]:
@@ -68,29 +71,9 @@ class RuntimeFolders:
         ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
         return rules[-1].call if rules else ends[-1] if ends else None
 
-    def refers_to(self, folder: str) -> bool:
-        """Return whether a launch file or the README refers to a folder of the share directory."""
-        name = self.package.facts.name
-        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
-        return any(
-            references_folder(text, name, folder) if code else started and started.search(text)
-            for text, code in self.texts
-        )
-
     @cached_property
-    def texts(self) -> tuple[tuple[str, bool], ...]:
-        """The launch files and the README: text, and whether it is a launch file."""
-        found = []
-        files = self.package.cmake.package_files
-        for path in files.paths:
-            name = path.rpartition("/")[2]
-            code = bool(LAUNCH.fullmatch(name))
-            if code or name.lower().startswith("readme"):
-                try:
-                    found.append((files.source(path).text, code))
-                except UnreadableError:
-                    continue
-        return tuple(found)
+    def uses(self) -> ShareUses:
+        return ShareUses(self.package.cmake.package_files, self.package.facts.name)
 
 
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:

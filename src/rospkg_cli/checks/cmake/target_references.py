@@ -20,6 +20,9 @@ FIRST_IS_TARGET = (
 )  # fmt: skip
 EXPORTS = ("ament_export_targets", "ament_export_interfaces")
 
+OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
+"""What `ament_find_gtest()` and `ament_add_gtest()` make."""
+
 
 @dataclass(frozen=True)
 class TargetReference:
@@ -90,7 +93,8 @@ class TargetReferences:
         """All names that may be targets; UNKNOWN among them where a target's name is unknown."""
         own = (UNKNOWN if UNKNOWN in target.name else target.name for target in self.cmake.targets)
         foreign = (UNKNOWN if UNKNOWN in text else text for call in self.foreign for text in call.texts)
-        return frozenset([*own, *foreign])
+        found = (package.name for package in self.cmake.packages)
+        return frozenset([*own, *foreign, *found, *OF_TESTS])
 
     @cached_property
     def foreign(self) -> list[EvaluatedCommand]:

@@ -42,13 +42,16 @@ class PythonPackages:
 
     def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
         """Yield each Python package that an installed script or launch file imports and that is not installed."""
-        if not self.table.knows("module") or not self.package.cmake.is_complete:
+        cmake = self.package.cmake
+        if not self.table.knows("module") or not cmake.is_complete or cmake.named("ament_environment_hooks"):
             return
         missing = set(self.folders - self.installed)
         for row in self.table.rows:
             if row.what not in ("executable", "share") or not row.source.endswith(".py") or not missing:
                 continue
             file = self.modules.at(row.source)
+            if file is not None and "sys.path" in cmake.package_files.source(row.source).text:
+                continue
             folder_there = row.destination.rpartition("/")[0]
             for each in file.imports if file is not None else ():
                 name = each.module.partition(".")[0]

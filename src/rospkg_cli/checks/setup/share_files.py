@@ -12,10 +12,9 @@ from ...languages.python.evaluate.values import GlobResult
 from ...light_dataclasses import dataclass
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
-from ...ros.share_layout import FOLDERS, LAUNCH
+from ...ros.share_layout import FOLDERS
 from ...suggest import nearest
-from ...unreadable import UnreadableError
-from ..share_references import references_folder
+from ..share_uses import ShareUses
 from .python_package import PythonPackage
 
 
@@ -61,6 +60,7 @@ class ShareFiles:
             file.source is not None
             and self.package.setup.kind(file.source) is None
             and not self.package.setup.may_write_files
+            and not self.package.files.absent.is_expected(file.source)
         )
 
     @cached_property
@@ -75,7 +75,9 @@ class ShareFiles:
         """Return the files of a folder that are used at run time, at any depth."""
         pattern = FOLDERS.get(folder.rpartition("/")[2], re.compile(r"[^.].*"))
         found = [path for path in self.package.files.below(folder) if pattern.fullmatch(path.rpartition("/")[2])]
-        return tuple(path for path in found if not path.endswith("/__init__.py") and "/test/" not in path)
+        ignores = self.package.files.absent.is_ignored
+        found = [path for path in found if not path.endswith("/__init__.py") and "/test/" not in path]
+        return tuple(path for path in found if not ignores(path))
 
     @cached_property
     def empty_globs(self) -> tuple[GlobResult, ...]:
@@ -84,6 +86,8 @@ class ShareFiles:
         for glob in self.package.setup.globs:
             folder = folder_of(glob.pattern)
             if glob.matches or not glob.is_certain or self.installs_from(folder) or not folder:
+                continue
+            if self.package.files.absent.is_expected(glob.pattern):
                 continue
             found.append(glob)
         return tuple(dict.fromkeys(found))
@@ -102,7 +106,10 @@ class ShareFiles:
         return tuple(
             folder
             for folder in FOLDERS
-            if folder not in globbed | modules and self.useful(folder) and not self.installs_from(folder)
+            if folder not in globbed | modules
+            and not self.installs_from(folder)
+            and self.useful(folder)
+            and not self.uses.opens_in_source(folder)
         )
 
     @cached_property
@@ -120,28 +127,9 @@ class ShareFiles:
                 found.append((file, first))
         return tuple(found)
 
-    def refers_to(self, folder: str) -> bool:
-        """Return whether a launch file, a module or the README refers to a folder of the share directory."""
-        name = self.package.name
-        started = re.compile(rf"ros2\s+launch\s+{re.escape(name)}\b") if folder == "launch" else None
-        return any(
-            references_folder(text, name, folder) if code else started and started.search(text)
-            for text, code in self.texts
-        )
-
     @cached_property
-    def texts(self) -> tuple[tuple[str, bool], ...]:
-        """The launch files and modules, and the README: text, and whether it is code."""
-        found = []
-        for path in self.package.files.paths:
-            name = path.rpartition("/")[2]
-            code = bool(LAUNCH.fullmatch(name)) or path in self.package.setup.modules.values()
-            if code or name.lower().startswith("readme"):
-                try:
-                    found.append((self.package.files.source(path).text, code))
-                except UnreadableError:
-                    continue
-        return tuple(found)
+    def uses(self) -> ShareUses:
+        return ShareUses(self.package.files, self.package.name)
 
     @cached_property
     def uninstalled_neighbours(self) -> tuple[UninstalledNeighbour, ...]:
@@ -177,7 +165,8 @@ class ShareFiles:
         if pattern is None:
             return
         for path in self.package.files.below(folder):
-            if path not in self.covered and pattern.fullmatch(path.rpartition("/")[2]):
+            fits = path not in self.covered and pattern.fullmatch(path.rpartition("/")[2])
+            if fits and not self.package.files.absent.is_ignored(path):
                 yield path
 
 

@@ -7,10 +7,13 @@ from collections.abc import Iterator
 
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...languages.cmake.values import Word
 from ...package.cmake.cmake_package import CMakeForTargets
+from ...package.cmake.cmake_project import CMake
 from ...ros.distros import Targets
 from ...rule import rule
+from ...source import Span
 
 WANTED = "3.10"
 VERSION = re.compile(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
@@ -49,35 +52,47 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     ## Why is this bad?
     CMake 4, which Lyrical and later have, prints a deprecation warning for each below 3.10 and stops at one below 3.5.
     3.10 is there on every supported distribution.
+
+    ## When it is quiet
+    In packages of catkin, and where the version can't be evaluated. A range (`3.5...3.27`) counts by its upper end. All
+    places of a package are one finding, at the oldest version.
     """
-    package = checked.package
-    if package.facts.build_type == "catkin":
+    if checked.package.facts.build_type == "catkin":
         return
-    seen = set()
-    for call in package.cmake.named("cmake_minimum_required"):
+    found = sorted(old_minimums(checked.package.cmake), key=lambda old: old[1])
+    if not found:
+        return
+    cmake = checked.package.cmake
+    (word, version), *others = found
+    spans = {old: literal_span(cmake.file(old.path).source, old.span, old.text) for old, _ in found}
+    edits = tuple(Edit(old.path, span, WANTED) for old, span in spans.items() if span)
+    fix = Fix(f"ask for CMake {WANTED}", edits) if edits else None
+    related = tuple(Related(old.path, old.span, f"and version {old.text} here") for old, _ in others)
+    level = severity(version, checked.targets)
+    yield Hit(word.path, word.span, message(word.text, version), level, related=related, fix=fix)
+
+
+def old_minimums(cmake: CMake) -> Iterator[tuple[Word, tuple[int, int]]]:
+    """Yield the versions below 3.10, each place once."""
+    seen: set[tuple[str, Span]] = set()
+    for call in cmake.named("cmake_minimum_required"):
         word = call.words[1] if call.texts[:1] == ("VERSION",) and len(call.words) > 1 else None
         match = VERSION.fullmatch(word.text) if word else None
-        if word is None or match is None or (call.path, word.span) in seen:
+        if word is None or match is None or (word.path, word.span) in seen:
             continue
-        seen.add((call.path, word.span))
+        seen.add((word.path, word.span))
         version = (int(match[1]), int(match[2]))
         if version < (3, 10):
-            span = literal_span(package.cmake.file(word.path).source, word.span, word.text)
-            fix = Fix(f"ask for CMake {WANTED}", (Edit(word.path, span, WANTED),)) if span else None
-            yield Hit(word.path, word.span, message(word.text, version), level(version, checked.targets), fix=fix)
+            yield word, version
 
 
-def level(version: tuple[int, int], targets: Targets) -> Severity:
+def severity(version: tuple[int, int], targets: Targets) -> Severity:
     meets_cmake_4 = targets.named(lambda distro: distro.cmake >= (4,))
     ladder = (Severity.INFO, Severity.WARNING, Severity.ERROR)
     return ladder[meets_cmake_4 + (version < (3, 5))]
 
 
 def message(text: str, version: tuple[int, int]) -> str:
-    does = (
-        "stops: compatibility with CMake < 3.5 has been"
-        if version < (3, 5)
-        else "warns: compatibility with CMake < 3.10 will be"
-    )
+    does = "stops" if version < (3, 5) else "warns that compatibility with CMake < 3.10 will be removed"
     start = f"`cmake_minimum_required(VERSION {text})`: CMake 4 (Lyrical and later)"
-    return f"{start} {does} removed; write {WANTED}, which every supported distribution has"
+    return f"{start} {does}; write {WANTED}, which every supported distribution has"

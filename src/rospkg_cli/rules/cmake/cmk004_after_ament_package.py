@@ -39,6 +39,10 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## Why is this bad?
     Some of them stop CMake. The others silently do nothing: the component is not registered, the linters don't run.
 
+    ## When it is quiet
+    For a plain `install()`, which does no harm there. In files that CMakeLists.txt includes, in functions, and under a
+    condition that can't be evaluated. For linters where a macro such as `autoware_package()` has run them before.
+
     ## Fix safety
     The call of `ament_package()` goes to the end of the file, past everything that may be there on purpose.
     """

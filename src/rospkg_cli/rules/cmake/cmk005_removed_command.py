@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...checks.cmake.ament_target_dependencies import AmentTargetDependencies, RemovedCommand, Replacement
 from ...edits.cmake_link import use_target_link_libraries
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...ros.distros import Targets
 from ...rule import rule
 
@@ -66,6 +66,9 @@ def removed_command(linked: AmentTargetDependencies) -> Iterator[Hit]:
     The configuration stops with "Unknown CMake command". Linking targets (`rclcpp::rclcpp`, `${std_msgs_TARGETS}`)
     works on every supported distribution.
 
+    ## When it is quiet
+    Inside an `if` that tests for the distribution or for the command. All calls of a package are one finding.
+
     ## Fix safety
     The packages are replaced by the targets that are known to be theirs, a package of messages by its variable
     `${std_msgs_TARGETS}`. Whether an unknown package exports targets is unknown, so its call is left. The target is
@@ -74,14 +77,18 @@ def removed_command(linked: AmentTargetDependencies) -> Iterator[Hit]:
     ## References
     - https://docs.ros.org/en/rolling/Releases/Release-Kilted-Kaiju.html
     """
+    found = [(removed, linked.replacement(removed)) for removed in linked.removed()]
+    if not found:
+        return
+    (first, _), *others = found
+    related = tuple(Related(each.file.path, each.command.name_span, "and this call") for each, _ in others)
+    counted = f" ({len(found)} calls)" if others else ""
+    message = (
+        f"`ament_target_dependencies`{counted} is deprecated in Kilted and removed in Lyrical, where CMake stops with "
+        f'"Unknown CMake command"; {advice([replacement for _, replacement in found])}'
+    )
     level = level_for(linked.targets)
-    for removed in linked.removed():
-        replacement = linked.replacement(removed)
-        message = (
-            "`ament_target_dependencies` is deprecated in Kilted and removed in Lyrical, where CMake stops with "
-            f'"Unknown CMake command"; {advice(replacement)}'
-        )
-        yield Hit(removed.file.path, removed.command.name_span, message, level, fix=fix(removed, replacement))
+    yield Hit(first.file.path, first.command.name_span, message, level, related=related, fix=fix(found))
 
 
 def level_for(targets: Targets) -> Severity | None:
@@ -90,18 +97,17 @@ def level_for(targets: Targets) -> Severity | None:
     return Severity.WARNING if targets.named(lambda distro: distro.name == "kilted") else None
 
 
-def advice(replacement: Replacement | None) -> str:
-    if replacement is None:
+def advice(replacements: Sequence[Replacement | None]) -> str:
+    known = [each for each in replacements if each is not None]
+    if not known:
         return "link the packages' targets with `target_link_libraries` (which ones is not known here)"
-    guessed = ", ".join(f"`{name}`" for name in replacement.guessed)
+    guessed = ", ".join(f"`{name}`" for name in dict.fromkeys(name for each in known for name in each.guessed))
     unknown = f" (whether {guessed} exports targets is not known here)" if guessed else ""
     return f"link the targets of its packages with `target_link_libraries`{unknown}"
 
 
-def fix(removed: RemovedCommand, replacement: Replacement | None) -> Fix | None:
-    if replacement is None:
-        return None
-    new = " ".join(text for part in replacement.parts for text in part.texts or ()) or "nothing"
-    return Fix(
-        f"link `{new}` with target_link_libraries", use_target_link_libraries(removed, replacement), Safety.UNSAFE
-    )
+def fix(found: Sequence[tuple[RemovedCommand, Replacement | None]]) -> Fix | None:
+    edits = [edit for each, new in found if new is not None for edit in use_target_link_libraries(each, new)]
+    parts = [part for _, new in found if new is not None for part in new.parts]
+    texts = " ".join(dict.fromkeys(text for part in parts for text in part.texts or ())) or "nothing"
+    return Fix(f"link `{texts}` with target_link_libraries", tuple(edits), Safety.UNSAFE) if edits else None

@@ -74,6 +74,10 @@ def target_name_clash(package: CMakePackage) -> Iterator[Hit]:
     ## Why is this bad?
     CMake stops with "cannot create target … because another target with the same name already exists". Interfaces
     belong in a package of their own, which nodes in other packages then depend on.
+
+    ## When it is quiet
+    Where one of the two is made under a condition that can't be evaluated, and inside `if(NOT TARGET …)`. Imported
+    targets, and interfaces with SKIP_INSTALL beside a Python package, are left alone.
     """
     for clash in duplicate_targets(package.cmake):
         first = Related(clash.first.path, clash.first.span, f"`{clash.first_command}` makes it here")
@@ -81,10 +85,8 @@ def target_name_clash(package: CMakePackage) -> Iterator[Hit]:
 
 
 def message(package: CMakePackage, clash: DuplicateTarget) -> str:
-    start = (
-        f"`{clash.second_command}` makes `{clash.name}`, which `{clash.first_command}` makes already: CMake stops with "
-    )
+    start = f"`{clash.second_command}` makes `{clash.name}`, as `{clash.first_command}` does: CMake stops with "
     stops = f'{start}"another target with the same name already exists"; '
     if "rosidl_generate_interfaces" in (clash.first_command, clash.second_command):
-        return f"{stops}give the other one its own name, or move the interfaces to `{package.facts.name}_interfaces`"
+        return f"{stops}rename the other one, or move the interfaces to `{package.facts.name}_interfaces`"
     return f"{stops}rename one of them"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.share_folders import RuntimeFolders
+from ...checks.share_uses import share_consequence
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -24,7 +25,10 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     "cmake-folder-not-installed",
     over=RuntimeFolders,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "a launch file or the README refers to the folder"},
+    levels={
+        Severity.ERROR: "code, a launch file or the README opens it in the share directory",
+        Severity.INFO: "nothing in the package does, and it is not `launch/`",
+    },
     examples=(
         Example(
             bad={**LAUNCH, "CMakeLists.txt": CMAKE.replace("ament_package()", "«ament_package()»")},
@@ -49,6 +53,12 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
     'my_pkg'": only what `install()` names is installed.
+
+    ## When it is quiet
+    Where install rules can't be evaluated, where another command names the folder, and where git ignores its files.
+    Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`). Where nothing in the
+    package looks for the folder in the share directory it is an info, for it may be a leftover; what another
+    package opens there, that one is told of.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:
@@ -57,10 +67,10 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
-        start = f"`ros2 launch {name} …`" if folder == "launch" else "what opens it in the share directory"
+        opened = folders.uses.opens(folder)
         message = (
-            f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): the build is "
-            f"green, and {start} does not find it; add `{folder}` to an `install(DIRECTORY …)`"
+            f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
+            f"{share_consequence(name, folder, opened)}; add `{folder}` to an `install(DIRECTORY …)`"
         )
-        level = Severity.ERROR if folders.refers_to(folder) else None
+        level = Severity.ERROR if opened else None if folder == "launch" else Severity.INFO
         yield Hit(place.path, place.command.span, message, level, fix=fix)

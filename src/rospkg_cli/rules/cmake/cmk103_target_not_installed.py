@@ -79,6 +79,10 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     ## Why is this bad?
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries".
     A target that an exported one is linked with has to be exported too: CMake stops.
+
+    ## When it is quiet
+    Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
+    folders of tests, benchmarks, examples or third parties. For static libraries, and with EXCLUDE_FROM_ALL.
     """
     if not package.is_ament:
         return

@@ -41,7 +41,7 @@ def cmake(lines: str) -> str:
     over=MisplacedExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it goes to bin/, and neither a launch file nor the README starts it",
+        Severity.WARNING: "neither a launch file nor the README starts it, and it goes to bin/, or is a script",
         Severity.INFO: "it goes to bin/, and nothing shows that it is a node",
     },
     examples=(
@@ -73,6 +73,11 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
 
+    ## When it is quiet
+    Where another rule installs it into `lib/<package>` too, under a condition that can't be evaluated, and for what
+    tests put into bin/. For scripts that neither use rclpy nor are started by name, and for those that a launch file
+    runs by their path.
+
     ## Fix safety
     What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
     not safe.
@@ -85,9 +90,9 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
         if project != name and each.destination == f"lib/{project}":
             continue  # the name of the project is at fault: CMK001
         start = (
-            f"`{each.name}` is installed into `{each.destination}`, where neither `ros2 run {name} {each.name}` nor a"
+            f"`{each.name}` is installed into `{each.destination}`: `ros2 run {name} {each.name}` and launch files look"
         )
-        message = f"{start} launch file looks; use `lib/${{PROJECT_NAME}}`"
+        message = f"{start} in `lib/{name}` alone; use `lib/${{PROJECT_NAME}}`"
         edits = to_libexec(misplaced.package.cmake, each)
         safety = Safety.SAFE if level(each) is None else Safety.UNSAFE
         fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
@@ -95,6 +100,6 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
 
 
 def level(misplaced: MisplacedExecutable) -> Severity | None:
-    if misplaced.is_started or misplaced.destination != "bin":
+    if misplaced.is_started or not (misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"):
         return None
     return Severity.WARNING if misplaced.is_node else Severity.INFO

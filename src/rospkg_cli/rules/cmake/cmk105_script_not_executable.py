@@ -61,6 +61,10 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     ## Why is this bad?
     `ros2 run` says "No executable found", or the script ends with "Exec format error". PROGRAMS sets the bit on a copy;
     with `colcon build --symlink-install` there is no copy, and the bit of the source counts.
+
+    ## When it is quiet
+    For files that another installed script imports, that a launch file hands to `python3`, or that are installed
+    under a condition that can't be evaluated or for tests.
     """
     if not scripts.package.is_ament:
         return

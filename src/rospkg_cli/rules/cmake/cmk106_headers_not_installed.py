@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.exported_headers import ExportedHeaders
+from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.installed_headers import INCLUDES, PublicHeaders
+from ...package.cmake.installed_headers import INCLUDES
 from ...rule import rule
 
 LINES = """\
@@ -40,8 +42,9 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
 @rule(
     "CMK106",
     "headers-not-installed",
-    over=PublicHeaders,
+    over=ExportedHeaders,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "no library is exported, and no package of the workspace builds against this one"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package")},
@@ -51,7 +54,7 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
         ),
     ),
 )
-def headers_not_installed(headers: PublicHeaders) -> Iterator[Hit]:
+def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that export a library or include directories and install no headers.
@@ -59,21 +62,31 @@ def headers_not_installed(headers: PublicHeaders) -> Iterator[Hit]:
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "No such file or directory" at the first
-    `#include`.
+    `#include`. Where no library is exported, there is nothing to link either: then take the export out.
+
+    ## When it is quiet
+    Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a plugin that exports only
+    targets, and as soon as one header is installed.
     """
+    headers = exported.headers
     package = headers.package
     if not package.is_ament or not headers.are_uninstalled():
         return
     call = headers.exports[0]
     first = headers.offered[0]
-    if call.name in INCLUDES:
-        start = f"`{call.name}` exports a folder of headers, and none of those in `include/` (`{first}`) is installed:"
+    name = package.facts.name
+    if call.name in INCLUDES and not exported.may_be_used:
         message = (
-            f"{start} `find_package({package.facts.name})` warns that the folder does not exist, and including one "
-            "stops; add `install(DIRECTORY include/ …)`, or export nothing"
+            f"`{call.name}` exports a folder of headers and the package no library: none of its headers (`{first}`) is "
+            "installed, so nothing can use them; take the call out"
         )
-    else:
-        start = f"`{call.name}` exports what needs the headers in `include/` (`{first}`), and none of them is installed"
-        message = f"{start}: linking it stops at the first `#include`; add `install(DIRECTORY include/ …)`"
+        edit = remove(package.cmake.file(call.path), call.command)
+        fix = Fix("take the export out", (edit,), Safety.UNSAFE)
+        yield Hit(call.path, call.command.span, message, Severity.INFO, fix=fix)
+        return
+    message = (
+        f"none of the headers in `include/` (`{first}`) is installed, and `{call.name}` exports them: a package that "
+        f"uses `{name}` stops at the first `#include`; add `install(DIRECTORY include/ …)`"
+    )
     fix = Fix("install the headers", (install_headers(package.cmake),))
     yield Hit(call.path, call.command.span, message, fix=fix)

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from ...checks.cmake.unguarded_tests import UnguardedTest, unguarded
 from ...edits.cmake_commands import guard
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 BODY = "  <test_depend>ament_lint_auto</test_depend>\n  <test_depend>ament_lint_common</test_depend>\n"
 LINES = "find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_dependencies()\n"
-MARKED = "\n".join(f"«{line}»" for line in LINES.splitlines()) + "\n"
+MARKED = LINES.replace("find_package(ament_lint_auto REQUIRED)", "«find_package(ament_lint_auto REQUIRED)»")
 GUARDED = (
     "if(BUILD_TESTING)\n  find_package(ament_lint_auto REQUIRED)\n  ament_lint_auto_find_test_dependencies()\nendif()\n"
 )
@@ -40,11 +40,15 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds test frameworks, linters and tests outside of `if(BUILD_TESTING)` in CMakeLists.txt.
-    A package that is more than a `<test_depend>` is left alone.
+    All of a package are one finding.
 
     ## Why is this bad?
     Where packages are built for release, tests are off and their dependencies are not there: "Could not find a package
     configuration file provided by "ament_lint_auto"".
+
+    ## When it is quiet
+    Where the package is more than a `<test_depend>`, and so there without tests too. Inside a condition that can't be
+    evaluated, for tests in functions of the package, and in a package that is only for tests.
 
     ## Fix safety
     Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer
@@ -53,16 +57,19 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     if not package.is_ament:
         return
     found = list(unguarded(package))
+    if not found:
+        return
+    first, *others = found
     guards = guard(package.cmake.root, [each.call.command for each in found])
-    for each in found:
-        edits = guards.get(id(each.call.command))
-        fix = Fix("put it into `if(BUILD_TESTING)`", edits, Safety.UNSAFE) if edits else None
-        yield Hit(each.call.path, each.call.command.span, message(each), fix=fix)
+    edits = tuple(dict.fromkeys(edit for each in found for edit in guards.get(id(each.call.command), ())))
+    fix = Fix("put it into `if(BUILD_TESTING)`", edits, Safety.UNSAFE) if edits else None
+    related = tuple(Related(each.call.path, each.call.command.span, "and this") for each in others)
+    yield Hit(first.call.path, first.call.command.span, message(first), related=related, fix=fix)
 
 
 def message(each: UnguardedTest) -> str:
     verb = f"`find_package({each.what})`" if each.call.name == "find_package" else f"`{each.what}`"
     return (
-        f"{verb} is for tests and outside of `if(BUILD_TESTING)`: a build without tests, as for a release, "
-        "stops because it is not installed; put it inside"
+        f"{verb} is for tests and outside of `if(BUILD_TESTING)`: a build without tests, as for a release, lacks it "
+        "and stops; put it inside"
     )

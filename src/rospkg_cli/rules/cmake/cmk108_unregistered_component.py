@@ -93,7 +93,12 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
 
     ## Why is this bad?
     Both have to say the same, to the letter. The build is green, and loading the component ends with "Failed to find
-    class with the requested plugin name"; its executable starts and ends without a message.
+    class with the requested plugin name"; its executable ends with "Class … not found in library …" (Humble's says
+    nothing, and spins without a node).
+
+    ## When it is quiet
+    Where a macro of the package registers classes, where sources are generated, absent or can't be evaluated, where a
+    file that can't be read is included, and under a condition that can't be evaluated.
     """
     cmake = components.package.cmake
     if not components.package.is_ament:
@@ -115,8 +120,8 @@ def unknown(components: ComponentRegistration, component: Component) -> str:
     name = component.plugin.text
     there = f"it is `{names[0]}` that is registered" if len(set(names)) == 1 else "they register others"
     near = did_you_mean(name, names) or f" ({there})" if names else ""
-    fails = f'no source registers `{name}`{near}: the build is green, and loading it ends with "Failed to find class'
-    return f'{fails} with the requested plugin name"; write `{MACRO}({name})`, or the right name'
+    fails = f'no source registers `{name}`{near}: loading it ends with "Failed to find class with the requested plugin'
+    return f'{fails} name"; write `{MACRO}({name})`, or the right name'
 
 
 def meant(components: ComponentRegistration, component: Component) -> tuple[Related, ...]:

@@ -52,6 +52,10 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build is green, and the script ends with ModuleNotFoundError.
+
+    ## When it is quiet
+    Where install rules can't be evaluated, where the import is guarded by `try`, where the script changes `sys.path`,
+    where an environment hook of the package may set PYTHONPATH, and where the folder is installed beside the script.
     """
     cmake = packages.package.cmake
     ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
@@ -59,9 +63,10 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         return
     for each in packages.uninstalled():
         place = ends[-1]
-        start = f"the Python package `{each.folder}` is not installed: the build is green, and `{each.path}`, which"
-        stops = f"imports `{each.module}`, ends with ModuleNotFoundError"
-        message = f"{start} {stops}; call `ament_python_install_package({each.folder})`"
+        start = (
+            f"the Python package `{each.folder}` is not installed: `{each.path}`, which imports `{each.module}`, ends"
+        )
+        message = f"{start} with ModuleNotFoundError; call `ament_python_install_package({each.folder})`"
         edits = install_python_package(cmake, each.folder)
         fix = only_plain_names(Fix(f"install the Python package {each.folder}", edits), each.folder)
         related = Related(each.path, each.span, "it is imported here")

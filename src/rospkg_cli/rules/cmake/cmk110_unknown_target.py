@@ -23,6 +23,15 @@ ament_export_targets(«export_core»)
 """
 SOURCE = "int main() {return 0;}\n"
 
+STOPS = {
+    "install": "given target … which does not exist",
+    "set_target_properties": "can not find target to add properties to",
+    "add_dependencies": "Cannot add target-level dependencies to non-existent target",
+    "ament_target_dependencies": "the first argument must be a valid target name",
+    "rosidl_target_interfaces": "the first argument … must be a valid target name",
+}
+"""How CMake says it; the commands for targets all end their sentence in the same way."""
+
 
 def cmake(lines: str) -> str:
     return CMAKE.replace("ament_package", lines + "ament_package")
@@ -55,6 +64,11 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     CMake stops. This is what is left when a target was renamed or removed.
+
+    ## When it is quiet
+    Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
+    given the name, for names with `::`, for those of a package that is found, and for `gtest` and `gmock`. Under a
+    condition that can't be evaluated.
     """
     references = TargetReferences(package.cmake)
     for reference in references.broken():
@@ -79,4 +93,5 @@ def said(package: CMakePackage, reference: TargetReference) -> str:
 def stops(reference: TargetReference) -> str:
     if reference.kind == "export":
         return f'"INSTALL(EXPORT) given unknown export"; add `EXPORT {reference.word.text}` to the `install(TARGETS …)`'
-    return '"… which does not exist"; name a target of this package, or remove it'
+    text = STOPS.get(reference.call.name, "which is not built by this project")
+    return f'"{text}"; name a target of this package, or remove it'

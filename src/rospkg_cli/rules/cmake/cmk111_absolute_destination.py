@@ -17,6 +17,7 @@ HOME = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/hom
 URDF = '<robot name="my_robot">\n  <link name="base_link"/>\n</robot>\n'
 
 OUTSIDE = re.compile(r"/|~|\$ENV\{HOME\}")
+SYSTEM = re.compile(r"/(?:etc|lib/udev|(?:usr/)?lib/systemd|usr/lib/udev)(?:/|$)")
 STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
 """A folder below the prefix, with a slash or the path of a workspace before it."""
 
@@ -26,6 +27,7 @@ STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*
     "absolute-destination",
     over=CMakePackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the folder is for settings of the system"},
     examples=(
         Example(
             bad={"CMakeLists.txt": SLASH, "urdf/robot.urdf": URDF},
@@ -49,6 +51,10 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     ## Why is this bad?
     The files don't go to colcon's install folder: the build fails for lack of permission, or it writes into a folder
     that exists only on one machine. No Debian package can be made of it.
+
+    ## When it is quiet
+    For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), and under a condition that can't be evaluated.
+    Rules of udev and units of systemd may be meant for the system: a warning.
     """
     seen = set()
     for install in package.cmake.installs:
@@ -58,9 +64,16 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
         raw = package.cmake.source_text(word).strip('"')
         if OUTSIDE.match(raw) and install.call.name != "ament_python_install_package":
             seen.add((word.path, word.span))
+            if SYSTEM.match(raw):
+                message = (
+                    f"`DESTINATION {raw}` is a folder of the system: the build needs root, and no Debian package holds "
+                    f"the file; install it into `{wanted(raw, install)}`"
+                )
+                yield Hit(word.path, word.span, message, Severity.WARNING)
+                continue
             message = (
-                f"`DESTINATION {raw}` is an absolute path: the files don't go to the install prefix, where ROS looks; "
-                f"write a path below it, such as `{wanted(raw, install)}`"
+                f"`DESTINATION {raw}` is absolute: the files don't go to the install prefix, where ROS looks; write "
+                f"`{wanted(raw, install)}`"
             )
             yield Hit(word.path, word.span, message, fix=fix(package, word, raw))
 

@@ -12,6 +12,7 @@ from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
 
 SCRIPT = "#!/usr/bin/env python3\nprint('hello')\n"
+README = "Say goodbye with `ros2 run my_pkg bye.py`.\n"
 ONE = CMAKE.replace(
     "ament_package",
     "install(PROGRAMS\n  «scripts/hello.py»\n  DESTINATION lib/${PROJECT_NAME}\n)\nament_package",
@@ -23,9 +24,10 @@ ONE = CMAKE.replace(
     "script-not-installed",
     over=InstalledScripts,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "it does not use rclpy, and nothing names it"},
     examples=(
         Example(
-            bad={"CMakeLists.txt": ONE, "scripts/hello.py": SCRIPT, "scripts/bye.py": SCRIPT},
+            bad={"CMakeLists.txt": ONE, "scripts/hello.py": SCRIPT, "scripts/bye.py": SCRIPT, "README.md": README},
             good={"CMakeLists.txt": ONE.replace("«scripts/hello.py»", "scripts/hello.py\n  scripts/bye.py")},
             on="ament_cmake",
             fix=Safety.SAFE,
@@ -40,6 +42,11 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build is green, and `ros2 run` finds the one and not the other.
+
+    ## When it is quiet
+    Where install rules can't be evaluated, where another command names the script, for scripts of tests, and for those
+    whose names begin with `_`. Where it neither uses rclpy nor is named in a launch file, a README or another script,
+    it may be for developers: an info.
     """
     if not scripts.package.is_ament:
         return
@@ -48,5 +55,6 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
             f"`{path}` is not installed, but `{neighbour.source}` is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"
         )
+        level = None if scripts.is_wanted(path) else Severity.INFO
         fix = only_plain_names(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
-        yield Hit(neighbour.item.path, neighbour.item.span, message, fix=fix)
+        yield Hit(neighbour.item.path, neighbour.item.span, message, level, fix=fix)

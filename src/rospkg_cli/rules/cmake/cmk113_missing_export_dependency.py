@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.missing_export_dependencies import ExportedDependencies
-from ...edits.cmake_export import export_dependency
+from ...edits.cmake_export import export_dependencies
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 LINES = """\
@@ -71,19 +71,28 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     This package builds. Another one that links the library stops with "the target was not found", or at the first
     `#include` where no target is exported, unless it happens to find the package itself.
 
+    ## When it is quiet
+    Where CMake or an export can't be evaluated, in `ament_auto_package()`, for a plugin that exports only targets, and
+    for packages of the system that are declared under another name. All packages that one library lacks are one
+    finding.
+
     ## Fix safety
-    The package is added. Where the library needs it only inside, linking it as PRIVATE is better.
+    The packages are added. Where the library needs one only inside, linking it as PRIVATE is better.
     """
     package = exported.headers.package
-    if not package.is_ament:
+    found = list(exported.missing()) if package.is_ament else []
+    if not found:
         return
-    for number, each in enumerate(exported.missing()):
-        lacks = "a target" if each.is_target else "a header"
-        message = (
-            f"`{each.link.target}` is exported and passes `{each.package}` on, which `ament_export_dependencies` does "
-            f"not name: linking it stops because {lacks} of `{each.package}` was not found; export it"
-        )
-        edit = export_dependency(package.cmake, each.package, first=number == 0)
-        fix = Fix(f"export {each.package}", (edit,), Safety.UNSAFE) if edit else None
-        level = Severity.INFO if each.is_only_loaded else None
-        yield Hit(each.word.path, each.word.span, message, level, fix=only_plain_names(fix, each.package))
+    first, *others = found
+    names = [each.package for each in found]
+    shown = ", ".join(f"`{name}`" for name in names)
+    lacks = "a target" if first.is_target else "a header"
+    message = (
+        f"`{first.link.target}` is exported and passes {shown} on, which `ament_export_dependencies` does not name: "
+        f"linking it stops because {lacks} of `{first.package}` was not found; export {'them' if others else 'it'}"
+    )
+    related = tuple(Related(each.word.path, each.word.span, f"`{each.package}` is linked here") for each in others)
+    edit = export_dependencies(package.cmake, names)
+    fix = Fix(f"export {', '.join(names)}", (edit,), Safety.UNSAFE)
+    level = Severity.INFO if all(each.is_only_loaded for each in found) else None
+    yield Hit(first.word.path, first.word.span, message, level, related, only_plain_names(fix, *names))

@@ -56,12 +56,16 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
     A glob that matches nothing is no error for Python: the build is green, nothing is installed, and `ros2 launch`
     says "file … was not found in the share directory of package …". Often the file is called `robot_launch.py` and the
     pattern is `*.launch.py`; `launch/*launch.[pxy][yma]*` finds both, and XML and YAML too.
+
+    ## When it is quiet
+    Where setup.py may write files, where another entry installs files of the folder, where git ignores what the glob
+    looks for, and below a submodule that is not checked out.
     """
     files, setup = shared.package.files, shared.package.setup
     for glob in shared.empty_globs if not setup.may_write_files else ():
         folder = folder_of(glob.pattern)
         held = sorted(path for path in files.below(folder) if "/." not in path)
-        refers = shared.refers_to(folder)
+        refers = shared.uses.opens(folder)
         level = Severity.ERROR if refers and held else None
         if held:
             shown = ", ".join(f"`{path}`" for path in held[:3]) + (", …" if len(held) > 3 else "")
@@ -69,6 +73,6 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
         else:
             near = shared.suggestion(folder)
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
-            level = Severity.ERROR if near and shared.refers_to(near) else None if near else Severity.INFO
+            level = Severity.ERROR if near and shared.uses.opens(near) else None if near else Severity.INFO
         message = f"`{glob.pattern}` matches no file; {what}. The build is green and installs nothing for it"
         yield Hit(setup.path, glob.span, message, level=level)

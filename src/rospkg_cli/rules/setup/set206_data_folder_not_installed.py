@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.share_files import ShareFiles
+from ...checks.share_uses import share_consequence
 from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -29,7 +30,10 @@ def good(folder: str, pattern: str) -> str:
     "data-folder-not-installed",
     over=ShareFiles,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "a launch file, a module or the README refers to the folder"},
+    levels={
+        Severity.ERROR: "code, a launch file or the README opens it in the share directory",
+        Severity.INFO: "nothing in the package does, and it is not `launch/`",
+    },
     examples=(
         Example(
             bad={**FILES, "setup.py": MARKED},
@@ -52,6 +56,12 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
     'my_pkg'": only what `data_files` names is installed.
+
+    ## When it is quiet
+    Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
+    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`). Where
+    nothing in the package looks for the folder in the share directory it is an info, for it may be a leftover; what
+    another package opens there, that one is told of.
     """
     package = shared.package
     setup = package.setup
@@ -61,10 +71,10 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         files = shared.useful(folder)
         edits = install_folder(setup, package.name, folder, files)
         fix = Fix(f"install {folder}/ into share/{package.name}/{folder}", edits) if edits else None
-        start = f"`ros2 launch {package.name} …`" if folder == "launch" else "what opens it in the share directory"
+        opened = shared.uses.opens(folder)
         message = (
-            f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): the build is "
-            f"green, and {start} does not find it; add it to `data_files`"
+            f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
+            f"{share_consequence(package.name, folder, opened)}; add it to `data_files`"
         )
-        level = Severity.ERROR if shared.refers_to(folder) else None
+        level = Severity.ERROR if opened else None if folder == "launch" else Severity.INFO
         yield Hit(setup.path, setup.name_span("data_files"), message, level=level, fix=fix)

@@ -1,0 +1,63 @@
+"""Whether a package opens a folder in its share directory, or its README does so in the source folder."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..unreadable import UnreadableError
+from .share_references import references_folder
+
+CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
+        ".rviz", ".launch")  # fmt: skip
+"""The files that may open something at run time."""
+
+
+@dataclass(frozen=True)
+class ShareUses:
+    files: PackageFiles
+    name: str
+    """The package's."""
+
+    def opens(self, folder: str) -> bool:
+        """Return whether code, a robot, a world or the README refers to a folder of the share directory."""
+        name = re.escape(self.name)
+        started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
+        written = re.compile(rf"(?:package://{name}|\$\(find(?:-pkg-share)?\s+{name}\))/{re.escape(folder)}/")
+        if any(written.search(text) or references_folder(text, self.name, folder) for text in self.code):
+            return True
+        return started is not None and any(started.search(text) for text in self.readmes)
+
+    def opens_in_source(self, folder: str) -> bool:
+        """Return whether the README opens the folder's files where they lie: `src/…/config/a.yaml`."""
+        place = re.escape(folder)
+        written = re.compile(rf"\bsrc/[^\s`]*\b{place}/|--params-file[ \t]+(?!\$)[^\s`]*\b{place}/")
+        return any(written.search(text) for text in self.readmes)
+
+    @cached_property
+    def code(self) -> tuple[str, ...]:
+        paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
+        return tuple(map(self.text, paths))
+
+    @cached_property
+    def readmes(self) -> tuple[str, ...]:
+        paths = (path for path in self.files.paths if path.rpartition("/")[2].lower().startswith("readme"))
+        return tuple(map(self.text, paths))
+
+    def text(self, path: str) -> str:
+        try:
+            return self.files.source(path).text
+        except UnreadableError:
+            return ""
+
+
+def share_consequence(package: str, folder: str, opened: bool) -> str:
+    """Return what happens where a folder is not installed, for a message."""
+    if folder == "launch":
+        return f"the build is green, and `ros2 launch {package} …` does not find it"
+    if opened:
+        return "the build is green, and what opens it in the share directory does not find it"
+    return "no other package can open it, and nothing in this one does"
