@@ -137,18 +137,65 @@ def test_values_against_declarations(values: str, said: list[str]) -> None:
     assert [text[: len(want)] for text, want in zip(found, said, strict=True)] == said
 
 
-def test_the_declaring_package_may_be_a_neighbour() -> None:
-    files = package("rate: 5; frame: odom", "", **{
-        "src/other/package.xml": manifest("", "ament_cmake", "other"), "src/other/src/talker.cpp": NODE,
-    })  # fmt: skip
-    (finding,) = lint_files(files, ["PRM006"]).findings
-    assert "declared as double in `src/talker.cpp`" in finding.message
+NEIGHBOUR = {"src/other/package.xml": manifest("", "ament_cmake", "other"), "src/other/src/talker.cpp": NODE}
+NEEDS_IT = {"src/my_pkg/package.xml": manifest("  <exec_depend>other</exec_depend>\n", "ament_cmake")}
+
+
+@pytest.mark.parametrize(
+    "values, depends, found",
+    [
+        ("rate: 5; frame: odom", True, 1),
+        ("rate: 5; frame: odom", False, 0),
+        ("rate: 5; frame: odom; count: 5", False, 1),
+        ("rate: 5; count: 5; type: x; size: 2", True, 0),
+        ("rate: 5", True, 0),
+    ],
+)
+def test_a_neighbour_declares_them_where_more_than_names_says_so(values: str, depends: bool, found: int) -> None:
+    """`type` and `frame_id` are names of many: two of them are no proof."""
+    files = {**package(values, "", **NEIGHBOUR), **(NEEDS_IT if depends else {})}
+    findings = lint_files(files, ["PRM006"]).findings
+    assert len(findings) == found
+    assert all("`rate` is declared as double in `src/talker.cpp`: an int stops" in each.message for each in findings)
+
+
+@pytest.mark.parametrize("name", ["frames", "frame"])
+def test_a_name_is_mended_with_its_type(name: str) -> None:
+    node = NODE.replace('"frame", "map"', f'"{name}s", std::vector<std::string>{{}}')
+    (finding,) = lint_files(package(f"rate: 5.0; {name}: odom; count: 5", node), ["PRM007"]).findings
+    assert finding.fix is not None
+    assert [edit.text for edit in finding.fix.operations] == [f"{name}s", "[", "]"]  # type: ignore[union-attr]
+
+
+def test_a_name_for_a_value_of_another_type_has_no_fix() -> None:
+    node = NODE.replace('"frame", "map"', '"frames", 3')
+    (finding,) = lint_files(package("rate: 5.0; frame: odom; count: 5", node), ["PRM007"]).findings
+    assert finding.fix is None
+
+
+@pytest.mark.parametrize(
+    "code, level",
+    [
+        ('get_parameter("rte");', "error"),
+        ('get_parameter("rte", rate_);', "warning"),
+        ('get_parameter_or("rte", rate_, 1.0);', "warning"),
+        ('try { get_parameter("rte"); } catch (...) {}', "warning"),
+        ('if (has_parameter("rte")) { get_parameter("rte"); }', "warning"),
+        ('options.allow_undeclared_parameters(true); get_parameter("rte");', ""),
+        ('options.automatically_declare_parameters_from_overrides(true); get_parameter("rte");', ""),
+    ],
+)
+def test_a_read_that_throws_is_an_error(code: str, level: str) -> None:
+    findings = lint_files(package("rate: 5.0", NODE.replace("}\n", f"  {code}\n}}\n")), ["PRM007"]).findings
+    assert [each.severity.value for each in findings] == ([level] if level else [])
+    ends = "the node stops with ParameterNotDeclaredException" if level == "error" else "the variable is never set"
+    assert all(ends in each.message for each in findings)
 
 
 def test_declarations_that_differ_say_nothing() -> None:
     other = NODE.replace("10.0", "10")
     files = package("rate: 5; frame: odom", NODE, **{
-        "src/other/package.xml": manifest("", "ament_cmake", "other"), "src/other/src/talker.cpp": other,
+        **NEIGHBOUR, "src/other/src/talker.cpp": other,
     })  # fmt: skip
     assert not lint_files(files, ["PRM006"]).findings
 

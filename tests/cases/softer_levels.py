@@ -6,6 +6,8 @@ from rospkg_cli.example import CMAKE, Example, manifest
 from rospkg_cli.rules.launch import lch002_unknown_executable as lch002
 from rospkg_cli.rules.launch import lch003_missing_launch_reference as lch003
 from rospkg_cli.rules.launch import lch014_invalid_launch_call as lch014
+from rospkg_cli.rules.params import prm002_duplicate_parameter as prm002
+from rospkg_cli.rules.params import prm007_unknown_parameter as prm007
 
 OFF = """\
 <launch>
@@ -66,6 +68,17 @@ CASES = {
     "LCH014": (
         called(COMPARED),
         called(NEVER_VISITED),
+    ),
+    "PRM002": (
+        Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: 5\n"}, good={}, on="config"),
+        Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: '5'\n"}, good={}, on="config"),
+    ),
+    "PRM007": (
+        Example(
+            bad={"include/my_pkg/talker.hpp": prm007.NODE.replace("  }\n", '    get_parameter("verbos");\n  }\n')},
+            good={},
+            on="ament_cmake",
+        ),
     ),
     "URD001": (
         robot(f'<xacro:if value="$(arg sim)">{JOINT}</xacro:if>'),

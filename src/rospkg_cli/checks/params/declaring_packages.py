@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -25,6 +26,9 @@ ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
 ALMOST = 0.8
 """The same, where it is about what a block does not set."""
+ALLOWED = re.compile(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
+"""Options of a node that has parameters which no code declares."""
+MILD = re.compile(r"\bcatch\b|\bhas_parameter\b")
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 
@@ -60,6 +64,10 @@ class ParameterGroup:
         """The last pieces of the names that the owners declare."""
         return frozenset(each.name.rpartition(".")[2] for facts in self.owners for each in facts.parameters)
 
+    def type_of(self, name: str) -> str:
+        """Return the type that every owner declares a name with; "" where they differ."""
+        return type_named(self.fitting(name), name)
+
     def wanted_type(self, parameter: Parameter) -> tuple[str, DeclaredParameter] | None:
         """Return the type that every owner declares a parameter with, and one declaration; None where they differ."""
         fitting = self.fitting(parameter.name)
@@ -73,6 +81,8 @@ class UnknownRead:
     span: Span
     name: str
     suggestion: str
+    throws: bool
+    """Whether it certainly throws: it gets one parameter by its name, and nothing in the file may catch that."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +149,7 @@ class ParameterContext:
         It has a similar name, or there is only one of each.
         """
         reads = [read for file in self.cpp for read, _ in read_in(file)]
-        for file in self.cpp:
+        for file in self.cpp if not any(ALLOWED.search(each.source.text) for each in self.cpp) else ():
             own = [each for each in self.package.parameters if each.path == file.path]
             unread = {each.name for each in own if not any(same(each, read) for read in reads)}
             unmatched = [
@@ -151,21 +161,27 @@ class ParameterContext:
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
                 if suggestion is not None and call.arguments:
-                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion)
+                    throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
+                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
 
     def is_declared(self, read: DeclaredParameter) -> bool:
         return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
 
     def owners(self, index: ParameterIndex, names: frozenset[str]) -> list[PackageFacts]:
-        """Return the packages that declare most of the names; of a single name only the own package is believed."""
-        found = []
+        """Return the packages that declare most of the names.
+
+        Of a single name only the own package is believed, of two only one that this package depends on: `type` and
+        `frame_id` are declared by many.
+        """
+        found, near, is_certain = [], {each.name for each in self.package.dependencies}, False
         for facts, count in index.counts(names):
+            own = facts.folder == self.package.folder
             if count < ENOUGH * len(names):
                 break
-            least = 1 if facts.folder == self.package.folder and len(names) < 3 else 2
-            if count >= max(ENOUGH * len(names), least):
+            if count > 1 or (own and len(names) < 3):
                 found.append(facts)
-        return found
+                is_certain = is_certain or own or facts.name in near or count > 2
+        return found if is_certain else []
 
 
 def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:

@@ -115,8 +115,8 @@ def value_faults(mapping: MappingNode) -> Iterator[Fault]:
 def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
     """Yield what is wrong with a list: the first item that rcl can't read, or items of several types."""
     if not value.items:
-        message = f"rcl can't determine the type of the empty list `{name}`: a C++ node that declares parameters stops"
-        yield Fault(value.span, f'{message} with "No parameter value set"; leave `{name}` out')
+        message = f"rcl can't determine the type of the empty list `{name}`: a C++ node stops"
+        yield Fault(value.span, f'{message} with "No parameter value set"; leave `{name}` out', "warning")
         return
     if only := mapping_in_list(value):
         yield from value_faults(only)
@@ -139,7 +139,7 @@ def item_fault(name: str, item: YamlNode) -> Fault:
     if isinstance(item, ScalarNode):
         return Fault(item.span, f"an entry of `{name}` has no value; {REFUSES}")
     kind = "list" if isinstance(item, SequenceNode) else "mapping"
-    return Fault(item.span, f"a {kind} inside the list `{name}`: rcl has no such parameter type")
+    return Fault(item.span, f"a {kind} inside the list `{name}`; {REFUSES}")
 
 
 def mixed_types(name: str, types: list[tuple[str, ScalarNode]]) -> Fault:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode
-from ...package.params.parameter_file import ParameterFile, below, is_key
+from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
 from ...source import Span
 from ..fault import Fault
 
@@ -18,11 +18,11 @@ def repetition_faults(file: ParameterFile) -> Iterator[Fault]:
                 seen.add(fault.span)
                 yield fault
     for block in file.blocks:
-        named: dict[str, ScalarNode] = {}
+        named: dict[str, Parameter] = {}
         for parameter in block.parameters:
-            first = named.setdefault(parameter.name, parameter.key)
-            if first is not parameter.key and parameter.key.span not in seen:
-                yield repetition(parameter.key, first)
+            first = named.setdefault(parameter.name, parameter)
+            if first is not parameter and parameter.key.span not in seen:
+                yield repetition(parameter.key, first.key, (parameter.value, first.value))
 
 
 def in_mapping(mapping: MappingNode) -> Iterator[Fault]:
@@ -31,13 +31,26 @@ def in_mapping(mapping: MappingNode) -> Iterator[Fault]:
         if isinstance(key, ScalarNode) and not is_key(key):
             first, before = named.setdefault(key.text, (key, value))
             if first is not key:
-                yield repetition(key, first, isinstance(value, MappingNode) and isinstance(before, MappingNode))
+                yield repetition(key, first, (value, before))
 
 
-def repetition(key: ScalarNode, first: ScalarNode, are_joined: bool = False) -> Fault:
+def repetition(key: ScalarNode, first: ScalarNode, values: tuple[YamlNode, YamlNode]) -> Fault:
     """Return the fault of a name that is there before; where both hold mappings, rcl joins them."""
     related = ((first.span, "the first one"),)
-    if are_joined:
-        message = f"`{key.text}` is here twice: rcl joins both, PyYAML (launch files) has only the last"
+    if all(isinstance(value, MappingNode) for value in values):
+        message = f"`{key.text}` is here twice: rcl joins both, PyYAML (launch files) has only the last; write one"
         return Fault(key.span, message, "info", related=related)
-    return Fault(key.span, f"`{key.text}` is here twice: the last value wins, without a warning", related=related)
+    if are_equal(*values):
+        return Fault(key.span, f"`{key.text}` is here twice, with one value: remove one", "info", related=related)
+    return Fault(
+        key.span, f"`{key.text}` is here twice: the last value wins, without a warning; remove one", related=related
+    )
+
+
+def are_equal(one: YamlNode, other: YamlNode) -> bool:
+    """Return whether two scalars or lists are written alike, and so have one value and type."""
+    if isinstance(one, ScalarNode) and isinstance(other, ScalarNode):
+        return (one.text, one.is_plain, one.tag) == (other.text, other.is_plain, other.tag)
+    if isinstance(one, SequenceNode) and isinstance(other, SequenceNode) and len(one.items) == len(other.items):
+        return all(map(are_equal, one.items, other.items))
+    return False

@@ -51,6 +51,10 @@ def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
     rcl refuses the whole file: "Cannot have a value before ros__parameters". Every node that is given the file stops
     when it starts.
 
+    ## When it is quiet
+    Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
+    launch file are read; those of tests, and templates, are not.
+
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
     wrong if the block is a namespace.

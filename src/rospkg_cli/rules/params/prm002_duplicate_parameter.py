@@ -24,7 +24,7 @@ talker:
     "duplicate-parameter",
     over=ParameterFile,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "both hold mappings, which rcl joins"},
+    levels={Severity.INFO: "both hold mappings, which rcl joins, or one value"},
     examples=(
         Example(
             on="config",
@@ -52,6 +52,10 @@ def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
     ## Why is this bad?
     There is no warning. rcl takes the last value and joins blocks; what reads YAML in Python (composable nodes in
     launch files, nav2's RewrittenYaml) keeps only the last block, and all parameters of the first are gone.
+
+    ## When it is quiet
+    Names in different blocks, or in different documents of a file, may well be the same. Where both values are written
+    alike nothing changes, and it is an info.
 
     ## References
     ros2/rclcpp#2166

@@ -55,6 +55,10 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
     runs with its defaults.
 
+    ## When it is quiet
+    Blocks of nodes that any launch file here starts, or whose name is like that of no node which lacks one, are left
+    alone: nodes that other packages start may read them.
+
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
     """

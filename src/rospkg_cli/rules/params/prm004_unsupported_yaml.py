@@ -27,6 +27,7 @@ def example(bad: str, good: str) -> Example:
     "unsupported-yaml",
     over=ParameterFile,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "a list is empty, at which only C++ nodes stop"},
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
         example("    names: «[]»\n", "    names: ['']\n"),
@@ -41,13 +42,17 @@ def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
     """
     ## What it does
     Finds valid YAML in a parameter file that rcl does not accept.
-    It is aliases, lists that mix types, empty lists (their type is unknown), lists of lists or of mappings, values that
-    are missing or above `ros__parameters:`, names that no node can have. In a list `1` and `2.5` are of two types, and
+    It is aliases, lists that mix types, empty lists (their type is unknown), lists of lists, lists with mappings of
+    several keys, values that are missing or above `ros__parameters:`, names that no node can have. In a list `1` and `2.5` are of two types, and
     `y` is a bool.
 
     ## Why is this bad?
     rcl refuses the whole file, and every node that is given it stops when it starts, often with a message about
     something else. At an empty list a C++ node throws "No parameter value set".
+
+    ## When it is quiet
+    Files without `ros__parameters` that no launch file passes to a node may hold any YAML. rcl takes a list of mappings
+    with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp

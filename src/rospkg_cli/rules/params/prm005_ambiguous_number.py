@@ -56,6 +56,10 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     A node reads its file through rcl. Launch files read the same file through PyYAML when they pass it to a composable
     node or rewrite it: the parameter arrives as a string, and the node stops with an invalid type.
 
+    ## When it is quiet
+    Where no launch file reads the file with Python, what rcl reads as a number is an info. Numbers in quotes are
+    strings for both.
+
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """

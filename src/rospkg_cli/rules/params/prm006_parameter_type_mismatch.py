@@ -51,12 +51,15 @@ def parameter_type_mismatch(scope: ParameterContext) -> Iterator[Hit]:
     ## What it does
     Finds values in a parameter file whose type differs from the declared type.
     Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
-    generate_parameter_library. A block belongs to the package that declares most of its names. Where declarations
-    differ, nothing is reported.
+    generate_parameter_library.
 
     ## Why is this bad?
     A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
     "parameter 'rate' has invalid type".
+
+    ## When it is quiet
+    A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
+    three names. Where declarations differ, a type is not known, or a launch file fills the value in, nothing is said.
     """
     for group in scope.groups():
         for parameter in group.parameters:
@@ -64,8 +67,14 @@ def parameter_type_mismatch(scope: ParameterContext) -> Iterator[Hit]:
             if wanted is not None and given and given != wanted[0]:
                 message = f"`{parameter.name}` is declared as {wanted[0]} in `{wanted[1].path}`"
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
-                what = f"{message}; {given} stops the node when it starts"
+                what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
                 yield Hit(group.file.path, parameter.value.span, what, fix=fix)
+
+
+def article(kind: str) -> str:
+    """Return a type with its article: "a list of double", "an int"."""
+    one = kind.removesuffix("[]")
+    return f"a list of {one}" if one != kind else f"an {one}" if one == "int" else f"a {one}"
 
 
 INTEGERS = (("int", "double"), ("int[]", "double[]"))

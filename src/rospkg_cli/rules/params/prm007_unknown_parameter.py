@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import ParameterContext
+from ...checks.params.declaring_packages import ParameterContext, ParameterGroup, given_type
 from ...edits.plain_names import only_plain_names
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...package.params.parameter_file import Parameter
 from ...rule import rule
+from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -36,6 +38,7 @@ talker:
     "unknown-parameter",
     over=ParameterContext,
     severity=Severity.WARNING,
+    levels={Severity.ERROR: "C++ code gets a parameter that is not declared, and nothing may catch what it throws"},
     examples=(
         Example(
             on="config",
@@ -65,22 +68,37 @@ def unknown_parameter(scope: ParameterContext) -> Iterator[Hit]:
     There is no warning: the value is dropped, and the node runs with its default; or it stops with a
     ParameterNotDeclaredException, or goes on with a variable that was never set.
 
+    ## When it is quiet
+    A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
+    three names. Where nodes allow undeclared parameters, C++ code is left alone. A parameter that is got into a
+    variable, or where the file may catch what is thrown, is a warning.
+
     ## Fix safety
-    The similar name may not be the right one.
+    The similar name may not be the right one. A value of another type than the declared one is not renamed, a single
+    one that should be a list is put into brackets.
     """
     for group in scope.groups():
         for parameter, meant in group.unknown():
-            whose = group.owners[0].name
-            last = meant.rpartition(".")[2]
-            message = (
-                f"`{whose}` declares no parameter `{parameter.name}`: the value is dropped (did you mean `{last}`?)"
-            )
-            fix = None
-            if parameter.key.text == parameter.name.rpartition(".")[2]:
-                edit = Edit(group.file.path, parameter.key.span, last)
-                fix = Fix(f"write `{last}`", (edit,), Safety.UNSAFE)
-            yield Hit(group.file.path, parameter.key.span, message, fix=only_plain_names(fix, last))
+            last, start = meant.rpartition(".")[2], f"`{group.owners[0].name}` declares no parameter `{parameter.name}`"
+            message = f"{start}: the value is dropped; did you mean `{last}`?"
+            fix = only_plain_names(renamed(group, parameter, meant), last)
+            yield Hit(group.file.path, parameter.key.span, message, fix=fix)
     for read in scope.unknown_reads():
-        other = f"this file declares `{read.suggestion}` and never gets it"
-        message = f"nothing declares the parameter `{read.name}`; {other}"
-        yield Hit(read.path, read.span, message)
+        ends = "the node stops with ParameterNotDeclaredException" if read.throws else "the variable is never set"
+        message = f"nothing declares the parameter `{read.name}`: {ends}; this file declares `{read.suggestion}`"
+        yield Hit(read.path, read.span, f"{message} and never gets it", Severity.ERROR if read.throws else None)
+
+
+def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:
+    """Return the fix that writes another name; None where the value would have another type than the declared one."""
+    last, value = meant.rpartition(".")[2], parameter.value
+    wanted = group.type_of(meant)
+    given = given_type(value)
+    edits = [Edit(group.file.path, parameter.key.span, last)]
+    if wanted == f"{given}[]":
+        start, end = value.span.start, value.span.end
+        edits += [Edit(group.file.path, Span(start, start), "["), Edit(group.file.path, Span(end, end), "]")]
+    elif wanted and given != wanted:
+        return None
+    is_written = parameter.key.text == parameter.name.rpartition(".")[2]
+    return Fix(f"write `{last}`", tuple(edits), Safety.UNSAFE) if is_written else None

@@ -86,6 +86,10 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
 
     ## Why is this bad?
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
+
+    ## When it is quiet
+    A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
+    one whose declaration lies behind a condition, or has a default.
     """
     for given, missing in scope.launched.missing():
         started = given.node.executable or given.node.plugin
