@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
 from ..package.manifest import Dependency, Manifest
-from ..ros.manifest import DEPENDENCY_TAGS, place_of
 from ..source import Span
+from .manifest_place import neighbour
 
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
-    """Add a dependency among those of its tag, sorted where they are sorted."""
+    """Add a dependency among those of its tag, sorted where they are sorted, and not below a comment of others."""
     return add_element(manifest, tag, f"<{tag}>{escaped(name)}</{tag}>", name)
+
+
+def add_dependencies(manifest: Manifest, wanted: Iterable[tuple[str, str]]) -> tuple[Edit, ...]:
+    """Add several dependencies, each a tag and a name; those that belong to one place are one edit."""
+    texts: dict[Span, str] = {}
+    for tag, name in sorted(wanted):
+        edit = add_dependency(manifest, tag, name)
+        texts[edit.span] = texts.get(edit.span, "") + edit.text
+    return tuple(Edit(manifest.path, span, text) for span, text in sorted(texts.items()))
 
 
 def escaped(text: str) -> str:
@@ -21,10 +32,13 @@ def escaped(text: str) -> str:
 
 def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit:
     """Put a child element of <package> at its place in the schema's order."""
-    anchor = previous_child(manifest, tag, name)
+    anchor, is_before = neighbour(manifest, tag, name)
     indent = indentation(manifest, anchor)
     if anchor is None:
         return Edit(manifest.path, Span(manifest.root.open.end, manifest.root.open.end), f"\n{indent}{text}")
+    if is_before:
+        at = anchor.span.start
+        return Edit(manifest.path, Span(at, at), f"{text}\n{indent}")
     at = end_of_line(manifest, anchor)
     return Edit(manifest.path, Span(at, at), f"\n{indent}{text}")
 
@@ -41,29 +55,6 @@ def add_export(manifest: Manifest, text: str) -> Edit:
         return Edit(manifest.path, export.span, f"{start_tag}>{inner}\n{indent}</export>")
     at = export.nodes[-1].span.end
     return Edit(manifest.path, Span(at, at), f"\n{indentation(manifest, export.nodes[0])}{text}")
-
-
-def previous_child(manifest: Manifest, tag: str, name: str) -> Element | None:
-    """Return the child after which a new one belongs; None where it comes first."""
-    like = manifest.all(tag)
-    smaller = [child for child in like if child.text <= name]
-    if like and not smaller:
-        before = manifest.root.children.index(like[0])
-        if before == 0 or is_sorted(like):
-            return manifest.root.children[before - 1] if before else None
-    if like:
-        return smaller[-1] if is_sorted(like) and smaller else like[-1]
-    earlier = [child for child in manifest.root.children if rank(child.tag) < rank(tag)]
-    return max(earlier, key=lambda child: (rank(child.tag), child.span)) if earlier else None
-
-
-def is_sorted(elements: list[Element]) -> bool:
-    names = [element.text for element in elements]
-    return names == sorted(names)
-
-
-def rank(tag: str) -> tuple[int, int]:
-    return place_of(tag), DEPENDENCY_TAGS.index(tag) if tag in DEPENDENCY_TAGS else 0
 
 
 def indentation(manifest: Manifest, sibling: Element | XmlComment | None) -> str:
