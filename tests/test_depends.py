@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
+from rospkg_cli.finding import Safety
 from rospkg_cli.testing import lint_files
 
 PYTHON = existing_files(BACKDROPS["ament_python"])
@@ -172,7 +173,7 @@ def test_what_stands_for_others_in_tests(declared: str, text: str) -> None:
     body = f"  <test_depend>{declared}</test_depend>\n"
     found = lint_files({**PYTHON, "package.xml": manifest(body), "test/test_a.py": text}, ["DEP102"]).findings
     assert {finding.severity.value for finding in found} <= {"info"}
-    assert all("as long as another dependency brings it" in finding.message for finding in found)
+    assert all(f"with `{declared}` today" in finding.message for finding in found)
     assert not any("`python3-pytest`" in finding.message for finding in found)
 
 
@@ -255,9 +256,9 @@ def test_a_package_that_is_expected_to_be_missing_is_optional() -> None:
 
 
 def test_launch_files_of_tests_ask_for_test_dependencies() -> None:
-    files: dict[str, str | None] = {**PYTHON, "test/a.launch.xml": xml('<node pkg="a" exec="x"/>')}
+    files: dict[str, str | None] = {**PYTHON, "test/a.launch.xml": xml('<node pkg="joy" exec="x"/>')}
     (finding,) = lint_files(existing_files(files), ["DEP103"]).findings
-    assert "<test_depend>a</test_depend>" in finding.message
+    assert "<test_depend>joy</test_depend>" in finding.message
 
 
 def test_code_that_describes_nodes_is_asked_mildly() -> None:
@@ -291,13 +292,14 @@ def test_a_dependency_that_would_close_a_circle_is_not_asked_for() -> None:
     assert [f.message for f in lint_files(files, ["DEP103"]).findings] == []
 
 
-def test_a_name_near_one_of_the_workspace_is_hinted_at_and_not_written() -> None:
+def test_a_name_near_one_of_the_workspace_is_written_and_not_declared() -> None:
     files = {f"a/{path}": text for path, text in PYTHON.items()}
     files["a/launch/x.launch.xml"] = xml('<node pkg="acme_drivr" exec="x"/>')
     files["b/package.xml"] = manifest("", "cmake", "acme_driver")
     (finding,) = lint_files(files, ["DEP103"]).findings
     assert "did you mean `acme_driver`?" in finding.message
-    assert finding.fix is None
+    assert finding.fix is not None
+    assert (finding.fix.safety, [edit.text for edit in finding.fix.operations]) == (Safety.UNSAFE, ["acme_driver"])
 
 
 @pytest.mark.parametrize("name, meant", [("rclpi", ["rclpy"]), ("joi", [])])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
@@ -15,6 +15,7 @@ from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
+from .brought_dependencies import WITH_COLCON, brought_by, everything, running
 
 MAX_DEPTH = 20
 
@@ -90,6 +91,22 @@ class DeclaredDependencies:
     def keys_of_pip_names(self) -> frozenset[str]:
         """The rosdep keys of declared names that are names on PyPI."""
         return frozenset(key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
+
+    def bringer(self, names: Iterable[str], *, runs: bool) -> str:
+        """Return the declared dependency that certainly brings one of some names, "" where none does.
+
+        With `runs`, one that is there when the package runs; else one that is there where it is built and tested.
+        """
+        brought = self.brought_to_run if runs else self.brought_to_build
+        return next((brought[name] for name in names if name in brought), "")
+
+    @cached_property
+    def brought_to_run(self) -> Mapping[str, str]:
+        return brought_by(sorted(self.closure(running(self.facts))), self.workspace)
+
+    @cached_property
+    def brought_to_build(self) -> Mapping[str, str]:
+        return {**WITH_COLCON, **brought_by(sorted(self.closure(everything(self.facts))), self.workspace)}
 
     @property
     def transitive_names(self) -> frozenset[str]:

@@ -2,17 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from typing import Literal
 
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, RUNS
 from ...source import Span
+from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
-from .undeclared_launch_packages import LaunchDependencies
+from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
+
+Need = Literal["import", "launch", "include"]
+
+
+@dataclass(frozen=True, slots=True)
+class KindUse:
+    """A place that uses a dependency, and the tag that such a use requires."""
+
+    names: tuple[str, ...]
+    need: Need
+    path: str
+    span: Span
+    what: str
+    """The module or the header; "" in a launch file."""
+
+    @property
+    def wanted(self) -> str:
+        return "depend" if self.need == "include" else "exec_depend"
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,12 +41,9 @@ class WrongKind:
 
     dependency: Dependency
     """The first of its name."""
-    wanted: str
-    """The tag that is missing."""
-    path: str
-    span: Span
-    usage: str
-    """What is done with it there, as the rest of a sentence: `is imported here as …`."""
+    use: KindUse
+    bringer: str
+    """The dependency that is declared for it and brings this one today; "" where none does."""
 
 
 @dataclass(frozen=True)
@@ -41,25 +58,34 @@ class DependencyKinds:
         if not self.declared.is_checked:
             return
         seen: set[tuple[str, str]] = set()
-        for names, wanted, path, span, usage in (*self.run_uses(), *self.build_uses()):
-            tags = RUNS if wanted == "exec_depend" else BUILDS
-            every = [d for d in self.declared.manifest.dependencies if d.name in names]
-            if every and not any(d.tag in tags for d in every) and (every[0].name, wanted) not in seen:
-                seen.add((every[0].name, wanted))
-                yield WrongKind(every[0], wanted, path, span, usage)
+        for use in (*self.run_uses(), *self.build_uses()):
+            tags = RUNS if use.wanted == "exec_depend" else BUILDS
+            every = [d for d in self.declared.manifest.dependencies if d.name in use.names]
+            if every and not any(d.tag in tags for d in every) and (every[0].name, use.wanted) not in seen:
+                seen.add((every[0].name, use.wanted))
+                yield WrongKind(every[0], use, self.bringer(use, tags))
 
-    def run_uses(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
+    def bringer(self, use: KindUse, tags: Collection[str]) -> str:
+        """Return what brings a dependency at the time of its use; `ros2launch` to a launch file."""
+        facts = self.declared.facts
+        first = [need.name for need in facts.dependencies if need.certain and need.tag in tags]
+        found = brought_by(sorted(self.declared.closure(first)), self.declared.workspace)
+        if use.need == "launch" and not there_to_launch(self.declared).isdisjoint(use.names):
+            return STARTER
+        return next((found[name] for name in use.names if name in found), "")
+
+    def run_uses(self) -> Iterator[KindUse]:
         """Yield what is used at run time, but for what comes with other dependencies for it."""
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
         for place, names in self.imports.uses("run"):
-            yield names, "exec_depend", place.path, place.span, f"is imported here as `{place.module}`"
+            yield KindUse(names, "import", place.path, place.span, place.module)
         for use in self.launch.uses(tests=False):
             if use.name not in there:
-                yield (use.name,), "exec_depend", use.path, use.span, "is needed by this launch file"
+                yield KindUse((use.name,), "launch", use.path, use.span, "")
 
-    def build_uses(self) -> Iterator[tuple[tuple[str, ...], str, str, Span, str]]:
+    def build_uses(self) -> Iterator[KindUse]:
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
         for each in self.includes.packages() if self.includes else ():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
-                yield each.names, "depend", first.path, first.span, f"is what `{first.header}` comes from"
+                yield KindUse(each.names, "include", first.path, first.span, first.header)

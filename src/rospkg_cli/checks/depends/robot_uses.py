@@ -31,7 +31,7 @@ class RobotUse:
     path: str
     span: Span
     usage: str
-    """What is used there, as the rest of a sentence: `whose files are used here`."""
+    """What is used there, as the rest of a sentence: `and its files are used here`."""
     consequence: str
     """What happens where the package is not installed."""
     is_optional: bool = False
@@ -71,7 +71,7 @@ class RobotUses:
             name = self.package_of(use) if self.is_used(use.path) else None
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.launch.launch_files
-                usage, consequence = f"whose plugin `{use.name}` is named here", "there it can't be loaded"
+                usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
     def package_of(self, use: PluginUse) -> str | None:
@@ -116,8 +116,8 @@ class RobotUses:
 
 
 def reference_use(path: str, reference: ResourceReference) -> RobotUse:
-    consequence = "there xacro stops" if reference.use == "include" else "there it is missing wherever this is shown"
-    return RobotUse(path, reference.span, "whose files are used here", consequence)
+    consequence = "xacro stops" if reference.use == "include" else "it is missing wherever this is shown"
+    return RobotUse(path, reference.span, "and its files are used here", consequence)
 
 
 def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
 from functools import cached_property
-from typing import Literal
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -26,8 +25,10 @@ class UndeclaredFindPackage:
 
     found: FoundPackage
     names: tuple[str, ...]
-    transitive: Literal["certain", "possible", "no"]
-    """Whether it comes with something that is declared, at build time."""
+    bringer: str
+    """The declared dependency that it comes with today; "" where none certainly brings it."""
+    may_be_brought: bool
+    """Whether it is not known of every declared dependency what comes with it."""
 
 
 @dataclass(frozen=True)
@@ -50,13 +51,14 @@ class FindPackageDependencies:
             seen.add(found.name)
             names = self.providers(found.name)
             if names and not self.declared.has(names) and not there.intersection(names):
-                yield UndeclaredFindPackage(found, names, self.transitivity(found, names))
+                yield UndeclaredFindPackage(
+                    found, names, self.bringer(found.name, names), not self.declared.are_transitive_names_known
+                )
 
-    def transitivity(self, found: FoundPackage, names: tuple[str, ...]) -> Literal["certain", "possible", "no"]:
-        brings = self.declared.transitive_names
-        if brings.intersection(names) or self.matching_names(found.name, brings):
-            return "certain"
-        return "no" if self.declared.are_transitive_names_known else "possible"
+    def bringer(self, name: str, names: tuple[str, ...]) -> str:
+        """Return the declared dependency that certainly brings a package of CMake, by any of its names."""
+        alike = self.matching_names(name, self.declared.brought_to_build)
+        return self.declared.bringer((*names, *alike), runs=False)
 
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration certainly fails without it."""

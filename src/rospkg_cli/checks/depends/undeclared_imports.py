@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
+from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
-from ...ros.implied_dependencies import IN_TESTS, implied_by
+from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
+from .brought_dependencies import COLCON
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
+from .name_source import source_of
 
 RUNNERS = frozenset({"python3-pytest", "launch_testing"})
-"""What runs the tests: it is fine if it comes with another dependency."""
+"""What runs the tests: it is fine if it comes with a declared dependency."""
+
+REQUIREMENTS = re.compile(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
+"""Files that pip installs by."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
@@ -34,8 +41,8 @@ class UndeclaredImport:
     places: tuple[ImportUse, ...]
     also_provides: tuple[str, ...] = ()
     """What is undeclared as well and comes with this one."""
-    provided_by: str = ""
-    """The declared dependency that it comes with."""
+    bringer: str = ""
+    """The declared dependency that it comes with today."""
 
 
 @dataclass(frozen=True)
@@ -44,10 +51,23 @@ class ImportDependencies:
 
     declared: DeclaredDependencies
     python: PackageImports
+    files: PackageFiles
+
+    def is_left_to_pip(self, key: str) -> bool:
+        """Return whether only PyPI has what a key stands for, and the package asks pip for it."""
+        if source_of(self.declared, key) != "pip":
+            return False
+        name = key.removeprefix("python3-").removesuffix("-pip")
+        word = re.compile(rf"(?<![\w-]){re.escape(name).replace('-', '[-_.]')}(?![\w-])", re.IGNORECASE)
+        asking = [path for path in self.files.paths if REQUIREMENTS.fullmatch(path)]
+        return any(word.search(self.files.source(path).text) for path in asking)
 
     def missing(self) -> list[UndeclaredImport]:
         """Return what installed modules and scripts import undeclared, in the order of the files."""
-        return [UndeclaredImport(name, tuple(places)) for name, places in self.undeclared("run").items()]
+        return [self.with_bringer(name, places, runs=True) for name, places in self.undeclared("run").items()]
+
+    def with_bringer(self, name: str, places: list[ImportUse], *, runs: bool) -> UndeclaredImport:
+        return UndeclaredImport(name, tuple(places), (), self.declared.bringer([name], runs=runs))
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""
@@ -55,13 +75,20 @@ class ImportDependencies:
         found = {name: p for name, p in self.undeclared("test").items() if name not in installed}
         result = []
         for name, places in found.items():
-            bringing = next((d for d in sorted(self.declared.names) if name in implied_by([d], IN_TESTS)), "")
-            if bringing:
-                result += [UndeclaredImport(name, tuple(places), (), bringing)] if name not in RUNNERS else []
-            elif name not in implied_by(found.keys() - {name}, IN_TESTS):
+            found_with = self.bringer_in_tests(name)
+            if name in implied_by(found.keys() - {name}, IN_TESTS):
+                continue
+            if found_with:
+                is_fine = name in LAUNCH | RUNNERS and found_with != COLCON
+                result += [] if is_fine else [UndeclaredImport(name, tuple(places), (), found_with)]
+            else:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())
                 result.append(UndeclaredImport(name, tuple(places), tuple(brings)))
         return result
+
+    def bringer_in_tests(self, name: str) -> str:
+        implying = (each for each in sorted(self.declared.names) if name in implied_by([each], IN_TESTS))
+        return next(implying, "") or self.declared.bringer([name], runs=False)
 
     def missing_in_setup(self) -> list[UndeclaredImport]:
         """Return what setup.py itself imports undeclared, but for the tools that run it."""
@@ -74,7 +101,7 @@ class ImportDependencies:
                 )
                 if name:
                     found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
-        return [UndeclaredImport(name, tuple(places)) for name, places in found.items()]
+        return [self.with_bringer(name, places, runs=False) for name, places in found.items()]
 
     def uses(self, role: Role) -> Iterator[tuple[ImportUse, tuple[str, ...]]]:
         """Yield the imports of files of a role that are not optional, with their providers."""

@@ -105,7 +105,3 @@ class IncludeDependencies:
 
     def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
-
-    def is_transitive(self, each: IncludedPackage) -> bool:
-        """Return whether these headers certainly come with something that is declared."""
-        return bool(self.declared.transitive_names.intersection(each.names))

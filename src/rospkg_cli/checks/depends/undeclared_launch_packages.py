@@ -7,21 +7,24 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
+from ...package.launch.default_conditions import off_by_default
 from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import OwnModules, PackageImports
-from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, implied_by
+from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
 from ..launch.package_references import NAME, PackageReference, package_references
+from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 
 EXAMPLE = re.compile(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
+STARTER = "ros2launch"
 ENDING = re.compile(r"[._]launch\.\w+$|\.launch$")
 
 
@@ -67,6 +70,10 @@ class LaunchDependencies:
         """The packages of the workspace and those that are declared."""
         return self.declared.workspace.names | self.declared.names
 
+    def is_written(self, use: PackageReference) -> bool:
+        """Return whether the place of a use holds the name itself, so that it can be replaced."""
+        return self.files.source(use.path).slice(use.span) == use.name
+
     def is_unknown_package(self, name: str) -> bool:
         """Return whether no package of that name is known."""
         workspace = self.declared.workspace
@@ -77,11 +84,19 @@ class LaunchDependencies:
         if not self.declared.is_checked:
             return {}
         there = implied_by(self.declared.names, IN_TESTS if tests else IN_LAUNCH_FILES)
+        there |= there_to_launch(self.declared) - (frozenset() if tests else LAUNCH)
+        if tests:
+            there |= self.missing(tests=False).keys()  # an exec_depend covers the tests
         found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
-            if not self.declared.has([use.name]) and use.name not in there:
+            is_launch = use.name in LAUNCH and bool(self.bringer(use.name, tests=tests))
+            if not self.declared.has([use.name]) and use.name not in there and not is_launch:
                 found.setdefault(use.name, []).append(use)
         return found
+
+    def bringer(self, name: str, *, tests: bool) -> str:
+        """Return the declared dependency that certainly brings a package, "" where none does."""
+        return self.declared.bringer([name], runs=not tests)
 
     def nodes_in_code(self) -> dict[str, list[PackageReference]]:
         """Return the undeclared packages that only installed code describes nodes of, with the places.
@@ -91,7 +106,7 @@ class LaunchDependencies:
         found: dict[str, list[PackageReference]] = {}
         if self.declared.is_checked:
             there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
-            launches = {file.path for file in self.launch_files if file.nodes}
+            launches = {file.path for file in self.launch_files if file.nodes or file.is_complete}
             for file in self.python.files:
                 for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
                     if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
@@ -104,7 +119,7 @@ class LaunchDependencies:
         """Yield what launch files need: those of tests, or the others."""
         for file in self.launch_files:
             if self.role(file.path) == ("test" if tests else "launch"):
-                yield from package_references(file)
+                yield from with_conditions(file)
                 yield from () if tests else self.import_uses(file)
 
     def import_uses(self, file: LaunchFile) -> Iterator[PackageReference]:
@@ -122,4 +137,18 @@ class LaunchDependencies:
             declared = next((name for name in names if name in self.declared.names), None)
             if declared or not any(may_serve(name, each.module) for name in self.declared.names):
                 for name in (declared,) if declared else names[:1]:
-                    yield PackageReference(name, file.path, each.span, f"imports `{each.module}` of")
+                    does = "imports" if name == each.module.partition(".")[0] else f"imports `{each.module}` of"
+                    yield PackageReference(name, file.path, each.span, does, is_import=True)
+
+
+def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
+    """Yield what a launch file needs, each with the argument that it takes where that is off by default."""
+    off = tuple(off_by_default(file))
+    for use in package_references(file):
+        inside = (part.argument for part in off if part.span.start <= use.span.start < part.span.end)
+        yield replace(use, only_with=next(inside, "")) if use.is_late else use
+
+
+def there_to_launch(declared: DeclaredDependencies) -> frozenset[str]:
+    """Return what is there wherever a launch file is launched: `ros2launch` and all that comes with it."""
+    return frozenset({STARTER, *brought_by([STARTER], declared.workspace)})

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span
@@ -25,6 +25,12 @@ class PackageReference:
     span: Span
     does: str
     """What the file does with it, as a sentence goes on: "starts a node of"."""
+    is_late: bool = True
+    """Whether nothing happens before the launch comes to it; a function of Python runs when the file is loaded."""
+    is_import: bool = False
+    """Whether it is a module of the package that Python imports."""
+    only_with: str = ""
+    """The argument without which the file does not come to it: `sim:=true`; "" for what it does by default."""
 
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:
@@ -33,7 +39,7 @@ def package_references(file: LaunchFile) -> Iterator[PackageReference]:
         return
     found = {(use.name, use.span): use for use in every_reference(file)}
     for use in sorted(found.values(), key=lambda each: each.span):
-        if not any(guard.start <= use.span.start < guard.end for guard in file.guarded):
+        if not file.is_guarded(use.name, use.span):
             yield use
 
 
@@ -42,7 +48,8 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
         does = "loads a component of" if node.kind == "composable_node" else "starts a node of"
         yield from package_named(file, node.package, does)
     for each in file.substitutions:
-        yield from found_by(file, each)
+        is_late = not file.source.slice(each.span).partition("(")[0].rpartition(".")[2].startswith("get_package_")
+        yield from (replace(use, is_late=is_late) for use in found_by(file, each))
     for command in file.commands:
         yield from run_by(file, list(command.words))
 

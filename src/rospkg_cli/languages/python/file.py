@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
 from .syntax import PythonSyntax, parse
 
@@ -34,6 +34,9 @@ class Import:
     """Under `if TYPE_CHECKING`."""
     is_local: bool = False
     """In a function."""
+
+    def optional(self) -> Import:
+        return replace(self, is_optional=True)
 
 
 @dataclass(frozen=True)
@@ -67,13 +70,16 @@ class PythonFile(PythonSyntax):
                     inner = Import("", (), 0, under.span, survives, under.is_for_typing, under.is_local)
                     yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
                     yield from self.imports_in(node.finalbody, under)
+                case ast.If() | ast.While() if (always := constant_truth(node.test)) is not None:
+                    yield from self.imports_in(node.body if always else node.orelse, under)
                 case ast.If():
                     typing = under.is_for_typing or is_type_checking(node.test)
                     optional = under.is_optional or depends_on_platform(node.test)
                     inner = Import("", (), 0, under.span, optional, typing, under.is_local)
                     other = Import("", (), 0, under.span, optional, under.is_for_typing, under.is_local)
-                    yield from self.imports_in(node.body, inner)
-                    yield from self.imports_in(node.orelse, other)
+                    for branch, holds in ((node.body, inner), (node.orelse, other)):
+                        for each in self.imports_in(branch, holds):
+                            yield each.optional() if each.module.partition(".")[0] in asked(node.test) else each
                 case ast.With(items=items) if any(suppresses_import_error(item.context_expr) for item in items):
                     inner = Import("", (), 0, under.span, True, under.is_for_typing, under.is_local)
                     yield from self.imports_in(node.body, inner)
@@ -148,6 +154,29 @@ def names_in(node: ast.expr) -> set[str]:
     """Return the names and attributes in an expression."""
     names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
     return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
+
+
+def constant_truth(test: ast.expr) -> bool | None:
+    """Return what a condition always is, None where that is unknown: `if False:`."""
+    match test:
+        case ast.Constant(value=value):
+            return bool(value)
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            inside = constant_truth(operand)
+            return None if inside is None else not inside
+        case ast.BoolOp(op=operator, values=values):
+            decides = isinstance(operator, ast.Or)
+            found = [constant_truth(each) for each in values]
+            return decides if decides in found else None if None in found else not decides
+    return None
+
+
+def asked(test: ast.expr) -> frozenset[str]:
+    """Return the strings that a condition asks for by a comparison or a call: `'cv2' in installed()`."""
+    if not any(isinstance(node, ast.Compare | ast.Call) for node in ast.walk(test)):
+        return frozenset()
+    values = (node.value for node in ast.walk(test) if isinstance(node, ast.Constant))
+    return frozenset(value for value in values if isinstance(value, str))
 
 
 def is_type_checking(test: ast.expr) -> bool:

@@ -1,11 +1,11 @@
-"""Where a Python launch file catches the exception for a missing package or file."""
+"""Where a Python file catches the exception for a missing package or file, or asks first whether it is there."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from ...languages.python.file import PythonFile
+from ...languages.python.file import PythonFile, asked
 from ...source import Span
 
 MISSING = frozenset({"PackageNotFoundError", "LookupError", "KeyError", "Exception", "BaseException"})
@@ -20,6 +20,43 @@ def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[S
     for node in ast.walk(file.tree):
         if isinstance(node, ast.Try) and any(catches(handler, errors) for handler in node.handlers):
             yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
+
+
+def asked_in(file: PythonFile) -> Iterator[tuple[Span, frozenset[str]]]:
+    """Yield what runs under a condition on the names of packages: `if 'pkg' in get_packages_with_prefixes():`.
+
+    A condition may be assigned to a name first; one whose body leaves (`return`, `raise`) holds for what follows.
+    """
+    named = dict(named_conditions(file))
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.If | ast.IfExp) and (names := asked_by(node.test, named)):
+            yield file.span(node), names
+        for block in blocks_of(node):
+            for each in block:
+                if isinstance(each, ast.If) and leaves(each.body) and (names := asked_by(each.test, named)):
+                    yield Span(file.span(each).start, file.span(block[-1]).end), names
+
+
+def blocks_of(node: ast.AST) -> list[list[ast.stmt]]:
+    """Return the lists of statements of a module, a function, a loop or a branch."""
+    found = (getattr(node, field, None) for field in ("body", "orelse"))
+    return [block for block in found if isinstance(block, list)]
+
+
+def asked_by(test: ast.expr, named: Mapping[str, frozenset[str]]) -> frozenset[str]:
+    """Return the strings that a condition asks for, itself or by the name of an earlier one."""
+    names = (node.id for node in ast.walk(test) if isinstance(node, ast.Name))
+    return asked(test).union(*(named.get(name, frozenset()) for name in names))
+
+
+def named_conditions(file: PythonFile) -> Iterator[tuple[str, frozenset[str]]]:
+    for node in ast.walk(file.tree):
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Compare) and (names := asked(node.value)):
+            yield from ((target.id, names) for target in node.targets if isinstance(target, ast.Name))
+
+
+def leaves(body: list[ast.stmt]) -> bool:
+    return isinstance(body[-1], ast.Return | ast.Raise | ast.Continue)
 
 
 def catches(handler: ast.ExceptHandler, errors: frozenset[str]) -> bool:

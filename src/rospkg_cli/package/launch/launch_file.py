@@ -14,7 +14,7 @@ from ...source import Source, Span
 from .configuration_events import ConfigurationSummary, LaunchEvent, summary
 from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
-from .exception_guards import guarded_in
+from .exception_guards import asked_in, guarded_in
 from .file_references import FileReference
 from .text import LaunchText, Substitution
 
@@ -127,6 +127,16 @@ class LaunchFile:
     def guarded(self) -> tuple[Span, ...]:
         """Where a Python file catches that a package is missing."""
         return tuple(guarded_in(self.python)) if self.python else ()
+
+    @cached_property
+    def asked(self) -> tuple[tuple[Span, frozenset[str]], ...]:
+        """Where a Python file asks first whether packages are there, and for which."""
+        return tuple(asked_in(self.python)) if self.python else ()
+
+    def is_guarded(self, name: str, span: Span) -> bool:
+        """Return whether a use of a package at a span is optional: its absence is caught, or asked for first."""
+        asked = any(part.start <= span.start < part.end for part, names in self.asked if name in names)
+        return asked or self.catches_missing(span)
 
     def catches_missing(self, span: Span) -> bool:
         """Return whether the file catches that what is used at a span is missing."""

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
-from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
-BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
+RUN = "rosdep does not install it, and the import raises ModuleNotFoundError"
+BUILD = "rosdep does not install it, and `colcon build` stops with ModuleNotFoundError"
+
+BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 
 
 @rule(
@@ -18,7 +21,10 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
     "undeclared-import",
     over=ImportDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a declared dependency brings it, where package.xml has it in a comment, and where only "
+        "PyPI has it and setup.py or requirements.txt names it"
+    },
     examples=(
         Example(
             bad={
@@ -27,7 +33,7 @@ BAD = "import rclpy\nfrom «sensor_msgs.msg» import Image\n"
             },
             good={
                 "package.xml": manifest(
-                    "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>sensor_msgs</exec_depend>\n"
+                    "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>trajectory_msgs</exec_depend>\n"
                 )
             },
             fix=Safety.SAFE,
@@ -43,32 +49,45 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports of ROS packages and Python libraries that package.xml does not declare.
-    A library counts if it has a rosdep key. What setup.py imports is needed to build. Optional imports are left out:
-    those under `try` … `except ImportError`, under `TYPE_CHECKING`, and under conditions on the machine. So are tests
-    and launch files, which have rules of their own.
+    A library counts if it has a rosdep key. What setup.py imports is needed to build. Tests and launch files have rules
+    of their own.
 
     ## Why is this bad?
     It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
     not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
 
+    ## When it is quiet
+    What a declared dependency certainly installs can't be missing: that is one info, which names who brings it. Left
+    out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one
+    that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files
+    that nothing installs, and the package's own modules.
+
+    ## Fix safety
+    The fix is unsafe where only PyPI has the library, or where no released package has the name.
+
     ## References
     - REP-149, exec_depend
     """
-    for missing in imports.missing():
-        ends = "on a clean machine rosdep does not install it and the import raises ModuleNotFoundError"
-        yield undeclared(imports, missing, "exec_depend", ends)
-    for missing in imports.missing_in_setup():
-        ends = "on a clean machine rosdep does not install it and `colcon build` stops with ModuleNotFoundError"
-        yield undeclared(imports, missing, "build_depend", ends)
+    brought: list[BroughtUse] = []
+    run, setup = imports.missing(), imports.missing_in_setup()
+    for kind, found, ends in (("exec_depend", run, RUN), ("build_depend", setup, BUILD)):
+        for missing in found:
+            if missing.bringer:
+                first = missing.places[0]
+                brought.append(BroughtUse(missing.name, missing.bringer, kind, first.path, first.span))
+            else:
+                yield undeclared(imports, missing, kind, ends)
+    yield from left_to_others(imports.declared, brought, "imported")
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
-    first, *others = missing.places
-    tag = f"<{kind}>{missing.name}</{kind}>"
+    first, declared = missing.places[0], imports.declared
+    shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
     message = (
-        f"package.xml does not declare `{missing.name}`, which is imported here as `{first.module}`: {ends}; add {tag}"
+        f"`{missing.name}` is imported{shown} and not declared: on a clean machine {ends}; "
+        f"{advice(declared, kind, missing.name)}"
     )
-    fix = Fix(f"add {tag}", (add_dependency(imports.declared.manifest, kind, missing.name),))
-    related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-    level = Severity.INFO if missing.name in imports.declared.commented_out else None
-    return Hit(first.path, first.span, message, level, related, fix)
+    places = related((place.path, place.span) for place in missing.places)
+    mild = missing.name in declared.commented_out or imports.is_left_to_pip(missing.name)
+    fix = declaration(declared, kind, missing.name)
+    return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

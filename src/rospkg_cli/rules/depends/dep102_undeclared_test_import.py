@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
-from ...edits.manifest import add_dependency
+from ...checks.depends.undeclared_imports import ImportDependencies
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 
@@ -16,11 +16,11 @@ from ...rule import rule
     "undeclared-test-import",
     over=ImportDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a test tool that is declared brings it, or package.xml has it in a comment"},
+    levels={Severity.INFO: "where a declared dependency or colcon brings it, or package.xml has it in a comment"},
     examples=(
         Example(
-            bad={"test/test_viewer.py": "import «pytest»\n\n\ndef test_nothing():\n    pytest.skip()\n"},
-            good={"package.xml": manifest("  <test_depend>python3-pytest</test_depend>\n")},
+            bad={"test/test_viewer.py": "import «cv2»\n\n\ndef test_version():\n    assert cv2.__version__\n"},
+            good={"package.xml": manifest("  <test_depend>python3-opencv</test_depend>\n")},
             fix=Safety.SAFE,
         ),
     ),
@@ -36,25 +36,32 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     `colcon test` passes on the machine where the module happens to be installed and fails on a clean one: rosdep and
     the build farm install what package.xml names.
 
+    ## When it is quiet
+    What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
+    one info, which names who brings it. Left out are optional imports, helpers that no test uses, `launch_testing`
+    where another test tool brings it, and what installed code imports as well (DEP101).
+
+    ## Fix safety
+    The fix is unsafe where only PyPI has the library, or where no released package has the name.
+
     ## References
     - REP-149, test_depend
     """
+    brought: list[BroughtUse] = []
+    declared = imports.declared
     for missing in imports.missing_in_tests():
-        first, *others = missing.places
-        tag = f"<test_depend>{missing.name}</test_depend>"
-        message = (
-            f"package.xml does not declare `{missing.name}`, which this test imports as `{first.module}`: "
-            f"{consequence(missing)}; add {tag}"
-        )
+        first = missing.places[0]
+        if missing.bringer:
+            brought.append(BroughtUse(missing.name, missing.bringer, "test_depend", first.path, first.span))
+            continue
         brings = ", ".join(f"`{name}`" for name in missing.also_provides)
-        message += f", which brings {brings} as well" if brings else ""
-        fix = Fix(f"add {tag}", (add_dependency(imports.declared.manifest, "test_depend", missing.name),))
-        related = tuple(Related(place.path, place.span, "and here") for place in others[:3])
-        mild = missing.provided_by or missing.name in imports.declared.commented_out
-        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
-
-
-def consequence(missing: UndeclaredImport) -> str:
-    if missing.provided_by:
-        return "it is there only as long as another dependency brings it"
-    return "on a clean machine rosdep does not install it and `colcon test` fails with ModuleNotFoundError"
+        others = f", which brings {brings} as well" if brings else ""
+        message = (
+            f"`{missing.name}` is imported by tests and not declared: on a clean machine `colcon test` fails with "
+            f"ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
+        )
+        places = related((place.path, place.span) for place in missing.places)
+        level = Severity.INFO if missing.name in declared.commented_out else None
+        fix = declaration(declared, "test_depend", missing.name)
+        yield Hit(first.path, first.span, message, level, places, fix)
+    yield from left_to_others(declared, brought, "imported by tests")

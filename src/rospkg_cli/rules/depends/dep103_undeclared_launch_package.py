@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.unavailable_on_target import enumerated
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.package_references import PackageReference
 from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
 from ...rule import rule
-from ...suggest import did_you_mean
+from ...suggest import nearest
 
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
 
@@ -36,8 +38,9 @@ BAD_XML = """\
     over=LaunchDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which users of launch files have, for examples and demos, "
-        "for nodes that other code describes, and where package.xml has it in a comment"
+        Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
+        "where an argument must turn it on, for examples, for nodes that other code describes, and where package.xml "
+        "has it in a comment"
     },
     examples=(
         Example(
@@ -59,59 +62,79 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ## What it does
     Finds packages that launch files need and package.xml does not declare.
     Launch files need packages whose nodes and components they start, whose files they find or include, whose programs
-    (`xacro`) they run, and whose modules they import. Names that are computed when the file runs are left alone. A
-    dependency on `ros2launch` implies launch, launch_ros, launch_xml, launch_yaml and ament_index_python. Launch files
-    of tests require a test_depend. Other installed code that describes nodes (`Node(package='…', executable='…')`)
-    counts too, at info level.
+    (`xacro`) they run, and whose modules they import. Launch files of tests require a test_depend. Other installed code
+    that describes nodes (`Node(package='…', executable='…')`) counts too, at info level.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
     not name, and the launch stops with "package 'robot_state_publisher' not found".
 
+    ## When it is quiet
+    Whatever `ros2 launch` itself needs (launch, launch_ros, rclpy, PyYAML) is there wherever it is run. What a declared
+    dependency certainly installs is one info, which names who brings it; what only an argument turns on (`sim:=true`)
+    is an info that names the argument. Left out are names that are computed, uses that catch PackageNotFoundError or
+    ask first (`if 'pkg' in get_packages_with_prefixes()`), and launch files for ROS 1.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name, or where another name may be meant.
+
     ## References
     - REP-149, exec_depend
     """
+    brought: list[BroughtUse] = []
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
         missing = launch.missing(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
         for name, uses in missing.items():
-            yield undeclared(launch, tag, name, uses)
+            if bringer := launch.bringer(name, tests=tests):
+                brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
+            else:
+                yield undeclared(launch, tag, name, uses)
     for name, uses in launch.nodes_in_code().items():
-        yield undeclared(launch, "exec_depend", name, uses, "this code", mild=True)
+        yield undeclared(launch, "exec_depend", name, uses, is_described=True)
+    yield from left_to_others(launch.declared, brought, "used by launch files")
 
 
 def undeclared(
-    launch: LaunchDependencies,
-    tag: str,
-    name: str,
-    uses: list[PackageReference],
-    who: str = "this launch file",
-    *,
-    mild: bool = False,
+    launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference], *, is_described: bool = False
 ) -> Hit:
-    first, *others = uses
-    hint = did_you_mean(name, launch.known_names) if launch.is_unknown_package(name) else ""
-    line = f"<{tag}>{name}</{tag}>"
-    message = (
-        f"package.xml does not declare `{name}`, but {who} {first.does} it{hint}: on a clean machine rosdep "
-        f"does not install it and the launch fails with \"package '{name}' not found\"; add {line}"
-    )
-    fix = None if hint else Fix(f"add {line}", (add_dependency(launch.declared.manifest, tag, name),))
-    related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-    mild = mild or all(launch.is_example(use.path) for use in uses)
-    level = Severity.INFO if mild or name in launch.declared.commented_out else None
-    return Hit(first.path, first.span, message, level, related, fix)
+    declared = launch.declared
+    uses = sorted(uses, key=lambda use: bool(use.only_with))
+    first = uses[0]
+    meant = nearest(name, launch.known_names) if launch.is_unknown_package(name) else None
+    who = "this code" if is_described else "this launch file"
+    if meant:
+        message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
+        rename = Edit(first.path, first.span, meant)
+        fix = Fix(f"write `{meant}`", (rename,), Safety.UNSAFE)
+        fix_or_none = fix if launch.is_written(first) else None
+    else:
+        ends = ends_with(first, name)
+        message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
+        fix_or_none = declaration(declared, tag, name)
+    places = related((use.path, use.span) for use in uses)
+    mild = is_described or first.only_with or name in declared.commented_out
+    level = Severity.INFO if mild or all(launch.is_example(use.path) for use in uses) else None
+    return Hit(first.path, first.span, message, level, places, fix_or_none)
+
+
+def ends_with(use: PackageReference, name: str) -> str:
+    """Return what happens on a machine that lacks a package."""
+    if use.only_with:
+        return f"with `{use.only_with}` it must be there"
+    ends = "ModuleNotFoundError" if use.is_import else f"\"package '{name}' not found\""
+    return f"on a clean machine the launch stops with {ends}"
 
 
 def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageReference]]) -> Hit:
     """Ask for ros2launch once, whatever of launch itself is missing."""
     first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
     line = "<exec_depend>ros2launch</exec_depend>"
-    names = " and ".join(f"`{name}`" for name in missing)
+    names = enumerated(f"`{name}`" for name in missing)
     message = (
-        f"package.xml does not declare {names}, which this launch file needs: where nothing else brings them, "
-        f"`ros2 launch` is not there to start it; add {line}, which implies them"
+        f"this launch file needs {names}, which nothing in package.xml brings: `ros2 launch` may be missing where it "
+        f"is installed; add {line}"
     )
     fix = Fix(f"add {line}", (add_dependency(launch.declared.manifest, "exec_depend", "ros2launch"),))
     return Hit(first.path, first.span, message, Severity.INFO, fix=fix)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_find_package import FindPackageDependencies, UndeclaredFindPackage
-from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...ros.manifest import is_buildtool
 from ...rule import rule
 
@@ -25,7 +25,7 @@ FOUND_IN_TESTS = CMAKE.replace(
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "where only tests need it, or a declared dependency may bring it",
-        Severity.INFO: "where a declared dependency is known to bring it, or package.xml has it in a comment",
+        Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment",
     },
     examples=(
         Example(
@@ -53,36 +53,45 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     ## What it does
     Finds required `find_package()` calls for packages that package.xml does not declare.
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
-    counts where a target or an export uses the package all the same. What is optional or under a condition that depends
-    on the machine is left alone, and so is what comes with the build tools.
+    counts where a target or an export uses the package all the same.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
     CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
 
+    ## When it is quiet
+    What a declared dependency certainly installs is one info, which names who brings it; where it is not known what a
+    declared one installs, the error is a warning. What is optional (QUIET, without use) or under a condition that
+    depends on the machine is left alone, and so is what comes with the build tools.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name.
+
     ## References
     - REP-149, depend and buildtool_depend
     """
+    declared = dependencies.declared
+    brought: list[BroughtUse] = []
     for missing in dependencies.missing():
         found, name = missing.found, missing.names[0]
         tests = found.call.testing
         kind = "test_depend" if tests else "buildtool_depend" if is_buildtool(name) else "depend"
-        tag = f"<{kind}>{name}</{kind}>"
+        if missing.bringer:
+            brought.append(BroughtUse(name, missing.bringer, kind, found.word.path, found.word.span))
+            continue
         known = "" if name == found.name else f" (`{name}` for rosdep)"
         message = (
-            f"package.xml does not declare `{found.name}`{known}, which CMake requires: "
-            f"{consequence(missing)}; add {tag}"
+            f"CMake requires `{found.name}`{known}, and package.xml does not declare it: {consequence(missing)}; "
+            f"{advice(declared, kind, name)}"
         )
-        level = Severity.WARNING if tests or missing.transitive == "possible" else None
-        level = (
-            Severity.INFO if missing.transitive == "certain" or name in dependencies.declared.commented_out else level
-        )
-        fix = Fix(f"add {tag}", (add_dependency(dependencies.declared.manifest, kind, name),))
-        yield Hit(found.word.path, found.word.span, message, level, fix=fix)
+        level = Severity.WARNING if tests or missing.may_be_brought else None
+        level = Severity.INFO if name in declared.commented_out else level
+        yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
+    yield from left_to_others(declared, brought, "required by CMake")
 
 
 def consequence(missing: UndeclaredFindPackage) -> str:
-    if missing.transitive != "no":
-        return "it is there only as long as another dependency brings it"
-    stops = f'stops with "Could not find a package configuration file provided by {missing.found.name}"'
-    return f"on a clean machine the build {'of the tests ' if missing.found.call.testing else ''}{stops}"
+    if missing.may_be_brought:
+        return "it is there only if another dependency brings it"
+    what = "the build of the tests" if missing.found.call.testing else "the build"
+    return f'on a clean machine {what} stops with "Could not find a package configuration file"'

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_includes import IncludeDependencies
-from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 NODE = CMAKE.replace(
@@ -21,7 +21,7 @@ NODE = CMAKE.replace(
     "undeclared-include",
     over=IncludeDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a declared dependency is known to bring it, or package.xml has it in a comment"},
+    levels={Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment"},
     examples=(
         Example(
             on="ament_cmake",
@@ -35,27 +35,35 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ includes of other packages and libraries that package.xml does not declare.
-    ROS packages are checked, and libraries that have a rosdep key. Files that no target compiles, and includes under
-    `#if`, are left alone.
+    ROS packages are checked, and libraries that have a rosdep key.
 
     ## Why is this bad?
     The header is found only as long as another dependency brings it. The day that one changes, or on a machine where
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
+    ## When it is quiet
+    What a declared dependency certainly installs is one info, which names who brings it. Files that no target compiles,
+    includes under `#if`, and packages that `find_package()` names as well (DEP104) are left alone.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name.
+
     ## References
     - REP-149, depend
     """
+    declared = includes.declared
+    brought: list[BroughtUse] = []
     for each in includes.undeclared():
-        first, *others = each.uses
-        name = each.names[0]
+        first, name = each.uses[0], each.names[0]
         kind = "test_depend" if each.role == "test" else "depend"
-        tag = f"<{kind}>{name}</{kind}>"
-        transitive = includes.is_transitive(each)
-        ends = "it is there only as long as another dependency brings it"
-        if not transitive:
-            ends = 'the build ends with "No such file or directory" where nothing else brings it'
-        message = f"package.xml does not declare `{name}`, whose `{first.header}` is included here: {ends}; add {tag}"
-        fix = Fix(f"add {tag}", (add_dependency(includes.declared.manifest, kind, name),))
-        related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        mild = transitive or name in includes.declared.commented_out
-        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
+        if bringer := declared.bringer(each.names, runs=False):
+            brought.append(BroughtUse(name, bringer, kind, first.path, first.span))
+            continue
+        message = (
+            f"`{name}` is not declared, and `{first.header}` of it is included: the build ends with "
+            f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
+        )
+        places = related((use.path, use.span) for use in each.uses)
+        level = Severity.INFO if name in declared.commented_out else None
+        yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
+    yield from left_to_others(declared, brought, "included")

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.robot_uses import RobotUses
-from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
-from ...suggest import did_you_mean
+from ...suggest import nearest
 
+TAG = "exec_depend"
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
 
 ROBOT = """\
@@ -33,7 +34,7 @@ Visualization Manager:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for plugins of robots and of RViz configs, or in a package that launches nothing, and where "
-        "package.xml has it in a comment"
+        "a declared dependency brings it, or package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -53,26 +54,36 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     ## What it does
     Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
     Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
-    (`nav2_navfn_planner::NavfnPlanner`). What comes with RViz itself is left alone, and so are plugins that come with a
-    declared package, such as those of `navigation2`.
+    (`nav2_navfn_planner::NavfnPlanner`).
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
     not name: xacro stops, meshes are missing, and nodes stop because their plugin can't be loaded.
 
+    ## When it is quiet
+    What a declared dependency certainly installs is one info, which names who brings it. Left alone are files that are
+    not installed, what comes with RViz itself, plugins of a metapackage or of a package whose node is launched, and
+    what launch files need as well (DEP103). Plugins of robots and RViz configs are infos, and so are those of parameter
+    files in a package that launches nothing: others may use the file without them.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name.
+
     ## References
     - REP-149, exec_depend
     """
-    around, aside = robots.launch.known_names, robots.declared.commented_out
+    declared = robots.declared
+    brought: list[BroughtUse] = []
     for name, uses in robots.missing().items():
-        first, *others = uses
-        hint = did_you_mean(name, around) if robots.launch.is_unknown_package(name) else ""
-        line = f"<exec_depend>{name}</exec_depend>"
-        message = (
-            f"package.xml does not declare `{name}`, {first.usage}{hint}: on a clean machine rosdep does not install "
-            f"it, and {first.consequence}; add {line}"
-        )
-        fix = None if hint else Fix(f"add {line}", (add_dependency(robots.declared.manifest, "exec_depend", name),))
-        related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        mild = name in aside or all(use.is_optional for use in uses)
-        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, related, fix)
+        first = uses[0]
+        if bringer := declared.bringer([name], runs=True):
+            brought.append(BroughtUse(name, bringer, TAG, first.path, first.span))
+            continue
+        meant = nearest(name, robots.launch.known_names) if robots.launch.is_unknown_package(name) else None
+        todo = f"did you mean `{meant}`?" if meant else advice(declared, TAG, name)
+        message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
+        fix = None if meant else declaration(declared, TAG, name)
+        places = related((use.path, use.span) for use in uses)
+        mild = name in declared.commented_out or all(use.is_optional for use in uses)
+        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
+    yield from left_to_others(declared, brought, "used by robots, worlds or parameters")

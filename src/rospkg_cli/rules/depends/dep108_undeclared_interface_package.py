@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.interface_types import InterfaceTypeDependencies
-from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 CMAKE_MSG = CMAKE.replace(
@@ -17,9 +17,6 @@ CMAKE_MSG = CMAKE.replace(
     'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Pose.msg" DEPENDENCIES geometry_msgs)\n'
     "ament_export_dependencies(rosidl_default_runtime)\nament_package()",
 )
-ALWAYS_THERE = frozenset({"builtin_interfaces"})
-"""What rosidl_default_generators brings."""
-
 GROUP = "  <member_of_group>rosidl_interface_packages</member_of_group>\n"
 TOOLS = "  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"
 RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
@@ -31,8 +28,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     over=InterfaceTypeDependencies,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "where a declared dependency is known to bring it",
-        Severity.INFO: "where package.xml has it in a comment",
+        Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment",
     },
     examples=(
         Example(
@@ -59,19 +55,28 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     The generated code includes the other package's headers and imports its modules, here and in every package that
     uses the interface. On a clean machine it does not build, and `ros2 interface show` does not find the type.
 
+    ## When it is quiet
+    Interface files that CMakeLists.txt does not generate are left alone (IDL005 tells them). What a declared dependency
+    certainly installs is one info, which names who brings it.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name.
+
     ## References
     - REP-149, depend
     """
+    declared = interfaces.declared
+    brought: list[BroughtUse] = []
     for name, uses in interfaces.undeclared().items():
-        first, *others = uses
-        tag = f"<depend>{name}</depend>"
-        transitive = name in interfaces.declared.transitive_names or name in ALWAYS_THERE
-        ends = "on a clean machine the generated code does not build"
-        if transitive:
-            ends = "it is there only as long as another dependency brings it"
-        message = f"package.xml does not declare `{name}`, whose `{first.type}` is used here: {ends}; add {tag}"
-        fix = Fix(f"add {tag}", (add_dependency(interfaces.declared.manifest, "depend", name),))
-        related = tuple(Related(use.path, use.span, "and here") for use in others[:3])
-        level = Severity.WARNING if transitive else None
-        level = Severity.INFO if name in interfaces.declared.commented_out else level
-        yield Hit(first.path, first.span, message, level, related, fix)
+        first = uses[0]
+        if bringer := declared.bringer([name], runs=False):
+            brought.append(BroughtUse(name, bringer, "depend", first.path, first.span))
+            continue
+        message = (
+            f"`{name}` is not declared, and its `{first.type}` is used here: on a clean machine the generated code "
+            f"does not build; {advice(declared, 'depend', name)}"
+        )
+        places = related((use.path, use.span) for use in uses)
+        level = Severity.INFO if name in declared.commented_out else None
+        yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
+    yield from left_to_others(declared, brought, "used in interfaces")

@@ -19,6 +19,7 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
     "wrong-dependency-kind",
     over=DependencyKinds,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where another dependency, or `ros2 launch`, brings it"},
     examples=(
         Example(
             bad={"package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
@@ -35,7 +36,13 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     or testing alone; or a package whose headers are included is declared for running or testing alone.
 
     ## Why is this bad?
-    A dependency for tests is not installed with a released package, one for running is not there when it is built.
+    A released package is installed without its test_depends and build_depends; what is declared for running or testing
+    alone need not be there when the package is built.
+
+    ## When it is quiet
+    What another dependency certainly brings at that time, or `ros2 launch` itself to a launch file, is an info.
+    Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
+    DEP103, DEP105).
 
     ## Fix safety
     The missing tag is added, or `exec_depend` becomes `depend`; another split of tags may be right.
@@ -44,20 +51,43 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     - REP-149, Dependencies
     """
     for each in kinds.wrong_kinds():
-        name, tag = each.dependency.name, each.dependency.tag
-        when = "runs" if each.wanted == "exec_depend" else "is built"
+        name, wanted = each.dependency.name, each.use.wanted
         message = (
-            f"`{name}` {each.usage}, and package.xml has it only as <{tag}>: it may not be there when the package "
-            f"{when}; declare it as <{each.wanted}>"
+            f"`{name}` is only a <{each.dependency.tag}>, and {usage(each)}: {consequence(each)}; "
+            f"declare it as <{wanted}>"
         )
         related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
-        fix = Fix(f"declare `{name}` as <{each.wanted}>", (repair(kinds, each),), Safety.UNSAFE)
-        yield Hit(each.path, each.span, message, related=related, fix=fix)
+        fix = Fix(f"declare `{name}` as <{wanted}>", (repair(kinds, each),), Safety.UNSAFE)
+        level = Severity.INFO if each.bringer else None
+        yield Hit(each.use.path, each.use.span, message, level, related, fix)
+
+
+def usage(each: WrongKind) -> str:
+    match each.use.need:
+        case "import":
+            return f"installed code imports `{each.use.what}`"
+        case "launch":
+            return "this launch file needs it"
+        case "include":
+            return f"`{each.use.what}` is included"
+
+
+def consequence(each: WrongKind) -> str:
+    if each.bringer:
+        return f"it comes with `{each.bringer}` today"
+    match each.use.need:
+        case "import":
+            return "where only a release is installed, ModuleNotFoundError is raised"
+        case "launch":
+            ends = f"\"package '{each.dependency.name}' not found\""
+            return f"where only a release is installed, the launch stops with {ends}"
+        case "include":
+            return 'where it is not installed for building, the build ends with "No such file or directory"'
 
 
 def repair(kinds: DependencyKinds, each: WrongKind) -> Edit:
     manifest, name = kinds.declared.manifest, each.dependency.name
     for other in manifest.dependencies:
-        if other.name == name and other.tag == "exec_depend" and each.wanted == "depend":
+        if other.name == name and other.tag == "exec_depend" and each.use.wanted == "depend":
             return change_tag(manifest, other, "depend")
-    return add_dependency(manifest, each.wanted, name)
+    return add_dependency(manifest, each.use.wanted, name)

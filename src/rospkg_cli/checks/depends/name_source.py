@@ -1,0 +1,28 @@
+"""Where a dependency that is to be declared would come from, which decides what to advise."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ...ros.distros import Targets
+from ...ros.names import NameKind
+from .declared_dependencies import DeclaredDependencies
+
+NameSource = Literal["released", "pip", "unknown"]
+
+
+def source_of(declared: DeclaredDependencies, name: str) -> NameSource:
+    """Return whether a name is released or around, is installed from PyPI alone, or is known nowhere.
+
+    A name that only an incomplete workspace could explain counts as unknown: rosdep does not know it either.
+    """
+    workspace = declared.workspace
+    if workspace.is_available(name) or workspace.kind_of(name) is NameKind.PACKAGE:
+        return "released"
+    index = workspace.index
+    if index.is_package(name):
+        return "released"
+    if not index.is_key(name):
+        return "unknown"
+    ways = {index.installer(name, each) for each in Targets()}
+    return "pip" if "pip" in ways and ways <= {"pip", "-"} else "released"

@@ -1,0 +1,70 @@
+"""From dependencies that are used and not declared to what a rule says and offers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ..checks.depends.declared_dependencies import DeclaredDependencies
+from ..checks.depends.name_source import source_of
+from ..checks.depends.unavailable_on_target import enumerated
+from ..finding import Fix, Hit, Related, Safety, Severity
+from ..light_dataclasses import dataclass
+from ..source import Span
+from .manifest import add_dependencies, add_dependency
+
+MAX_RELATED = 3
+
+
+@dataclass(frozen=True, slots=True)
+class BroughtUse:
+    """A dependency that is used and that a declared one brings today."""
+
+    name: str
+    bringer: str
+    tag: str
+    """Under which it is to be declared."""
+    path: str
+    span: Span
+    """Where it is used first."""
+
+
+def related(places: Iterable[tuple[str, Span]]) -> tuple[Related, ...]:
+    """Return the places beside the first."""
+    return tuple(Related(path, span, "and here") for path, span in [*places][1 : MAX_RELATED + 1])
+
+
+def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
+    """Return what to do about a missing dependency."""
+    match source_of(declared, name):
+        case "released":
+            return f"add <{tag}>{name}</{tag}>"
+        case "pip":
+            return f"<{tag}>{name}</{tag}> installs it from PyPI, and keeps the package from being released"
+        case "unknown":
+            return f"no released package is called `{name}`: clone it, or list it in a .repos file"
+
+
+def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
+    """Return the fix that declares a dependency: safe only for a name that can be installed without pip."""
+    safety = Safety.SAFE if source_of(declared, name) == "released" else Safety.UNSAFE
+    return Fix(f"add <{tag}>{name}</{tag}>", (add_dependency(declared.manifest, tag, name),), safety)
+
+
+def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
+    """Yield one info for all that declared dependencies bring; `used` is what is done: "imported"."""
+    if not uses:
+        return
+    names = [use.name for use in uses]
+    bringers = [*dict.fromkeys(use.bringer for use in uses)]
+    be, come = ("is", "it comes") if len(uses) == 1 else ("are", "they come")
+    message = (
+        f"{quoted(names)} {be} {used} and not declared: {come} with {quoted(bringers)} today; declare what you use"
+    )
+    edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in uses))
+    first, *others = uses
+    places = tuple(Related(use.path, use.span, f"`{use.name}` here") for use in others)
+    yield Hit(first.path, first.span, message, Severity.INFO, places, Fix(f"declare {quoted(names)}", edits))
+
+
+def quoted(names: Sequence[str]) -> str:
+    return enumerated(f"`{name}`" for name in names)

@@ -1,0 +1,25 @@
+"""Dependencies that others bring, or that are declared for another time: levels and fixes."""
+
+from __future__ import annotations
+
+from .others import cmake, python
+
+TESTS_ONLY = "  <test_depend>launch_ros</test_depend>\n"
+LAUNCH = "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n    return Node\n"
+BUILD_ONLY = "  <build_depend>std_msgs</build_depend>\n"
+
+CASES = {
+    "DEP201": (
+        python(TESTS_ONLY, launch__a_DOT_launch_DOT_py=LAUNCH),
+        python(BUILD_ONLY + "  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
+        python(
+            "  <exec_depend>ros2launch</exec_depend>\n  <test_depend>joy</test_depend>\n",
+            launch__a_DOT_launch_DOT_xml='<launch><node pkg="joy" exec="joy_node"/></launch>\n',
+        ),
+        cmake(
+            "add_executable(node src/node.cpp)\n",
+            "  <exec_depend>std_msgs</exec_depend>\n",
+            src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
+        ),
+    ),
+}

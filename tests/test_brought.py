@@ -1,0 +1,122 @@
+"""What a declared dependency brings can't be missing: one info for all of it, which names who brings it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, existing_files, manifest
+from rospkg_cli.finding import Finding, Safety
+from rospkg_cli.testing import lint_files
+
+PYTHON = existing_files(BACKDROPS["ament_python"])
+
+
+def found(code: str, body: str, **files: str) -> list[Finding]:
+    named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    return list(lint_files({**PYTHON, "package.xml": manifest(body), **named}, [code]).findings)
+
+
+def around(body: str, text: str, **other: str) -> Finding:
+    """Return what is said of my_pkg, beside which another package lies."""
+    ((name, needs),) = other.items()
+    files = {f"a/{path}": text for path, text in PYTHON.items()}
+    files |= {"a/package.xml": manifest(body), "a/my_pkg/node.py": text}
+    files |= {f"b/{path.replace('my_pkg', name)}": text.replace("my_pkg", name) for path, text in PYTHON.items()}
+    files |= {"b/package.xml": manifest(needs, name=name), f"b/{name}/tool.py": "print(1)\n"}
+    (finding,) = lint_files(files, ["DEP101"]).findings
+    return finding
+
+
+def declared(*names: str, tag: str = "exec_depend") -> str:
+    return "".join(f"  <{tag}>{name}</{tag}>\n" for name in names)
+
+
+def test_all_that_is_brought_is_one_info_and_one_fix() -> None:
+    text = "import rclpy\nimport rcl_interfaces.msg\nimport std_msgs.msg\n"
+    (finding,) = found("DEP101", declared("rclpy", "sensor_msgs"), my_pkg__a_DOT_py=text)
+    assert finding.severity.value == "info"
+    assert finding.message == (
+        "`rcl_interfaces` and `std_msgs` are imported and not declared: they come with `rclpy` and `sensor_msgs` "
+        "today; declare what you use"
+    )
+    assert [what for _, what in finding.related] == ["`std_msgs` here"]
+    assert finding.fix is not None
+    texts = [edit.text for edit in finding.fix.operations]
+    assert texts == ["<exec_depend>rcl_interfaces</exec_depend>\n  ", "\n  <exec_depend>std_msgs</exec_depend>"]
+
+
+@pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("test_depend", "warning"),
+                                        ("build_depend", "warning"), ("build_export_depend", "info")])  # fmt: skip
+def test_only_what_is_there_at_run_time_brings_something(tag: str, level: str) -> None:
+    (finding,) = found("DEP101", declared("sensor_msgs", tag=tag), my_pkg__a_DOT_py="import std_msgs.msg\n")
+    assert finding.severity.value == level
+
+
+def test_what_holds_for_some_distributions_brings_nothing_for_certain() -> None:
+    body = '  <exec_depend condition="$ROS_DISTRO == humble">sensor_msgs</exec_depend>\n'
+    (finding,) = found("DEP101", body, my_pkg__a_DOT_py="import std_msgs.msg\n")
+    assert finding.severity.value == "warning"
+
+
+@pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("build_export_depend", "info"),
+                                        ("build_depend", "warning"), ("test_depend", "warning")])  # fmt: skip
+def test_the_workspace_is_asked_before_the_table(tag: str, level: str) -> None:
+    finding = around(declared("acme_tools"), "import cv2\n", acme_tools=declared("python3-opencv", tag=tag))
+    assert finding.severity.value == level
+
+
+def test_a_package_of_the_workspace_brings_what_its_manifest_says_alone() -> None:
+    finding = around(declared("sensor_msgs"), "import std_msgs.msg\n", sensor_msgs="")
+    assert finding.severity.value == "warning"
+
+
+def test_colcon_brings_pytest() -> None:
+    (finding,) = found("DEP102", "", test__test_a_DOT_py="import pytest\n")
+    assert (finding.severity.value, "it comes with `colcon` today" in finding.message) == ("info", True)
+    assert (
+        found("DEP102", declared("ament_cmake_pytest", tag="test_depend"), test__test_a_DOT_py="import pytest\n") == []
+    )
+
+
+def test_what_ros2_launch_needs_is_there_wherever_it_is_run() -> None:
+    text = "import yaml\nimport rclpy\nimport cv2\nimport launch\n\n\ndef generate_launch_description():\n    pass\n"
+    messages = [finding.message for finding in found("DEP103", "", launch__a_DOT_launch_DOT_py=text)]
+    opencv, ros2launch = sorted(messages)
+    assert opencv.startswith("`python3-opencv` is not declared, and this launch file imports `cv2` of it: on a clean")
+    assert "the launch stops with ModuleNotFoundError" in opencv
+    assert ros2launch.startswith("this launch file needs `launch`, which nothing in package.xml brings")
+
+
+def test_launch_is_not_asked_for_where_something_brings_it() -> None:
+    text = "import launch\n\n\ndef generate_launch_description():\n    pass\n"
+    assert found("DEP103", declared("launch_testing_ros"), launch__a_DOT_launch_DOT_py=text) == []
+
+
+def test_a_dependency_for_running_covers_the_tests() -> None:
+    text = '<launch><node pkg="joy" exec="joy_node"/></launch>\n'
+    (finding,) = found("DEP103", "", launch__a_DOT_launch_DOT_xml=text, test__b_DOT_launch_DOT_xml=text)
+    assert finding.location.path == "launch/a.launch.xml"
+
+
+def test_a_key_of_pypi_is_not_safe_and_milder_where_pip_is_asked() -> None:
+    code = "import mediapipe\n"
+    (finding,) = found("DEP101", "", my_pkg__a_DOT_py=code)
+    assert finding.fix is not None
+    assert (finding.severity.value, finding.fix.safety) == ("warning", Safety.UNSAFE)
+    assert "keeps the package from being released" in finding.message
+    for name in ("requirements.txt", "requirements-dev.txt", "pyproject.toml"):
+        (finding,) = lint_files({**PYTHON, "my_pkg/a.py": code, name: "mediapipe==0.10\n"}, ["DEP101"]).findings
+        assert finding.severity.value == "info", name
+    (finding,) = lint_files(
+        {**PYTHON, "my_pkg/a.py": code, "requirements.txt": "mediapipe-models\n"}, ["DEP101"]
+    ).findings
+    assert finding.severity.value == "warning"
+
+
+def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
+    (finding,) = found(
+        "DEP103", declared("ros2launch"), launch__a_DOT_launch_DOT_xml='<launch><node pkg="acme" exec="x"/></launch>\n'
+    )
+    assert finding.fix is not None
+    assert finding.fix.safety is Safety.UNSAFE
+    assert finding.message.endswith("no released package is called `acme`: clone it, or list it in a .repos file")
