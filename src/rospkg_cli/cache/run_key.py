@@ -19,7 +19,18 @@ VARIABLES = (
 )
 """Every variable that lint asks for; `tests/test_cache_inputs.py` reads the sources for others."""
 
-NEVER = ("--no-cache", "--fix", "--diff", "--add-ignores", "--write-baseline", "--watch", "--help", "-h")
+NEVER = (
+    "--no-cache",
+    "--fix",
+    "--fix-only",
+    "--diff",
+    "--show-settings",
+    "--add-ignores",
+    "--write-baseline",
+    "--watch",
+    "--help",
+    "-h",
+)
 """Options whose runs write, or are not to be kept."""
 
 

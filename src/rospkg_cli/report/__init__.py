@@ -31,6 +31,8 @@ class Report:
     color: bool = False
     fixed: int = 0
     """How many findings `--fix` fixed."""
+    uncovered: int = 0
+    """How many of them only came up while others were fixed."""
     width: int | None = None
     """Columns of the text for people; None where no line is broken."""
     exact: bool = False

@@ -22,7 +22,8 @@ def summary(report: Report) -> str:
     safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
     unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
     if report.fixed:
-        parts.append(f"{report.fixed} fixed.")
+        later = f" ({report.uncovered} of them came up while others were fixed)" if report.uncovered else ""
+        parts.append(f"{report.fixed} fixed{later}.")
     if safe:
         parts.append(f"{safe} fixable with --fix.")
     if unsafe:

@@ -11,11 +11,15 @@ from typing import IO
 
 from ...control_characters import visible_lines, without_workflow_commands
 from ...engine.fixing.write import write_text
-from ...finding import Safety
+from ...finding import Finding, Safety
 from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
 from .. import UsageError
-from .lint_options import ReportOptions
+from .fix_list import fix_list
+from .lint_options import LintOptions
+
+FAILURES = frozenset({"RPK005", "RPK006"})
+"""The rules that report a run that failed."""
 
 
 def report_files(typed: Sequence[str]) -> list[tuple[str, Path]]:
@@ -29,19 +33,40 @@ def report_files(typed: Sequence[str]) -> list[tuple[str, Path]]:
     return found
 
 
-def print_report(options: ReportOptions, report: Report, files: Sequence[tuple[str, Path]], stream: IO[str]) -> None:
-    """Write the reports to their files, and one to a stream; raises WriteError."""
+def print_report(
+    options: LintOptions, report: Report, files: Sequence[tuple[str, Path]], stream: IO[str], fixed: Sequence[Finding]
+) -> None:
+    """Write the reports to their files, and one with the fixes before it to a stream; raises WriteError."""
+    shown, is_text = options.report, options.report.format == "text" and not options.report.statistics
     for name, path in files:
         text = io.StringIO()
-        render(name, replace(report, color=False), text)
+        render(name, replace(report, color=False, width=None), text)
         write_text(path, text.getvalue())
-    if options.statistics:
+    if (is_text and not shown.quiet) or options.fixing.show_fixes:
+        print_lines(fix_list(report, fixed, options.fixing.show_fixes), stream if is_text else sys.stderr)
+    if options.fixing.fix_only:
+        report = only_of_the_run(report)
+    elif is_text and fixed and not shown.quiet:
+        stream.write("\n")
+    is_silent = options.fixing.fix_only or (shown.quiet and is_text)
+    if shown.statistics:
         stream.write(statistics(report))
-    elif not (options.quiet and options.format == "text" and not report.results.findings):
-        render(options.format, report, stream)
-    if options.traceback:
-        for crash in report.results.crashes:
-            print(without_workflow_commands(visible_lines(crash.error)), file=sys.stderr)
+    elif report.results.findings or not is_silent:
+        render(shown.format, report, stream)
+    if shown.traceback:
+        print_lines(
+            [without_workflow_commands(visible_lines(each.error)) for each in report.results.crashes], sys.stderr
+        )
+
+
+def only_of_the_run(report: Report) -> Report:
+    """Return the report with nothing but what went wrong with the run: a crash, or no package."""
+    left = tuple(finding for finding in report.results.findings if finding.code in FAILURES)
+    return replace(report, results=replace(report.results, findings=left))
+
+
+def print_lines(lines: Sequence[str], stream: IO[str]) -> None:
+    stream.writelines(f"{line}\n" for line in lines)
 
 
 def statistics(report: Report) -> str:

@@ -20,6 +20,7 @@ from ...fence import Fence
 from ...finding import Safety, Severity
 from ...report import Report
 from ...report.color import wants_color
+from ...report.summary import counted
 from ...report.wrap import terminal_width
 from ..diff import unified
 from ..index.age import warn_of_age
@@ -50,24 +51,20 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
 
     Raises UsageError, ConfigError, LocateError, PluginError, BaselineError and WriteError, each with one sentence.
     """
-    shown, fixing, suppression = options.report, options.fixing, options.suppression
-    files = report_files(shown.output)
+    fixing, suppression = options.fixing, options.suppression
+    files = report_files(options.report.output)
     paths = options.paths or (Path(),)
     config = find_config(common_folder(paths))
     located = locate(paths, options.workspace, config)
-    with progress(not shown.quiet) as show_progress:
+    with progress(not options.report.quiet) as show_progress:
         session = make_session(options, config, located, show_progress)
         found = run_session(session, fixing) if located.scope.selected else nothing_found(session, options, located)
     for finding, why in found.refused:
         say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
-    fixed = 0 if fixing.diff else len(found.applied)
-    shows_all = "all" in shown.show
-    shows_info = shows_all or asks_for_info(options, config)
-    colored, width = wants_color(shown.color, stream), terminal_width(stream)
-    report = Report(found.results, located.root, current_folder(), colored, fixed, width, False, shows_info, shows_all)
-    if fixing.diff:
-        stream.writelines(unified(session.tree, found.changes))
-    elif fixing.fix:
+    report = make_report(options, config, located, found, stream)
+    if fixing.diff and located.scope.selected:
+        return show_diff(session, found, options)
+    if fixing.fix or fixing.fix_only:
         write_fixes(session, found, located)
     if suppression.write_baseline and located.scope.selected:
         return save_baseline(suppression.write_baseline, report)
@@ -75,10 +72,44 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         return add_ignores(suppression.add_ignores, session, report)
     if found.results.crashes:
         stop_trace()  # what crashed may not crash again
-    print_report(shown, report, files, sys.stderr if fixing.diff else stream)
+    print_report(options, report, files, stream, found.applied)
     warn_of_age(session.scope.index, found.results.findings)
-    changed = bool(found.changes) and (fixing.diff or fixing.exit_non_zero_on_fix)
-    return exit_status(found.results, Severity(options.fail_on or config.fail_on), changed)
+    changed = bool(found.changes) and fixing.exit_non_zero_on_fix and not options.exit_zero
+    return exit_status(found.results, least_failing(options, config), changed)
+
+
+def make_report(options: LintOptions, config: Config, located: Located, found: FixResults, stream: IO[str]) -> Report:
+    """Return the report for a stream."""
+    shows_all = "all" in options.report.show
+    return Report(
+        found.results,
+        located.root,
+        current_folder(),
+        wants_color(options.report.color, stream),
+        len(found.applied),
+        found.uncovered,
+        terminal_width(stream),
+        shows_info=shows_all or asks_for_info(options, config),
+        shows_all=shows_all,
+    )
+
+
+def show_diff(session: Session, found: FixResults, options: LintOptions) -> int:
+    """Print what the fixes would change and, on stderr, how many there are; return the exit status."""
+    sys.stdout.writelines(unified(session.tree, found.changes))
+    count, files = counted(len(found.applied), "finding"), counted(len(found.changes), "file")
+    how = "--fix --unsafe-fixes" if options.fixing.unsafe_fixes else "--fix"
+    say(f"{how} would fix {count} in {files}" if found.changes else f"{how} would change nothing")
+    if found.results.crashes:
+        return 3
+    return 1 if found.changes and not options.exit_zero else 0
+
+
+def least_failing(options: LintOptions, config: Config) -> Severity | None:
+    """Return the least level that fails; None where none does."""
+    if options.exit_zero or options.fixing.fix_only:
+        return None
+    return Severity(options.fail_on or config.fail_on)
 
 
 def asks_for_info(options: LintOptions, config: Config) -> bool:
@@ -89,7 +120,7 @@ def asks_for_info(options: LintOptions, config: Config) -> bool:
 
 def run_session(session: Session, options: FixOptions) -> FixResults:
     """Lint, and fix in memory where that is asked for."""
-    if not (options.fix or options.diff):
+    if not (options.fix or options.fix_only or options.diff):
         return FixResults(session.run())
     return fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
 
@@ -106,10 +137,11 @@ def write_fixes(session: Session, found: FixResults, located: Located) -> None:
     write_changes(located.root, session.tree, found.changes, Fence(located.root, located.scope.folders))
 
 
-def exit_status(results: Results, fail_on: Severity, changed: bool) -> int:
+def exit_status(results: Results, fail_on: Severity | None, changed: bool) -> int:
     """Return 3 after an internal error, 2 where nothing was checked, 1 for findings or changes that fail, else 0."""
     if results.crashes:
         return 3
     if any(finding.code == "RPK006" for finding in results.findings):
         return 2
-    return 1 if changed or any(finding.severity.rank >= fail_on.rank for finding in results.findings) else 0
+    fails = fail_on and any(finding.severity.rank >= fail_on.rank for finding in results.findings)
+    return 1 if changed or fails else 0

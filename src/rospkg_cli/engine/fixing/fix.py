@@ -31,6 +31,8 @@ class FixResults:
     applied: list[Finding] = field(default_factory=list)
     refused: list[tuple[Finding, str]] = field(default_factory=list)
     """Findings whose fix was taken back, and why."""
+    uncovered: int = 0
+    """How many of the applied were not there before the first round."""
 
 
 def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
@@ -47,6 +49,8 @@ def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
         if not left:
             found.refused = refused + found.refused
             found.changes = {p: e for p, e in found.changes.items() if e != original_entry(session, p)}
+            known = {finding_key(each) for each in first.findings}
+            found.uncovered = sum(finding_key(each) not in known for each in found.applied)
             return found
         guilty = oscillating(found.applied, left)
         refused += [(each, "it is found again after each fix; please report this") for each in guilty]
