@@ -47,6 +47,9 @@ class RunToKeep:
         asked = [(question, answer, known.get(question, "")) for question, answer in self.trace.answers.items()]
         path = os.path.join(folder, file_name(self.key))
         write_run(path, self.key, status, self.text, [(f"o{HERE}", code, self.code), *asked])
+        from .prune import prune_sometimes
+
+        prune_sometimes(folder)
 
 
 def kept_run(arguments: Sequence[str]) -> tuple[int, str] | RunToKeep | None:
@@ -63,10 +66,20 @@ def kept_run(arguments: Sequence[str]) -> tuple[int, str] | RunToKeep | None:
         status, text, before = found
         now = recheck(before)
         if now is not None:
-            if now != before:
+            if now != before or is_old(path):
                 write_run(path, key, status, text, now)
             return status, text
     return RunToKeep(key)
+
+
+def is_old(path: str) -> bool:
+    """Return whether a file was written more than a day ago: one that is served is as good as new."""
+    from time import time
+
+    try:
+        return time() - os.stat(path).st_mtime > 86_400
+    except OSError:
+        return False
 
 
 def read_run(path: str, key: list[str]) -> tuple[int, str, list[Question]] | None:

@@ -9,6 +9,7 @@ import typer
 
 from .. import __version__
 from . import UsageError
+from .cache import options as cache
 from .explain import options as explain
 from .format import options as format
 from .index import options as index
@@ -37,6 +38,10 @@ indexing = typer.Typer(no_args_is_help=True, help=index.HELP, epilog=index.EPILO
 indexing.command(epilog=index.UPDATE_EPILOG)(index.update)
 indexing.command(epilog=index.STATUS_EPILOG)(index.status)
 app.add_typer(indexing, name="index")
+caching = typer.Typer(help=cache.HELP, epilog=cache.EPILOG)
+caching.callback(invoke_without_command=True)(cache.cache)
+caching.command()(cache.clear)
+app.add_typer(caching, name="cache")
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)
 
