@@ -7,7 +7,6 @@ from rospkg_cli.rules.launch import lch013_undefined_launch_name as lch013
 
 from .shown_launch_calls import HEAD, NEEDED, node, python
 
-
 RETURNS = "def generate_launch_description():\n    return LaunchDescription()\n"
 
 

@@ -64,8 +64,8 @@ def invalid_parameter_library(library: ParameterLibrary) -> Iterator[Hit]:
     The generator stops the build with a traceback, or writes a header that does not compile.
 
     ## When it is quiet
-    Only files that CMakeLists.txt or setup.py hand to the generator are judged. Types and validators of your own, with a
-    namespace, are believed.
+    Only files that CMakeLists.txt or setup.py hand to the generator are judged. Types and validators of your own, with
+    a namespace, are believed.
 
     ## References
     https://github.com/PickNikRobotics/generate_parameter_library
