@@ -16,7 +16,7 @@ def vector_fault(text: str, size: int) -> str | None:
     parts = [part for part in text.split(" ") if part]
     wrong = next((part for part in parts if not is_number(part)), None)
     if wrong is not None:
-        return f"`{wrong.strip() or wrong!r}` is no number"
+        return f"`{wrong.strip() or repr(wrong)}` is no number"
     if len(parts) != size:
         return f"it has {len(parts)} numbers instead of {size}"
     return None
