@@ -8,6 +8,7 @@ from functools import cached_property
 from ..files import PackageFiles
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
+from ..package.workspace import Workspace
 from ..unreadable import UnreadableError
 from .share_references import references_folder
 
@@ -21,6 +22,7 @@ class ShareUses:
     files: PackageFiles
     name: str
     """The package's."""
+    workspace: Workspace
 
     def opens(self, folder: str) -> bool:
         """Return whether code, a robot, a world or the README refers to a folder of the share directory."""
@@ -53,11 +55,21 @@ class ShareUses:
         except UnreadableError:
             return ""
 
+    def is_needed_by_others(self) -> bool:
+        """Return whether a package of the workspace depends on this one: it may open any folder."""
+        needs = (need for facts in self.workspace.packages if facts.name != self.name for need in facts.dependencies)
+        return any(need.name == self.name for need in needs)
 
-def share_consequence(package: str, folder: str, opened: bool) -> str:
-    """Return what happens where a folder is not installed, for a message."""
-    if folder == "launch":
-        return f"the build is green, and `ros2 launch {package} …` does not find it"
-    if opened:
+    def level(self, folder: str) -> str | None:
+        """Return `error` where the package opens a folder, `info` where nobody seems to; None between them."""
+        if self.opens(folder):
+            return "error"
+        return None if folder == "launch" or self.is_needed_by_others() else "info"
+
+    def consequence(self, folder: str) -> str:
+        """Return what happens where a folder is not installed, for a message."""
+        if folder == "launch":
+            return f"the build is green, and `ros2 launch {self.name} …` does not find it"
+        if self.level(folder) == "info":
+            return "no other package can open it, and nothing in this one does"
         return "the build is green, and what opens it in the share directory does not find it"
-    return "no other package can open it, and nothing in this one does"

@@ -10,6 +10,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_packa
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
+from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
 
@@ -23,6 +24,7 @@ USED_AT_BUILD = re.compile(
 class RuntimeFolders:
     package: CMakePackage
     table: InstallTable
+    workspace: Workspace
 
     def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
@@ -73,7 +75,7 @@ class RuntimeFolders:
 
     @cached_property
     def uses(self) -> ShareUses:
-        return ShareUses(self.package.cmake.package_files, self.package.facts.name)
+        return ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace)
 
 
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:

@@ -39,7 +39,8 @@ class ModuleTree:
         for folder in listed:
             found |= {folder: None} if self.lacks_init(folder) else {}
             found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
-        return tuple(found)
+        ignores = self.package.files.absent.is_ignored
+        return tuple(folder for folder in found if not ignores(f"{folder}/__init__.py"))
 
     def lacks_init(self, folder: str) -> bool:
         """Return whether a folder holds modules and no `__init__.py`."""

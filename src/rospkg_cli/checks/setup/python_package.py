@@ -66,9 +66,16 @@ class PythonPackage:
             or not setup.knows("package_dir")
             or setup.file_of(module)
             or self.may_be_generated(module)
+            or self.is_expected(module)
         ):
             return False
         return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
+
+    def is_expected(self, module: str) -> bool:
+        """Return whether git ignores the file of a module, or a submodule that is not checked out has it."""
+        package, _, name = module.rpartition(".")
+        folder = self.setup.folder_of(package) if package else self.setup.package_dir.get("", "")
+        return self.files.absent.is_expected(posixpath.join(folder, f"{name}.py"))
 
     def may_be_generated(self, module: str) -> bool:
         """Return whether something else may provide a module: an extension, a template, the target of a link."""
@@ -93,12 +100,13 @@ class PythonPackage:
         return tails.get(module) or (tails.get(rest) if rest else None)
 
     def suggestion(self, module: str) -> str | None:
-        """Return the most similar module of the package."""
+        """Return the most similar module of the package that no entry point starts."""
         if (found := self.misplaced(module)) is not None:
             return found
-        last = module.rpartition(".")[2]
-        same = [other for other in self.on_disk if other.rpartition(".")[2] == last]
-        return same[0] if len(same) == 1 else nearest(module, self.on_disk)
+        last, started = module.rpartition(".")[2], {entry.module for entry in self.setup.entry_points}
+        free = [other for other in self.on_disk if other not in started]
+        same = [other for other in free if other.rpartition(".")[2] == last]
+        return same[0] if len(same) == 1 else nearest(module, free)
 
     def has_attribute(self, module: str, name: str) -> bool:
         """Return whether a module of the package has a name, or may have it."""

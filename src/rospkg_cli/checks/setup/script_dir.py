@@ -24,6 +24,12 @@ class ScriptDir:
     cfg: SetupCfg | None
     workspace: Workspace
 
+    @property
+    def is_configured(self) -> bool:
+        """Whether something else than setuptools may choose the folder: setup.cfg, or `options` of setup()."""
+        has_file = self.cfg is not None or self.package.files.exists("setup.cfg")
+        return has_file or self.package.setup.argument("options") is not None
+
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
         """The executables that run a node, and those that a launch file of the workspace starts."""
@@ -42,7 +48,7 @@ class ScriptDir:
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             match = ELSEWHERE.fullmatch(option.value.text) if option else None
-            if option is None and self.nodes:
+            if option is None and self.nodes and self.package.setup.argument("options") is None:
                 found.append((section, key, None))
             elif option is not None and match is not None and match["name"] not in own:
                 found.append((section, key, option.value))

@@ -63,6 +63,11 @@ class ShareFiles:
             and not self.package.files.absent.is_expected(file.source)
         )
 
+    def is_misnamed(self, file: DataFile) -> bool:
+        """Return whether a marker has the wrong name that setup.py gives the package."""
+        name = self.package.setup.setup_text("name")
+        return name is not None and name.text != self.package.name and file.source == f"resource/{name.text}"
+
     @cached_property
     def covered(self) -> frozenset[str]:
         """The sources that are installed."""
@@ -129,7 +134,7 @@ class ShareFiles:
 
     @cached_property
     def uses(self) -> ShareUses:
-        return ShareUses(self.package.files, self.package.name)
+        return ShareUses(self.package.files, self.package.name, self.package.workspace)
 
     @cached_property
     def uninstalled_neighbours(self) -> tuple[UninstalledNeighbour, ...]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.share_folders import RuntimeFolders
-from ...checks.share_uses import share_consequence
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -27,7 +26,7 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory",
-        Severity.INFO: "nothing in the package does, and it is not `launch/`",
+        Severity.INFO: "nothing in the package does, nor depends another one of the workspace on it; not for `launch/`",
     },
     examples=(
         Example(
@@ -67,10 +66,9 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
-        opened = folders.uses.opens(folder)
         message = (
             f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
-            f"{share_consequence(name, folder, opened)}; add `{folder}` to an `install(DIRECTORY …)`"
+            f"{folders.uses.consequence(folder)}; add `{folder}` to an `install(DIRECTORY …)`"
         )
-        level = Severity.ERROR if opened else None if folder == "launch" else Severity.INFO
-        yield Hit(place.path, place.command.span, message, level, fix=fix)
+        level = folders.uses.level(folder)
+        yield Hit(place.path, place.command.span, message, Severity(level) if level else None, fix=fix)

@@ -51,11 +51,15 @@ def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
     `lib/<package>` and say "No executable found" or "libexec directory … does not exist", although the build
     was green.
 
+    ## When it is quiet
+    Where setup() itself sets `options` for the scripts. Where no executable runs a node, as far as its module and
+    the launch files of the workspace tell, it is an info.
+
     ## References
     https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
     """
     package = home.package
-    if home.cfg is not None or package.files.exists("setup.cfg") or not package.executables:
+    if home.is_configured or not package.executables:
         return
     entry = (home.nodes or package.executables)[0]
     message = (

@@ -40,6 +40,10 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     `ros2 run` and launch files look in `lib/<package>` alone. The build is green, and then there is "No executable
     found". A copied setup.cfg that names the package it came from is the usual cause. `[develop]` is read by
     `colcon build --symlink-install`, `[install]` by every other build.
+
+    ## When it is quiet
+    Where the value is no folder below `lib/`: it is taken to be meant, as `$base/bin` for command line tools. Where
+    no executable runs a node, a missing option is none.
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"

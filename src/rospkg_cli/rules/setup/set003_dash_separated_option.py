@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...example import SETUP_CFG, Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.setup.setup_cfg import SetupCfg
 from ...rule import rule
 
-BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts", "«install-scripts»")
+BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts", "install-scripts")
 
 
 @rule(
@@ -29,18 +29,28 @@ def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
     setuptools warns about them since version 54, stopped the build on them in 78.0.1, and took that back only for the
     time being. Underscores work with every version.
 
+    ## When it is quiet
+    In sections that setuptools does not read, such as `[tool:pytest]` or `[flake8]`. All options of a setup.cfg are
+    one finding.
+
     ## References
     https://setuptools.pypa.io/en/latest/history.html
     """
-    for section in cfg.sections.values():
-        if not section.read_by_setuptools:
-            continue
-        for option in section.options.values():
-            if "-" in option.key:
-                right = option.key.replace("-", "_")
-                message = (
-                    f"`{option.key}` is spelt with a hyphen: setuptools warns about it, 78.0.1 refused it and a later "
-                    f"one will; write `{right}`"
-                )
-                fix = Fix(f"write `{right}`", (Edit(cfg.path, option.key_span, right),))
-                yield Hit(cfg.path, option.key_span, message, fix=fix)
+    options = [
+        option
+        for section in cfg.sections.values()
+        if section.read_by_setuptools
+        for option in section.options.values()
+        if "-" in option.key
+    ]
+    if not options:
+        return
+    first, *others = options
+    right = first.key.replace("-", "_")
+    message = (
+        f"`{first.key}` is spelt with a hyphen: setuptools warns, 78.0.1 refused it, a later one will; write `{right}`"
+    )
+    edits = tuple(Edit(cfg.path, each.key_span, each.key.replace("-", "_")) for each in options)
+    fix = Fix(f"write `{right}`", edits)
+    related = tuple(Related(cfg.path, each.key_span, f"and `{each.key}`") for each in others)
+    yield Hit(cfg.path, first.key_span, message, related=related, fix=fix)

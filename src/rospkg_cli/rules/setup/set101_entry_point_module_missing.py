@@ -42,13 +42,17 @@ def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build does not look: it is green, and `ros2 run` raises ModuleNotFoundError.
+
+    ## When it is quiet
+    Where setup.py may write files or generates the module, for compiled modules, templates and links, for modules
+    of other packages, where a .gitignore names the file, and below a submodule that is not checked out.
     """
     for entry in package.setup.entry_points:
         if not entry.module or entry.fault or not package.is_missing(entry.module):
             continue
         meant = package.suggestion(entry.module)
-        hint = f"did you mean `{meant}`? " if meant else ""
-        message = f"there is no module `{entry.module}`: {hint}{consequence(package, entry)}"
+        hint = f"; did you mean `{meant}`?" if meant else ""
+        message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}"
         yield Hit(entry.path, entry.module_span, message)
 
 

@@ -38,7 +38,11 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
     are understood.
 
     ## Why is this bad?
-    The build is green; starting the executable raises ImportError or AttributeError.
+    The build is green; starting the executable raises AttributeError, or ImportError with an older setuptools.
+
+    ## When it is quiet
+    Where the module is of another package, can't be read, has a star import of something unknown or a
+    `__getattr__`, or is generated.
     """
     for entry in package.setup.entry_points:
         if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
@@ -47,10 +51,10 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
         file = package.modules.at(path)
         names = list(file.definitions) if file else []
         near = nearest(entry.attribute.partition(".")[0], names)
-        hint = f" (did you mean `{near}`?)" if near else ""
+        hint = f"; did you mean `{near}`?" if near else "; define it there, or name what is"
         start = f"`ros2 run {package.name} {entry.name}`" if entry.is_script else f"loading `{entry.name}`"
         message = (
-            f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`{hint}: the build is green, and {start} "
-            f"raises ImportError; define it there, or name what is"
+            f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`: the build is green, and {start} raises "
+            f"AttributeError{hint}"
         )
         yield Hit(entry.path, entry.attribute_span, message)

@@ -24,7 +24,7 @@ entry_points={
 WHY = {
     "no-equals": "has no `=`",
     "no-attribute": "names no function",
-    "joined": "is two entry points in one: a comma is missing between them",
+    "joined": "is two entry points in one, without a comma between them",
     "file-name": "names a file",
     "unreadable": "can't be read",
 }
@@ -58,12 +58,15 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
     setuptools from 60 on stops with "'distutils.core.setup()' was never called", and does not say where. The older one
     of Humble builds, and makes an executable that can't be started, or one with a wrong name.
 
+    ## When it is quiet
+    Where the entry is made by code that can't be evaluated.
+
     ## Fix safety
     The intended entry point is a guess.
     """
     for entry in package.setup.entry_points:
         if entry.fault:
-            message = f"`{entry.text}` {WHY[entry.fault]}; write `name = module:function`{consequence(entry)}"
+            message = f"`{entry.text}` {WHY[entry.fault]}: {consequence(entry)}; write `name = module:function`"
             edits = repair_entry_point(package.setup, entry)
             fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
             yield Hit(entry.path, entry.setup_text.span if entry.fault == "joined" else entry.span, message, fix=fix)
@@ -71,5 +74,5 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
 
 def consequence(entry: EntryPoint) -> str:
     if entry.fault in ("no-attribute", "file-name"):
-        return ". The build is green, and the executable fails when it is started"
-    return ". setuptools from 60 on stops here without naming the place"
+        return "the build is green, and the executable fails when it is started"
+    return "setuptools from 60 on stops, and does not name the place"

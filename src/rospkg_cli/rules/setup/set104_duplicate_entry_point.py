@@ -37,6 +37,9 @@ def duplicate_entry_point(package: PythonPackage) -> Iterator[Hit]:
     ## Why is this bad?
     setuptools from 60 on stops with "'distutils.core.setup()' was never called". The older one of Humble makes one
     executable of the two, and does not say which.
+
+    ## When it is quiet
+    Where an entry is made by code that can't be evaluated. One name in two groups is no duplicate.
     """
     seen: dict[tuple[str, str], EntryPoint] = {}
     for entry in package.setup.entry_points:
@@ -44,6 +47,6 @@ def duplicate_entry_point(package: PythonPackage) -> Iterator[Hit]:
             continue
         first = seen.setdefault((entry.group, entry.name), entry)
         if first is not entry:
-            message = f"`{entry.name}` is twice in `{entry.group}`: setuptools stops, or keeps one; rename one"
+            message = f"`{entry.name}` is twice in `{entry.group}`: setuptools stops, Humble's keeps one; rename one"
             related = (Related(first.path, first.name_span, "the other one"),)
             yield Hit(entry.path, entry.name_span, message, related=related)

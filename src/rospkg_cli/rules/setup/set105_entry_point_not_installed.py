@@ -35,6 +35,10 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     The build is green, and `ros2 run` raises ModuleNotFoundError: what is not in `packages` is not copied. A list
     `packages=[package_name]` holds only the top-level package, none of those below it.
 
+    ## When it is quiet
+    Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
+    folder lacks its `__init__.py` (SET301 tells).
+
     ## Fix safety
     The module may belong elsewhere instead.
     """
@@ -47,9 +51,9 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
             continue
         inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
         edits = add_package(setup, inner) if inner else ()
-        what = f"its Python package `{inner}` is not in `packages`" if inner else "it is in no package of `packages`"
+        what = f"add `{inner}` to `packages`" if inner else "move it into a package of `packages`"
         message = (
-            f"`{path}` is not installed: {what}; the build is green, and `{entry.name}` raises ModuleNotFoundError"
+            f"`{path}` is not installed: the build is green, and `{entry.name}` raises ModuleNotFoundError; {what}"
         )
         fix = Fix(f"add `{inner}` to `packages`", edits, Safety.UNSAFE) if edits else None
         yield Hit(entry.path, entry.module_span, message, fix=fix)

@@ -40,6 +40,9 @@ def unregistered_main(package: PythonPackage) -> Iterator[Hit]:
     ## Why is this bad?
     `ros2 run` and launch files can't start it. A new node whose entry point was forgotten looks just so.
 
+    ## When it is quiet
+    Where several modules of the folder lack an entry point: then it is the custom of the package.
+
     ## Fix safety
     It makes an executable of a module that may be there for import only.
     """

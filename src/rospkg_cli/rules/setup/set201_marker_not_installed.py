@@ -20,7 +20,7 @@ COPIED = SETUP_PY.replace("['resource/' + package_name]", "['«resource/your_pkg
     "SET201",
     "marker-not-installed",
     over=ShareFiles,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(
         Example(
             bad={"setup.py": BAD},
@@ -43,6 +43,10 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## Why is this bad?
     The index is how `ros2 run`, `ros2 launch` and `get_package_share_directory` find a package: "package not found".
     colcon adds a missing marker for now and warns that it will not in the future; a Debian package and pip do not.
+
+    ## When it is quiet
+    Where `data_files` can't be evaluated, where setup.py may write files, and where the marker of the name in
+    setup.py is installed (SET401 tells of that name).
     """
     package, name = shared.package, shared.package.name
     if not package.knows_data_files or shared.installs_marker:
@@ -52,13 +56,13 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     fix = Fix(f"install resource/{name}", operations) if operations else None
     if wrong is not None:
         message = (
-            f"the marker is installed as `{wrong.setup_text.text}`: the index then has another package, and `{name}` "
-            f"is not found once it is installed from a Debian package; install `resource/{name}`"
+            f"the marker is installed as `{wrong.setup_text.text}`: colcon adds `{name}` with a warning; of a Debian "
+            f"package `ros2 run {name}` finds nothing; install `resource/{name}`"
         )
         yield Hit(wrong.setup_text.path, wrong.setup_text.shown, message, fix=fix)
         return
     message = (
-        f"the marker `resource/{name}` is not installed: colcon still adds it with a warning, Debian packages and pip "
-        f"don't, and then `ros2 run {name}` says that there is no such package; add it to `data_files`"
+        f"the marker `resource/{name}` is not installed: colcon still adds it with a warning, and of a Debian package "
+        f"`ros2 run {name}` finds nothing; add it to `data_files`"
     )
     yield Hit(package.setup.path, package.setup.name_span("data_files"), message, fix=fix)

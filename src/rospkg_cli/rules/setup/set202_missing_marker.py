@@ -34,9 +34,12 @@ def missing_marker(shared: ShareFiles) -> Iterator[Hit]:
     The build stops: "can't copy 'resource/my_pkg': doesn't exist or not a regular file". The marker is an empty file.
     git keeps no empty folder, so where `resource/` was committed without it, the next clone lacks it; and a package
     that was renamed still has the old one.
+
+    ## When it is quiet
+    Where setup.py may write files, and where the marker has a wrong name that setup.py gives the package: SET401 tells.
     """
     for file in shared.markers:
-        if file.source is not None and shared.is_missing(file):
+        if file.source is not None and shared.is_missing(file) and not shared.is_misnamed(file):
             message = (
                 f"`{file.source}` does not exist: the build stops with \"can't copy '{file.source}'\"; create it as an "
                 f"empty file and commit it"

@@ -19,7 +19,7 @@ BAD = SETUP_PY.replace(LINE, "").replace("data_files=", "«data_files»=")
     "SET203",
     "manifest-not-installed",
     over=ShareFiles,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
 )
 def manifest_not_installed(shared: ShareFiles) -> Iterator[Hit]:
@@ -30,6 +30,10 @@ def manifest_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## Why is this bad?
     `ros2 pkg`, rosdep and the tools that read versions and dependencies of what is installed look there. colcon adds it
     for now and warns that it will not in the future; a Debian package and pip do not.
+
+    ## When it is quiet
+    Where `data_files` can't be evaluated, where setup.py may write files, and where it is installed below the name
+    in setup.py (SET401 tells).
     """
     package, name = shared.package, shared.package.name
     if not package.knows_data_files or shared.installs_manifest:

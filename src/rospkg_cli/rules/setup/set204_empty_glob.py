@@ -74,5 +74,5 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
             near = shared.suggestion(folder)
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
             level = Severity.ERROR if near and shared.uses.opens(near) else None if near else Severity.INFO
-        message = f"`{glob.pattern}` matches no file; {what}. The build is green and installs nothing for it"
+        message = f"`{glob.pattern}` matches no file: the build is green and installs nothing; {what}"
         yield Hit(setup.path, glob.span, message, level=level)

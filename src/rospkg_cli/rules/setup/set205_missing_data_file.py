@@ -66,6 +66,10 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     ## Why is this bad?
     The build stops: "can't copy 'config': doesn't exist or not a regular file", "'data_files' must be relative", or a
     bare AssertionError that does not mention setup.py.
+
+    ## When it is quiet
+    Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a
+    submodule that is not checked out, and for sources that can't be evaluated.
     """
     for entry in shared.package.setup.data_entries:
         if entry.shape:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.share_files import ShareFiles
-from ...checks.share_uses import share_consequence
 from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -32,7 +31,7 @@ def good(folder: str, pattern: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory",
-        Severity.INFO: "nothing in the package does, and it is not `launch/`",
+        Severity.INFO: "nothing in the package does, nor depends another one of the workspace on it; not for `launch/`",
     },
     examples=(
         Example(
@@ -60,8 +59,8 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
     ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`). Where
-    nothing in the package looks for the folder in the share directory it is an info, for it may be a leftover; what
-    another package opens there, that one is told of.
+    nothing in the package looks for the folder in the share directory, and no package of the workspace depends on
+    it, it is an info: it may be a leftover.
     """
     package = shared.package
     setup = package.setup
@@ -71,10 +70,9 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         files = shared.useful(folder)
         edits = install_folder(setup, package.name, folder, files)
         fix = Fix(f"install {folder}/ into share/{package.name}/{folder}", edits) if edits else None
-        opened = shared.uses.opens(folder)
         message = (
             f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
-            f"{share_consequence(package.name, folder, opened)}; add it to `data_files`"
+            f"{shared.uses.consequence(folder)}; add it to `data_files`"
         )
-        level = Severity.ERROR if opened else None if folder == "launch" else Severity.INFO
-        yield Hit(setup.path, setup.name_span("data_files"), message, level=level, fix=fix)
+        level = shared.uses.level(folder)
+        yield Hit(setup.path, setup.name_span("data_files"), message, Severity(level) if level else None, fix=fix)

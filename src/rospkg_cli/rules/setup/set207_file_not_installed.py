@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ...checks.setup.share_files import ShareFiles
+from ...checks.setup.share_files import ShareFiles, UninstalledNeighbour
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
+from ...source import Span
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
 LAUNCH = "<launch>\n</launch>\n"
@@ -43,16 +44,31 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## Why is this bad?
     The build is green, the other files are found, and this one "was not found in the share directory".
 
+    ## When it is quiet
+    Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those
+    of other kinds than their neighbours. All files that one glob misses are one finding.
+
     ## Fix safety
     A wider glob may install more than is wanted.
     """
     package = shared.package
+    groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
     for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
-        edits = widen_glob(package.setup, missed.glob, missed.path)
-        fix = Fix(f"widen the glob so that it finds {missed.path}", edits, Safety.UNSAFE) if edits else None
-        folder = missed.path.endswith("/")
-        why = "unlike the folders next to it" if folder else f"`{missed.glob.pattern}` finds only its neighbours"
+        groups.setdefault((missed.glob.span, missed.path.endswith("/")), []).append(missed)
+    for (span, is_folder), (first, *others) in groups.items():
+        edits = widen_glob(package.setup, first.glob, first.path)
+        fix = Fix(f"widen the glob so that it finds {first.path}", edits, Safety.UNSAFE) if edits else None
+        why = "unlike the folders next to it" if is_folder else f"`{first.glob.pattern}` finds only its neighbours"
+        shown = f"`{first.path}`" + (f" and {len(others)} more are" if others else " is")
         message = (
-            f"`{missed.path}` is not installed, {why}: the build is green, and it is missing in share/{package.name}"
+            f"{shown} not installed, {why}: the build is green, and share/{package.name} lacks "
+            f"{'them' if others else 'it'}; add {'a glob' if is_folder else 'them' if others else 'it'} to `data_files`"
         )
-        yield Hit(package.setup.path, missed.glob.span, message, fix=fix)
+        related = tuple(Related(place, Span(0, 0), "not installed either") for place in places(shared, others))
+        yield Hit(package.setup.path, span, message, related=related, fix=fix)
+
+
+def places(shared: ShareFiles, missed: Sequence[UninstalledNeighbour]) -> Iterator[str]:
+    """Yield a file for each that is missed: of a folder the first of its files."""
+    for each in missed:
+        yield next(iter(shared.useful(each.path.rstrip("/"))), each.path) if each.path.endswith("/") else each.path

@@ -44,6 +44,10 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
     ## Why is this bad?
     `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another
     package's folder is usually left over from a copied setup.py, and overwrites that package's files.
+
+    ## When it is quiet
+    In folders of share/ that belong to no package, such as `share/applications`, and for destinations that can't be
+    evaluated.
     """
     for entry, right, why in destinations.misplaced:
         assert entry.destination is not None

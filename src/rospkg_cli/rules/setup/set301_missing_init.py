@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
 from ...example import Example
-from ...finding import Create, Fix, Hit, Safety, Severity
+from ...finding import Create, Fix, Hit, Move, Safety, Severity
 from ...rule import rule
 from ...source import Span
 
 FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n"}
+
+MISSPELT = re.compile(r"/_{0,3}init_{0,3}\.py$")
 
 
 @rule(
@@ -36,6 +39,10 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     ## Why is this bad?
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so the error is found late.
+
+    ## When it is quiet
+    With `find_namespace_packages()`, in folders of tests, where setup.py generates the folder's modules, and where
+    git ignores the `__init__.py`.
     """
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
@@ -45,6 +52,10 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             imported, what = False, "setuptools says so at each build, and find_packages() would pass it over"
         else:
             what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"
-        message = f"`{folder}/` has no `__init__.py`: {what}; create an empty one"
-        fix = Fix(f"create {folder}/__init__.py", (Create(f"{folder}/__init__.py", ""),))
+        start = f"`{folder}/` has no `__init__.py`: {what}"
+        init, wrong = f"{folder}/__init__.py", next((path for path in inside if MISSPELT.search(path)), None)
+        if wrong is not None:
+            message, fix = f"{start}; rename `{wrong}`", Fix(f"rename {wrong} to __init__.py", (Move(wrong, init),))
+        else:
+            message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),))
         yield Hit(inside[0], Span(0, 0), message, level=None if imported else Severity.WARNING, fix=fix)

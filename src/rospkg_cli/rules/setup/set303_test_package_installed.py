@@ -34,6 +34,9 @@ def test_package_installed(package: PythonPackage) -> Iterator[Hit]:
     ## Why is this bad?
     They are installed as a top-level module `test`, which hides the one of the standard library, and every package
     that does so overwrites the one before. In an installed workspace only one of them is left.
+
+    ## When it is quiet
+    Where the tests are excluded, where `where=` leads elsewhere, and where the folder has no `__init__.py`.
     """
     for search in package.setup.searches:
         tops = [name for name in search.found if name in ("test", "tests")]
@@ -43,8 +46,8 @@ def test_package_installed(package: PythonPackage) -> Iterator[Hit]:
         wanted = [*tops, *[f"{top}.*" for top in tops if any(n.startswith(f"{top}.") for n in names)]]
         edits = exclude_packages(package.setup, search, wanted)
         message = (
-            f"`find_packages()` also finds `{tops[0]}`: it is installed as a top-level module, where the tests of "
-            f"every such package overwrite each other; exclude it"
+            f"`find_packages()` also finds `{tops[0]}`, and installs it as a top-level module, where the tests of such "
+            f"packages overwrite each other; exclude it"
         )
         fix = Fix(f"exclude {', '.join(wanted)}", edits) if edits else None
         yield Hit(search.path, search.span, message, fix=fix)

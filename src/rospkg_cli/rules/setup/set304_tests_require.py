@@ -44,6 +44,9 @@ def tests_require(package: PythonPackage) -> Iterator[Hit]:
     setuptools 72 removed the option: it is ignored with a warning. colcon reads from it that the tests want pytest;
     without it `colcon test` runs unittest, which finds none of them, and may well be green. `extras_require` works with
     every version since Humble.
+
+    ## When it is quiet
+    Where `extras_require` has `test` already, and where `tests_require` is empty or can't be evaluated.
     """
     setup = package.setup
     argument = setup.argument("tests_require")
@@ -52,8 +55,8 @@ def tests_require(package: PythonPackage) -> Iterator[Hit]:
     level = Severity.WARNING if package.targets.named(lambda each: each.setuptools >= GONE) else None
     edits = move_tests_require(setup)
     message = (
-        "`tests_require` was removed in setuptools 72 (Lyrical has 78): `colcon test` then no longer picks pytest and "
-        "runs no test; write `extras_require={'test': ['pytest']}`, which works from Humble on"
+        "`tests_require` was removed in setuptools 72 (Lyrical has 78): `colcon test` then runs no test; write "
+        "`extras_require={'test': ['pytest']}`, which works from Humble on"
     )
     fix = Fix("move it to extras_require={'test': …}", edits) if edits else None
     yield Hit(setup.path, setup.name_span("tests_require"), message, level=level, fix=fix)

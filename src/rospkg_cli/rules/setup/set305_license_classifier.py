@@ -41,6 +41,9 @@ def license_classifier(setup: SetupPy) -> Iterator[Hit]:
     setuptools warns about them since version 77 (Lyrical has 78), so every build prints a warning. `license=` says the
     same.
 
+    ## When it is quiet
+    For classifiers that are made by code that can't be evaluated.
+
     ## References
     https://peps.python.org/pep-0639/#deprecate-license-classifiers
     """
@@ -49,6 +52,6 @@ def license_classifier(setup: SetupPy) -> Iterator[Hit]:
             edits = remove_item(setup, "classifiers", said)
             fix = Fix("remove the license classifier", edits) if edits else None
             message = (
-                f"`{said.text}`: setuptools from 77 on warns about license classifiers; `license=` says it already"
+                f"`{said.text}` is deprecated: setuptools from 77 on warns at each build; remove it, `license=` says it"
             )
             yield Hit(said.path, said.shown, message, fix=fix)

@@ -32,6 +32,9 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
     looks for them and ends with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
     packages belong in package.xml.
 
+    ## When it is quiet
+    For packages with Python modules, and for names that are neither a package of the workspace nor end in `_msgs`.
+
     ## Fix safety
     Only the entry is removed; whether package.xml declares the package is another question.
     """

@@ -31,6 +31,9 @@ def pyproject_only(build: AmentPythonFiles) -> Iterator[Hit]:
     colcon builds ament_python packages by running setup.py and does not read pyproject.toml yet. `data_files`, which
     install the marker, launch files and parameters, can't be declared there either. In addition to setup.py,
     pyproject.toml may hold the settings of tools.
+
+    ## When it is quiet
+    Where there is a setup.py, and where the condition of the build type does not hold.
     """
     if build.has_pyproject and not build.has_setup:
         for element in build.types:

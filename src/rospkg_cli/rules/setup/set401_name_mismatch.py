@@ -18,6 +18,7 @@ BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")
     "name-mismatch",
     over=PythonPackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the name is used for nothing else in setup.py"},
     examples=(
         Example(
             bad={"setup.py": BAD},
@@ -36,6 +37,10 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     `importlib.metadata` does not find it, and where the name is used for destinations too, the marker and the launch
     files of one package are installed as another's.
 
+    ## When it is quiet
+    Where the names differ only in `-`, `_`, `.` or case, which setuptools takes for one, and where the name can't
+    be evaluated.
+
     ## Fix safety
     Where the name is held by a variable that is used elsewhere, other things change with it.
     """
@@ -47,11 +52,12 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     safety = Safety.UNSAFE if used else Safety.SAFE
     fix = Fix(f"write `{package.name}`", edits, safety) if edits else None
     related = (Related(package.manifest.path, package.manifest.name_span, "the name in package.xml"),)
+    end = "marker, launch files and parameters go to the other name" if used else "its metadata have the other name"
     message = (
-        f"setup.py calls the package `{said.text}`, package.xml `{package.name}`: colcon and ROS go by package.xml, "
-        f"what is installed carries the other name; write `{package.name}`"
+        f"setup.py calls the package `{said.text}`, package.xml `{package.name}`: ROS goes by package.xml, and {end}; "
+        f"write `{package.name}`"
     )
-    yield Hit(said.path, said.shown, message, related=related, fix=fix)
+    yield Hit(said.path, said.shown, message, None if used else Severity.WARNING, related=related, fix=fix)
 
 
 def same(a: str, b: str) -> bool:

@@ -19,7 +19,7 @@ BAD = SETUP_PY.replace("'1.0.0'", "'«0.0.1»'")
     "SET402",
     "version-mismatch",
     over=PythonPackage,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
 )
 def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
@@ -28,8 +28,12 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     Finds a version in setup.py that differs from the one in package.xml.
 
     ## Why is this bad?
-    bloom and rosdep release the version in package.xml, pip and `importlib.metadata` see the one in setup.py: and they
-    disagree. `catkin_prepare_release` refuses to tag such a package.
+    bloom releases the version in package.xml, pip and `importlib.metadata` report the one in setup.py: users ask about
+    a version that was never released. `catkin_prepare_release` sets both to the next one, without a word.
+
+    ## When it is quiet
+    Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon
+    refuses (XML103 tells).
     """
     said, manifest = package.setup.setup_text("version"), package.manifest
     element = manifest.first("version")
@@ -38,6 +42,9 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     edits = replace_text(said, manifest.version)
     fix = Fix(f"write `{manifest.version}`", edits) if edits else None
     span: Span = manifest.span(element)
-    message = f"setup.py says version `{said.text}`, package.xml `{manifest.version}`; write `{manifest.version}`"
+    message = (
+        f"setup.py has version `{said.text}`: pip and `importlib.metadata` report it for what ROS releases as "
+        f"`{manifest.version}`; write `{manifest.version}`"
+    )
     related = (Related(manifest.path, span, "the version in package.xml"),)
     yield Hit(said.path, said.shown, message, related=related, fix=fix)

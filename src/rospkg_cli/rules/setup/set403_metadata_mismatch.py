@@ -40,11 +40,17 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     ## Why is this bad?
     The metadata contradict each other; a license above all should not depend on the file that is read. package.xml is
     the one that ROS, bloom and the package index read.
+
+    ## When it is quiet
+    Where a value is read from package.xml or can't be evaluated, and where one of several maintainers or licenses
+    fits.
     """
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()
         fix = Fix(f"write `{wanted}`", edits) if edits else None
         shown = wanted or metadata.manifest.source.slice(metadata.manifest.span(element))
-        message = f"`{name}` in setup.py is `{said.text}`, package.xml says `{' '.join(shown.split())}`"
+        other = " ".join(shown.split())
+        advice = f"write `{wanted}`" if wanted else "make them one"
+        message = f"`{name}` in setup.py is `{said.text}`, package.xml says `{other}`: ROS shows the latter; {advice}"
         related = (Related(metadata.manifest.path, metadata.manifest.span(element), "in package.xml"),)
         yield Hit(said.path, said.shown, message, related=related, fix=fix)

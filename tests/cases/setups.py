@@ -1,0 +1,104 @@
+"""Sentences about setup.py that no example shows: levels, several places in one finding, and silence."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import SETUP_PY, Example, scripts, setup_py
+from rospkg_cli.rules.setup import set001_missing_setup_cfg as set001
+from rospkg_cli.rules.setup import set002_wrong_script_dir as set002
+from rospkg_cli.rules.setup import set101_entry_point_module_missing as set101
+from rospkg_cli.rules.setup import set202_missing_marker as set202
+from rospkg_cli.rules.setup import set204_empty_glob as set204
+from rospkg_cli.rules.setup import set205_missing_data_file as set205
+from rospkg_cli.rules.setup import set207_file_not_installed as set207
+from rospkg_cli.rules.setup import set301_missing_init as set301
+from rospkg_cli.rules.setup import set302_package_not_installed as set302
+
+
+def plain(text: str) -> str:
+    return text.replace("«", "").replace("»", "")
+
+
+def python(files: dict[str, str | None]) -> Example:
+    return Example(bad={path: text and plain(text) for path, text in files.items()}, good={})
+
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+OPTIONS = "options={'install': {'install_scripts': '$base/lib/my_pkg'}},"
+MAIN = "def main():\n    print('hello')\n"
+NAV = set205.config("('share/' + package_name + '/config', ['config/nva.yaml'])")
+GLOBS = "from glob import glob\n" + SETUP_PY.replace(
+    ENTRY,
+    ENTRY + "".join(f"        ('share/' + package_name + '/urdf/{each}', glob('urdf/{each}/*')),\n" for each in "ab"),
+)
+URDF = "<robot name='a'/>\n"
+ROBOTS = {f"urdf/{each}/{each}.urdf": URDF for each in "abcd"}
+SPEECH = {**set301.FILES, "my_pkg/speech/words.py": "GREETING = 'hello'\n"}
+LISTED = SETUP_PY.replace(set302.FOUND, "[package_name, 'my_pkg.speech']")
+CONFIG = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n", "setup.py": setup_py()}
+OTHER_NAME = SETUP_PY.replace("package_name = 'my_pkg'", "package_name = 'your_pkg'")
+
+WITH_OPTIONS = setup_py(scripts("a = my_pkg.talker:main"), OPTIONS)
+NARROW = set207.launch("glob('launch/*.launch.xml')")
+
+
+def started(*modules: str) -> Example:
+    """Two entry points of one package: a module that is missing, and others."""
+    entries = [f"node{number} = my_pkg.{module}:main" for number, module in enumerate(modules)]
+    return python({"setup.py": setup_py(scripts(*entries)), "my_pkg/follow_display.py": MAIN})
+
+
+CASES = {
+    "SET001": (python({**set001.missing_setup_cfg.examples[0].bad, "setup.py": WITH_OPTIONS}),),
+    "SET002": (python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": WITH_OPTIONS}),),
+    "SET003": (python({"setup.cfg": "[tool:pytest]\njunit-family=xunit2\n[develop]\nscript-dir=$base/lib/my_pkg\n"}),),
+    "SET101": (
+        started("display"),
+        started("display_follow"),
+        started("display_follow", "follow_display"),
+        python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/taker.py\n"}),
+        python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/talker.py\n"}),
+        python({**set101.entry_point_module_missing.examples[0].bad, ".gitmodules": "path = my_pkg/taker.py\n"}),
+    ),
+    "SET202": (
+        python({"setup.py": OTHER_NAME}),
+        python({"setup.py": OTHER_NAME, "resource/my_pkg": None}),
+        python({"setup.py": set202.BAD.replace("'resource/' + package_name", "'resource/old'")}),
+    ),
+    "SET204": (
+        python({"setup.py": set204.launch("glob('models/*.onnx')"), ".gitignore": "*.onnx\n"}),
+        python({"setup.py": set204.launch("glob('models/*.onnx')"), ".gitmodules": "\tpath = models\n"}),
+    ),
+    "SET205": (
+        python({"setup.py": NAV, ".gitignore": "nva.yaml\n"}),
+        python({"setup.py": NAV, ".gitmodules": "[submodule \"c\"]\n\tpath = config\n"}),
+        python({"setup.py": NAV, ".gitignore": "nav.yaml\n"}),
+    ),
+    "SET206": (
+        python(CONFIG),
+        python({**CONFIG, ".gitignore": "/config/\n"}),
+        python({**CONFIG, "README.md": "`--params-file src/my_pkg/config/nav.yaml`\n"}),
+        python({**CONFIG, "my_pkg/a.py": "get_package_share_directory('my_pkg') + '/config/nav.yaml'\n"}),
+    ),
+    "SET207": (
+        python({**set207.FILES, "launch/b_launch.xml": set207.LAUNCH, "setup.py": NARROW}),
+        python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),
+        python({**ROBOTS, "setup.py": GLOBS}),
+    ),
+    "SET209": (
+        python({"setup.py": setup_py().replace(ENTRY, ENTRY + ENTRY)}),
+    ),
+    "SET301": (
+        python({**SPEECH, "my_pkg/speech/init.py": ""}),
+        python({**SPEECH, "my_pkg/speech/__init_.py": ""}),
+        python({**SPEECH, "my_pkg/speech/initial.py": ""}),
+        python({**SPEECH, ".gitignore": "__init__.py\n"}),
+    ),
+    "SET302": (
+        python({"setup.py": LISTED}),
+        python({"setup.py": LISTED, ".gitignore": "my_pkg/speech\n"}),
+    ),
+    "SET401": (
+        python({"setup.py": SETUP_PY.replace("name=package_name", "name='your_pkg'")}),
+        python({"setup.py": OTHER_NAME}),
+    ),
+}  # fmt: skip
