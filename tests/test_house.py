@@ -46,6 +46,7 @@ FLOORS = (
     {"checks"},
     {"edits", "example"},
     {"rule"},
+    {"rule_table"},
     {"rules"},
     {"config"},
     {"engine"},

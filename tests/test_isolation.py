@@ -17,7 +17,6 @@ from rospkg_cli.disk import DiskTree
 from rospkg_cli.disk_trace import MAX_BYTES
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
-from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.process_pool import ProcessPool
 from rospkg_cli.engine.run.run_rules import MAX_HITS
 from rospkg_cli.engine.run.session import Results, Scope, Session
@@ -25,6 +24,7 @@ from rospkg_cli.finding import Delete, Edit, Fix, Hit, Safety
 from rospkg_cli.package import readers
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.package.setup.setup_py import SetupPy
+from rospkg_cli.rule_table import rule_by_code
 from rospkg_cli.source import Span
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import LeadsOutError, MemoryTree, TreeEntry

@@ -74,8 +74,8 @@ def test_nothing_checked_is_2_with_a_finding(tmp_path: Path) -> None:
 def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
     code = (
         "import sys, dataclasses, types; from rospkg_cli.__main__ import main\n"
-        "from rospkg_cli.engine.run import finding_builder, worker\n"
-        "real = finding_builder.rule_by_code\n"
+        "from rospkg_cli.engine.run import worker\n"
+        "real = worker.rule_by_code\n"
         "def broken(slice): raise RuntimeError('no'); yield\n"
         "def patched(code):\n"
         "    return dataclasses.replace(real(code), check=broken) if code == 'RPK001' else real(code)\n"

@@ -16,12 +16,12 @@ from in_process import run_here as rospkg
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
-from rospkg_cli.engine.run.finding_builder import rule_by_code
 from rospkg_cli.engine.run.session import Results, Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety
 from rospkg_cli.package.manifest import Manifest
+from rospkg_cli.rule_table import rule_by_code
 from rospkg_cli.source import Span
 from rospkg_cli.tree import MemoryTree
 

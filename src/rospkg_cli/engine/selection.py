@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-from typing import Any
 
 from ..light_dataclasses import dataclass, field
-from ..rule import Profile, Rule, all_rules
+from ..rule import Profile
+from ..rule_table import RuleEntry, rule_entries
 
 
 @dataclass(frozen=True)
@@ -23,9 +23,9 @@ class Selection:
 
     def codes(self) -> frozenset[str]:
         """Return the codes of the rules that run."""
-        return frozenset(rule.code for rule in all_rules() if self.runs(rule))
+        return frozenset(rule.code for rule in rule_entries().values() if self.runs(rule))
 
-    def runs(self, rule: Rule[Any]) -> bool:
+    def runs(self, rule: RuleEntry) -> bool:
         """Return whether a rule runs: one named in full does, whatever its profile and whatever prefix is ignored."""
         own = {rule.code, rule.name}
         if own.intersection(self.ignore):
@@ -40,7 +40,7 @@ class Selection:
 EVERYTHING = Selection(profiles=frozenset(Profile), preview=True)
 
 
-def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:
+def named_by(rule: RuleEntry, names: Iterable[str]) -> bool:
     """Return whether a code, a name or a prefix of the code is among the names."""
     return any(rule.name == name or (name and rule.code.startswith(name.upper())) for name in names)
 
@@ -48,8 +48,8 @@ def named_by(rule: Rule[Any], names: Iterable[str]) -> bool:
 @cache
 def codes_named(name: str) -> frozenset[str]:
     """Return the codes that a name, a code or a prefix means; none if it names no rule."""
-    return frozenset(r.code for r in all_rules() if named_by(r, (name,)))
+    return frozenset(r.code for r in rule_entries().values() if named_by(r, (name,)))
 
 
 def rule_names() -> list[str]:
-    return [name for rule in all_rules() for name in (rule.code, rule.name)]
+    return [name for rule in rule_entries().values() for name in (rule.code, rule.name)]

@@ -14,6 +14,8 @@ from .readers import READERS, readers_of
 
 T = TypeVar("T")
 
+MODELS = {kind.__name__: kind for kind in READERS}
+
 
 @dataclass
 class Package:
@@ -33,6 +35,10 @@ class Package:
         if kind not in self._parts:
             self._parts[kind] = self._read(kind)
         return cast(ReadModels[T], self._parts[kind])
+
+    def has(self, model: str) -> bool:
+        """Return whether there is a model, named by its type, that could be read; the same as `parts` then says."""
+        return bool(self.parts(MODELS[model]).good)
 
     def _read(self, kind: type[T]) -> ReadModels[T]:
         good: list[T] = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -87,11 +86,3 @@ class RootFindingBuilder(FindingBuilder):
     def package_of(self, path: str) -> str:
         """Return the name of the package whose folder holds a path."""
         return self.workspace.package_at(path.lstrip("/"))
-
-
-@cache
-def rule_by_code(code: str) -> Rule[Any]:
-    """Return a rule; raises KeyError."""
-    from ...rule import all_rules
-
-    return {rule.code: rule for rule in all_rules()}[code]

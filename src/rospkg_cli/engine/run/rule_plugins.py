@@ -17,11 +17,11 @@ from pathlib import Path
 from typing import Any
 
 from ...disk_trace import current_trace, read_limited, scan
-from ...rule import PLUGGED_IN, Rule, all_rules, rules_in
+from ...rule import PLUGGED_IN, Rule, rules_in
+from ...rule_table import forget_rules, rule_entries
 from ...search_path import installed_folders
 from ...suggest import did_you_mean
 from ..selection import codes_named
-from .finding_builder import rule_by_code
 
 GROUP = "rospkg_cli.rules"
 CODE = re.compile(r"[A-Z]{3}[0-9]{3}")
@@ -55,7 +55,7 @@ def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
     note_package(there[name])
     found = rules_of(there[name])
     note_modules(set(sys.modules) - before)
-    own = {rule.code: rule.name for rule in all_rules()}
+    own = {rule.code: rule.name for rule in rule_entries().values()}
     for code in found:
         if code in own or not CODE.fullmatch(code):
             why = (
@@ -66,9 +66,8 @@ def load_plugin(name: str, linted: tuple[Path, ...]) -> None:
             raise PluginError(f"plugins: `{name}` has a rule `{code}`, and that code {why}")
     LOADED_PLUGINS.add(name)
     PLUGGED_IN.update(found)
-    all_rules.cache_clear()
+    forget_rules()
     codes_named.cache_clear()
-    rule_by_code.cache_clear()
 
 
 def refuse_linted(point: EntryPoint, linted: Iterable[Path]) -> None:

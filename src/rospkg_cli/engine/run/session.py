@@ -10,14 +10,15 @@ from ...finding import Finding
 from ...light_dataclasses import dataclass, field, replace
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
-from ...package.run_events import RUN_EVENTS, NoPackagesFound, RuleCrash
+from ...package.run_events import NoPackagesFound, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.names import BUILT_IN, Names
+from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
 from ..suppression.suppression_index import SuppressionIndex
 from .crashes import one_each
-from .finding_builder import FindingBuilder, RootFindingBuilder, rule_by_code
+from .finding_builder import FindingBuilder, RootFindingBuilder
 from .run_rules import run_rules
 from .worker import PackageResults, Worker
 
@@ -131,17 +132,18 @@ class Session:
         )
 
     def run_workspace_rules(self, workspace: Workspace) -> Iterable[Finding | RuleCrash]:
-        rules = [r for r in map(rule_by_code, sorted(self.codes)) if r.over is Workspace]
+        over_workspace = (code for code in sorted(self.codes) if rule_entries()[code].over == Workspace.__name__)
+        rules = [rule_by_code(code) for code in over_workspace]
         return run_rules(lambda _: [workspace], rules, self.finding_builder(workspace))
 
     def report(self, workspace: Workspace | None, events: Sequence[object]) -> list[Finding]:
         """Turn events of the run itself (a crash, an unused ignore) into findings, by the RPK rules."""
-        rules = [rule_by_code(code) for code in sorted(self.codes | {"RPK005", "RPK006"})]
+        made, codes = {type(each).__name__ for each in events}, sorted(self.codes | {"RPK005", "RPK006"})
+        rules = [rule_by_code(code) for code in codes if rule_entries()[code].over in made]
         builder = self.finding_builder(workspace or Workspace())
         return [
             builder.build(rule, hit)
             for rule in rules
-            if rule.over in RUN_EVENTS
             for each in events
             if isinstance(each, rule.over)
             for hit in rule.check(each)

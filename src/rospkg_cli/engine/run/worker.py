@@ -17,10 +17,11 @@ from ...package.rule_settings import RuleSettings
 from ...package.run_events import RUN_EVENTS, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
+from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
 from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
-from .finding_builder import FindingBuilder, rule_by_code
+from .finding_builder import FindingBuilder
 from .rule_inputs import InputBuilder
 from .run_rules import run_rules
 
@@ -66,7 +67,7 @@ class Worker:
 
     def run_rules(self, workspace: Workspace, codes: Iterable[str]) -> list[PackageResults]:
         """Run the rules (without those over the whole workspace) over the given packages of this worker."""
-        rules = [r for r in map(rule_by_code, codes) if r.over not in RUN_EVENTS | {Workspace}]
+        codes = [code for code in codes if is_over_packages(code)]
         whole = PackageFiles(self.tree)
         found = []
         for folder in self.folders:
@@ -74,6 +75,7 @@ class Worker:
                 continue
             package = self.packages[folder]
             builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
+            rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
             results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings).of, rules, builder))
             results += reader_crashes(package, builder.package, builder.crash_path)
             findings = tuple(r for r in results if isinstance(r, Finding))
@@ -91,3 +93,18 @@ def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[st
     for path in sorted(paths):
         with suppress(OSError):
             yield path, crc32(files.tree.entry(path.removeprefix(prefix)).data)
+
+
+OVER_RUNS = {kind.__name__ for kind in RUN_EVENTS | {Workspace}}
+
+
+def is_over_packages(code: str) -> bool:
+    """Return whether a rule is about one package; one that no table knows is."""
+    entry = rule_entries().get(code)
+    return entry is None or entry.over not in OVER_RUNS
+
+
+def has_inputs(code: str, package: Package) -> bool:
+    """Return whether a package may have what a rule is about: only then it is worth its import."""
+    entry = rule_entries().get(code)
+    return entry is None or all(package.has(model) for model in entry.needs)
