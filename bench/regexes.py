@@ -66,10 +66,10 @@ def patterns(wanted: list[str]) -> Iterator[tuple[str, re.Pattern[str]]]:
         if info.name.endswith("__main__"):
             continue
         for name, value in vars(importlib.import_module(info.name)).items():
-            if isinstance(value, re.Pattern) and isinstance(value.pattern, str) and id(value) not in seen:
+            if hasattr(value, "groupindex") and isinstance(value.pattern, str) and id(value) not in seen:
                 seen.add(id(value))
                 if not wanted or any(each in info.name for each in wanted):
-                    yield f"{info.name.removeprefix('rospkg_cli.')}.{name}", value
+                    yield f"{info.name.removeprefix('rospkg_cli.')}.{name}", re.compile(value.pattern, value.flags)
 
 
 def atoms(tree: Any) -> Iterator[str]:

@@ -15,6 +15,10 @@ def main() -> int:
         from .cli.streams import guarded
 
         return guarded(lambda: print(f"rospkg {__version__}") or 0)
+    import gc
+
+    # Trees of syntax are many objects that live until the end: looking for circles among them is an eighth of a run
+    gc.set_threshold(50_000, 20, 100)
     if sys.argv[1:2] == ["lint"]:
         return lint(sys.argv[1:])
     from .cli.app import run

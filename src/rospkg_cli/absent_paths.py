@@ -6,10 +6,11 @@ import re
 from functools import cached_property
 
 from .gitignore import IgnorePattern, folders_above, is_ignored, read_patterns
+from .lazy_regex import regex
 from .light_dataclasses import dataclass, field
 from .tree import Tree
 
-SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
+SUBMODULE = regex(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 MAX_SUBMODULES = 10_000
 
 

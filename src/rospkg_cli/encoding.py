@@ -6,6 +6,7 @@ import codecs
 import re
 from typing import Literal
 
+from .lazy_regex import regex
 from .light_dataclasses import dataclass
 
 Newline = Literal["\n", "\r\n", ""]
@@ -16,10 +17,10 @@ BOMS = (
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
 
-DECLARED = re.compile(rb"""\A\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
-CODING = re.compile(rb"\A(?:[^\n]*\n)?[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
+DECLARED = regex(rb"""\A\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
+CODING = regex(rb"\A(?:[^\n]*\n)?[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
-KNOWN = re.compile(r"utf-?(8|16(-?[bl]e)?)|us-ascii|ascii|iso-?8859-?\d+|latin-?1|windows-125\d|cp125\d", re.IGNORECASE)
+KNOWN = regex(r"utf-?(8|16(-?[bl]e)?)|us-ascii|ascii|iso-?8859-?\d+|latin-?1|windows-125\d|cp125\d", re.IGNORECASE)
 """The encodings that are read; anything else is one clear finding."""
 
 

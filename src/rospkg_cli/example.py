@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from .finding import Safety
+from .lazy_regex import regex
 from .light_dataclasses import dataclass
 from .source import Span
 
 Files = Mapping[str, str | None]
 
-MARK = re.compile("[«»]")
+MARK = regex("[«»]")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Set
 
+from .lazy_regex import regex
+
 SKIPPED = frozenset(
     ".git .hg .svn .venv venv node_modules __pycache__ .tox .nox .eggs .mypy_cache .pytest_cache .ruff_cache".split()
 )
@@ -14,16 +16,16 @@ MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
 """A folder that holds one of them is a virtual environment, or CMake's build folder, under any name."""
 
 BUILD_FOLDERS = {
-    "build": re.compile(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
-    "install": re.compile(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
-    "log": re.compile(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
+    "build": regex(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
+    "install": regex(r"COLCON_IGNORE|\.colcon_install_layout|local_setup\.(ba|z)?sh|local_setup\.(ps1|bat)"),
+    "log": regex(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
 }
 """Output folders of colcon and setuptools, with names in them that mark one as output."""
 
-STRAY = re.compile(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
+STRAY = regex(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""
 
-NEVER_SOURCE = re.compile(rf"\._.*|{STRAY.pattern}", re.DOTALL)
+NEVER_SOURCE = regex(rf"\._.*|{STRAY.pattern}", re.DOTALL)
 """Resource forks of macOS (`._setup.py` is not Python), and our own temporary files."""
 
 

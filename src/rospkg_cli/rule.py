@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Callable, Iterator, Mapping
 from enum import Enum
 from functools import cache
@@ -84,6 +82,9 @@ PLUGGED_IN: dict[str, Rule[Any]] = {}
 @cache
 def all_rules() -> tuple[Rule[Any], ...]:
     """Every built-in rule and every rule of a plugin, by code."""
+    import importlib
+    import pkgutil
+
     from . import rules
 
     found = dict(PLUGGED_IN)

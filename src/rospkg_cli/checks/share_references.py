@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-SHARE = re.compile(
+from ..lazy_regex import regex
+
+SHARE = regex(
     r"(?:get_package_share_(?:directory|path)|FindPackageShare)\s*\(\s*(?:package\s*=\s*)?(?:[\"']([\w-]+)[\"'])?"
     r"|\$\(find-pkg-share\s+([\w-]+)"
 )
 """A lookup of a share directory: of a literal package name, or of one in a variable."""
 
-ASSIGNED = re.compile(r"[ \t]*(\w+)\s*(?::[^=\n]*)?=[^=]")
+ASSIGNED = regex(r"[ \t]*(\w+)\s*(?::[^=\n]*)?=[^=]")
 REACH = 200
 """The most characters between a share directory and a folder that is joined to it."""
 

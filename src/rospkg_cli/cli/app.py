@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from .. import __version__
-from . import UsageError
+from ..user_error import UserError
 from .cache import options as cache
 from .explain import options as explain
 from .format import options as format
@@ -21,15 +21,20 @@ from .streams import OutputError, guarded, say
 CTRL_C = 130
 """What a shell calls the exit status of a command that SIGINT ended: 128 and the number of the signal."""
 
-app = typer.Typer(
-    name="rospkg",
-    no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    pretty_exceptions_enable=False,
-    rich_markup_mode="rich",
-    help="Write correct ROS 2 packages, and find mistakes in existing ones.",
-    epilog="Examples:  rospkg new my_robot_nav  ·  rospkg lint src/  ·  rospkg explain SET101",
-)
+
+def without_verbs() -> typer.Typer:
+    return typer.Typer(
+        name="rospkg",
+        no_args_is_help=True,
+        context_settings={"help_option_names": ["-h", "--help"]},
+        pretty_exceptions_enable=False,
+        rich_markup_mode="rich",
+        help="Write correct ROS 2 packages, and find mistakes in existing ones.",
+        epilog="Examples:  rospkg new my_robot_nav  ·  rospkg lint src/  ·  rospkg explain SET101",
+    )
+
+
+app = without_verbs()
 app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
@@ -64,6 +69,17 @@ def main(
     """Take the options that belong to no verb."""
 
 
+def app_for(verb: str) -> typer.Typer:
+    """Return the command line with one verb alone where that is typed, for typer builds every verb that it knows."""
+    chosen = [each for each in app.registered_commands if (each.name or getattr(each.callback, "__name__", "")) == verb]
+    if not chosen:
+        return app
+    alone = without_verbs()
+    alone.callback()(main)
+    alone.registered_commands = chosen
+    return alone
+
+
 def run() -> int:
     """Parse the command line and run the verb; return the exit status."""
     return guarded(status)
@@ -71,22 +87,16 @@ def run() -> int:
 
 def status() -> int:
     """Run the verb; return its exit status, or that of its error. Raises OutputError."""
-    from ..config.schema import ConfigError
-    from ..engine.baseline import BaselineError
-    from ..engine.discovery.locate import LocateError
     from ..engine.fixing.signals import StoppedError
-    from ..engine.fixing.write import WriteError
-    from ..engine.run.rule_plugins import PluginError
-    from ..index import NamesError
 
     try:
-        left: Any = app(prog_name="rospkg", standalone_mode=False)
+        left: Any = app_for("".join(sys.argv[1:2]))(prog_name="rospkg", standalone_mode=False)
         if left == CTRL_C:  # what typer makes of a KeyboardInterrupt
             return interrupted(CTRL_C)
         return left if isinstance(left, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
-    except (UsageError, ConfigError, LocateError, PluginError, BaselineError, WriteError, NamesError) as error:
+    except UserError as error:
         say(str(error))
         return 2
     except KeyboardInterrupt:

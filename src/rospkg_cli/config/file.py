@@ -16,11 +16,6 @@ from ..light_dataclasses import dataclass, field
 from .schema import FORMS, key_position, read_section
 from .schema import ConfigError as ConfigError
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
 MAX_TEXT = 1_000_000
 """Characters; the largest pyproject.toml that is known has a tenth of it."""
 
@@ -101,6 +96,11 @@ def user_config_path() -> Path:
 
 def load_config(path: Path, table: tuple[str, ...] = (), own: bool = False) -> Config:
     """Read a config file; `table` names the TOML table of our keys, `own` says whether it is the user's config."""
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+
     text = read_config_text(path)
     if len(text) > MAX_TEXT:
         raise ConfigError(f"{path}: a config of more than {MAX_TEXT:,} characters is not read")

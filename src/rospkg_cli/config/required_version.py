@@ -6,6 +6,8 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 
+from ..lazy_regex import regex
+
 Version = tuple[int, ...]
 SIGNS: Mapping[str, Callable[[Version, Version], bool]] = {
     "==": operator.eq,
@@ -15,7 +17,7 @@ SIGNS: Mapping[str, Callable[[Version, Version], bool]] = {
     ">": operator.gt,
     "<": operator.lt,
 }
-ONE = re.compile(r"(==|!=|>=|<=|>|<)?\s*(\d+(?:\.\d+)*)")
+ONE = regex(r"(==|!=|>=|<=|>|<)?\s*(\d+(?:\.\d+)*)")
 
 
 def satisfies(version: str, wanted: str) -> bool:

@@ -10,6 +10,7 @@ from typing import Any
 from ..ros.distros import DISTROS
 from ..sentence import single_line
 from ..suggest import did_you_mean
+from ..user_error import UserError
 
 LONGEST_KEY = 1_000
 """Characters; no key is longer, and compiling a pattern of a longer one is slow."""
@@ -17,7 +18,7 @@ LONGEST_KEY = 1_000
 SEVERITIES = ("error", "warning", "info", "off")
 
 
-class ConfigError(Exception):
+class ConfigError(UserError):
     """A config that can't be used; the message begins with the file and the place."""
 
     def __str__(self) -> str:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import io
-import re
 import tokenize
 
 from ..finding import Edit
+from ..lazy_regex import regex
 from ..package.setup.entry_points import EntryPoint, parse_entry_point
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
@@ -14,7 +14,7 @@ from ..source import Span
 from .setup_py import add_item, quoted, replace_text
 
 # Linear: it has to fit one whole line of entry points, and `:` and `=` stand in none of its other parts.
-SLASHES = re.compile(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
+SLASHES = regex(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
 
 
 def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:

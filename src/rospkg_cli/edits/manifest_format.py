@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
-
 from ..finding import Edit
+from ..lazy_regex import regex
 from ..package.manifest import Manifest
 from ..ros.manifest import FORMATS, XML_MODEL
 from ..source import Span
 from .manifest import indentation, remove_element
 from .manifest_tags import rename_tag, set_attribute
 
-SCHEMA = re.compile(r"(?<=package_format)\d(?=\.xsd)")
+SCHEMA = regex(r"(?<=package_format)\d(?=\.xsd)")
 
 
 def to_format_3(manifest: Manifest) -> tuple[Edit, ...]:

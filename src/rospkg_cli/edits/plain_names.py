@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
 from ..finding import Fix
+from ..lazy_regex import regex
 
-PLAIN = re.compile(r"[\w.~/](?:[\w.+/:-]*\w)?")
+PLAIN = regex(r"[\w.~/](?:[\w.+/:-]*\w)?")
 """Nothing that CMake, XML, YAML, Python or C++ would read as more than a part of a name, a path or a type.
 
 Linear: it has to fit a whole name, from its start.

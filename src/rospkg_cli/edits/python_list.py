@@ -6,12 +6,13 @@ import re
 from collections.abc import Sequence
 
 from ..finding import Edit
+from ..lazy_regex import regex
 from ..source import Source, Span
 
-COMMA = re.compile(r"(?:\s|#[^\n]*\n)*,")
+COMMA = regex(r"(?:\s|#[^\n]*\n)*,")
 """The comma behind an item, wherever it stands; linear, as it is only tried behind the item."""
 
-LINE_END = re.compile(r"[ \t]*(?:#[^\n]*)?$", re.MULTILINE)
+LINE_END = regex(r"[ \t]*(?:#[^\n]*)?$", re.MULTILINE)
 """Nothing more in this line, but perhaps a comment; linear, as it is only tried at one offset."""
 
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import re
-
 from ..finding import Edit
 from ..languages.python.evaluate.values import Argument, Mapping, Sequence, Text
+from ..lazy_regex import regex
 from ..package.setup.find_packages import PackageSearch
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
 from ..source import Span
 from . import python_list as commas
 
-PLAIN = re.compile(r"[^\\'\"\n\r{}]*")
+PLAIN = regex(r"[^\\'\"\n\r{}]*")
 """What may stand between any quotes as it is."""
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from copy import deepcopy
 from typing import Any
 
+from ..lazy_regex import regex
 from ..source import Span
 
 if sys.version_info >= (3, 11):
@@ -15,7 +16,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-TABLE = re.compile(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
+TABLE = regex(r"""[ \t]*(?:[\w-]+\.|"[^"\n]*"\.|'[^'\n]*'\.)*""")
 """What may come before a key in its line: nothing, or the tables that lead to it.
 
 Linear at one place: it only has to fit from the start of a line, and its parts begin differently.

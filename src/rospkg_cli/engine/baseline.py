@@ -13,6 +13,7 @@ from pathlib import Path
 from ..disk_trace import read
 from ..finding import Finding
 from ..light_dataclasses import replace
+from ..user_error import UserError
 from .run.session import Results
 
 SCHEMA = 1
@@ -20,7 +21,7 @@ REASON = "in the baseline"
 Key = tuple[str, str, str]
 
 
-class BaselineError(Exception):
+class BaselineError(UserError):
     """A baseline that can't be read; the message says what to do."""
 
 

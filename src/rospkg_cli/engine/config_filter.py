@@ -13,7 +13,9 @@ from ..light_dataclasses import dataclass, field, replace
 from ..package.run_events import UnknownRuleName, UnusedSuppression
 from .run.session import Results, Session
 from .selection import codes_named
-from .suppression.config_rule_names import Keys, rule_name_events
+
+Keys = tuple[str, ...]
+"""The keys that lead to a value from the top of the config: ("per-path", "src/*", "ignore", "XML104")."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,8 @@ class ConfigFilter:
         """Yield the unknown rule names in the config and, after a run over all packages, its unused ignores."""
         path = self.config.path
         if path is not None and path.is_relative_to(self.root):
+            from .suppression.config_rule_names import rule_name_events
+
             below = path.relative_to(self.root).as_posix()
             with suppress(OSError, UnicodeError):
                 text = session.tree.entry(below).text.text

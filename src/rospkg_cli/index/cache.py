@@ -8,7 +8,6 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..disk_trace import read
-from ..engine.fixing.write import WriteError, write_text
 from ..ros.name_index import BrokenIndexError, Index, check, dump, parse
 from ..ros.names import BUILT_IN, FetchedNames, Names
 from . import NamesError
@@ -64,6 +63,8 @@ def cached_index(environment: Mapping[str, str]) -> Index | None:
 
 def cache_index(index: Index, environment: Mapping[str, str]) -> Path:
     """Put an index in the place of the one before; return its file. Raises NamesError, and the old one stays."""
+    from ..engine.fixing.write import WriteError, write_text
+
     path = cache_file(environment)
     try:
         remove_leftovers(path)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..ros.distros import DISTROS
 from ..ros.rosdep import CODENAMES
@@ -21,7 +21,7 @@ OWN = ("base.yaml", "python.yaml", "ruby.yaml")
 DEFAULT_LISTS = "rosdep/sources.list.d/20-default.list"
 OF_THE_MACHINE = "/etc/ros/rosdep/sources.list.d"
 
-OFFICIAL = re.compile(r"/ros/rosdistro/[^/]+/(rosdep/[\w.-]+\.yaml)$")
+OFFICIAL = regex(r"/ros/rosdistro/[^/]+/(rosdep/[\w.-]+\.yaml)$")
 """A list of ros/rosdistro, on whatever host: the source has the same."""
 
 

@@ -6,15 +6,15 @@ Only the variables of the ROS environment have known values; a condition that de
 from __future__ import annotations
 
 import operator
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..source import Span
 from .syntax_problem import SyntaxProblem, SyntaxProblemError
 
-TOKEN = re.compile(
+TOKEN = regex(
     r"""\s*(?:(?P<paren>[()])|(?P<op>==|!=|<=|>=|<|>)|(?P<word>and|or)(?![A-Za-z0-9_-])"""
     r"""|(?P<variable>\$[A-Za-z0-9_]+)|(?P<quoted>"[^"]*"|'[^']*')|(?P<literal>[A-Za-z0-9_-]+))\s*"""
 )

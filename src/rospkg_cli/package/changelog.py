@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterator
 
 from ..files import ReaderInput, read_each
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..source import Source, Span
 from .manifest import Manifest
 
 CHANGELOG = "CHANGELOG.rst"
 
-TITLE = re.compile(
+TITLE = regex(
     r"^(?P<version>[0-9]+\.[0-9]+\.[0-9]+)[ ]\([^)\n]*[0-9][^)\n]*\)[ \t]*\n"
     r"""(?P<line>[=~^"'`*+#<>.:_-])(?P=line){2,}[ \t]*$""",
     re.MULTILINE,

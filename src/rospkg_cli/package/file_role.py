@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import PurePosixPath
 from typing import Literal
+
+from ..lazy_regex import regex
 
 Role = Literal["run", "launch", "test", "aside"]
 """Used by what is installed; by a launch file; by tests; by neither (docs, tools, setup.py)."""
 
 TESTS = frozenset("test tests unit_test unit_tests integration_test integration_tests".split())
 ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored external templates template".split())
-LAUNCH = re.compile(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
+LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 import re
 
 from ..files import PackageFiles
+from ..lazy_regex import regex
 from .manifest import Manifest
 
-PAPER = re.compile(
-    r"(.*/)?(README|CHANGELOG|LICENSE|LICENCE|CONTRIBUTING|QUALITY_DECLARATION|NOTICE|Doxyfile)[^/]*", re.I
-)
-FRAME = re.compile(
+PAPER = regex(r"(.*/)?(README|CHANGELOG|LICENSE|LICENCE|CONTRIBUTING|QUALITY_DECLARATION|NOTICE|Doxyfile)[^/]*", re.I)
+FRAME = regex(
     r"package\.xml|CMakeLists\.txt|setup\.(py|cfg)|resource/[^/]*|\.[^/]*|docs?/.*|rosdoc2?\.ya?ml|(.*/)?__init__\.py|COLCON_IGNORE"
 )
 

@@ -8,9 +8,7 @@ from typing import NamedTuple
 
 from ..files import ReaderInput
 from .cmake.build import is_built_with_cmake
-from .cmake.cmake_install_table import cmake_table
 from .cmake.cmake_project import CMake
-from .cmake.uninstalled_targets import UninstalledTargets
 from .install_table import PYTHON, InstallTable
 from .manifest import Manifest
 from .package_facts import UnknownField
@@ -24,6 +22,8 @@ def read_install_table(reading: ReaderInput) -> Iterator[InstallTable]:
     if manifest is None or not manifest.name:
         return
     if is_built_with_cmake(reading):
+        from .cmake.cmake_install_table import cmake_table
+
         for cmake in reading.parts(CMake).good:
             yield cmake_table(cmake, manifest.name)
     elif setup is not None:
@@ -61,6 +61,8 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
 
 def uninstalled_executables(reading: ReaderInput) -> frozenset[str]:
     """Return the executables that CMake builds and does not install; CMK103 reports them at their target."""
+    from .cmake.uninstalled_targets import UninstalledTargets
+
     found = (each for cmake in reading.parts(CMake).good for each in UninstalledTargets(cmake).all())
     return frozenset(each.target.name for each in found if each.target.is_executable)
 

@@ -6,13 +6,14 @@ import re
 from typing import IO
 
 from ..finding import Finding
+from ..lazy_regex import regex
 from . import Report
 from .summary import summary
 
 MOST = 200
-SPAN = re.compile(r"`([^`]+)`")
-BREAKS = re.compile(r"[`|\\]")
-MARKUP = re.compile(r"[\\`*\[\]<>&|!~$]|(?<![^\W_])_|_(?![^\W_])|[@#](?=\w)|:(?=//)|\bwww(?=\.)")
+SPAN = regex(r"`([^`]+)`")
+BREAKS = regex(r"[`|\\]")
+MARKUP = regex(r"[\\`*\[\]<>&|!~$]|(?<![^\W_])_|_(?![^\W_])|[@#](?=\w)|:(?=//)|\bwww(?=\.)")
 LINKED = ("@", "#", ":", "www")
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 from ..finding import Finding
+from ..lazy_regex import regex
 
-CLAUSE = re.compile(r"`[^`\n]*`|\"[^\"\n]*\"|(?P<end>[:;] )|.", re.DOTALL)
+CLAUSE = regex(r"`[^`\n]*`|\"[^\"\n]*\"|(?P<end>[:;] )|.", re.DOTALL)
 
 
 def clauses(message: str) -> list[str]:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Iterable
 from typing import IO
 
 from ..control_characters import without_workflow_commands
+from ..lazy_regex import regex
 from .color import paint
 
 Word = tuple[str, str]
 """A word as it is printed, and the name of its colour ("" for none)."""
 
-WORD = re.compile(r"(?:`[^`\n]*`|\S)+")
+WORD = regex(r"(?:`[^`\n]*`|\S)+")
 """Blanks between backticks don't end a word."""
 
 NARROWEST = 20

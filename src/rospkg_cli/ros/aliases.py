@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 
+from ..lazy_regex import regex
 from .distros import DISTROS
 from .imports import keys_called_like
 from .names import BUILT_IN, Names
 from .read_table import pairs, rows
 
-OF_ROS = re.compile(rf"ros-(?:{'|'.join(each.name for each in DISTROS)})-([a-z0-9-]+)")
+OF_ROS = regex(rf"ros-(?:{'|'.join(each.name for each in DISTROS)})-([a-z0-9-]+)")
 """What Ubuntu's packages of ROS packages are called."""
 
 NOTHING_NEEDED = "-"

@@ -7,8 +7,8 @@ the C++20 and Python 3 keyword lists, ros2/rosidl_python#96 and ros2/rosidl#272 
 from __future__ import annotations
 
 import keyword
-import re
 
+from ..lazy_regex import regex
 from .read_table import pairs, words
 
 KINDS = ("msg", "srv", "action")
@@ -41,10 +41,10 @@ ROS1_TYPES = {
 FOREIGN_TYPES = pairs("interface_words.txt", "foreign types")
 """Types of C, Python, and std_msgs that people write where rosidl has its own name."""
 
-PACKAGE_NAME = re.compile(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*")
+PACKAGE_NAME = regex(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*")
 FIELD_NAME = PACKAGE_NAME
-INTERFACE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
-CONSTANT_NAME = re.compile(r"[A-Z](?:_?[A-Z0-9])*")
+INTERFACE_NAME = regex(r"[A-Z][A-Za-z0-9]*")
+CONSTANT_NAME = regex(r"[A-Z](?:_?[A-Z0-9])*")
 """The same words as rosidl's own pattern, which takes exponential time on long ones that it refuses."""
 
 GENERATED_PREFIX = "Sample_"

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 
+from ..lazy_regex import regex
 from .licenses import spdx_id
 
-FAMILY = re.compile(
+FAMILY = regex(
     r"(the |gnu )*(apache|apl|asl|bsd|mit|boost|bsl|[al]?gpl|lesser|general public|affero|mozilla|mpl|eclipse|epl|edl|"
     r"cc|creative commons|isc|zlib|proprietary|public domain|unlicense|[0-9]-clause bsd|cddl|qpl|artistic|python|psf)"
     r"(?![a-z])",
     re.IGNORECASE,
 )
-PARTED = re.compile(r"\s*(?:[,;/&]|\+\s|\band\b|\bor\b)\s*", re.IGNORECASE)
-SPDX_CHOICE = re.compile(r"[\w.+-]+( (OR|WITH) [\w.+-]+)+")
-STORY = re.compile(r"\b(see|refer|licen[cs]ed under|copyright|distributed|this (package|software|file))\b|://", re.I)
+PARTED = regex(r"\s*(?:[,;/&]|\+\s|\band\b|\bor\b)\s*", re.IGNORECASE)
+SPDX_CHOICE = regex(r"[\w.+-]+( (OR|WITH) [\w.+-]+)+")
+STORY = regex(r"\b(see|refer|licen[cs]ed under|copyright|distributed|this (package|software|file))\b|://", re.I)
 MAX_WORDS = 13
 """`GNU Library or "Lesser" General Public License version 2.1 or any later version` has so many."""
 

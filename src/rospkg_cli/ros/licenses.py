@@ -6,10 +6,10 @@ are those that ament_copyright (0.13 and later) recognises; the texts are in `te
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from functools import cache
 
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from .read_table import phrases
 
@@ -43,7 +43,7 @@ LICENSES: tuple[License, ...] = (
 CALLED: Mapping[str, tuple[str, ...]] = phrases("license_names.txt")
 """What else people write for an id; "BSD" and "GPL" alone are no one license."""
 
-NOISE = re.compile(r"\b(the|licen[cs]e|version)\b|\bv(ersion)?\.?(?=\s*\d)|(?<=[a-z])v(?=\d)|[^a-z0-9+]")
+NOISE = regex(r"\b(the|licen[cs]e|version)\b|\bv(ersion)?\.?(?=\s*\d)|(?<=[a-z])v(?=\d)|[^a-z0-9+]")
 
 
 def simplified(text: str) -> str:

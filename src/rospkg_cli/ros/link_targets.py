@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from .read_table import rows
 
-ROS_NAME = re.compile(r"[a-z][a-z0-9_]*")
-MESSAGES = re.compile(r".*_(?:msgs|interfaces|srvs|actions)|builtin_interfaces|std_srvs")
+ROS_NAME = regex(r"[a-z][a-z0-9_]*")
+MESSAGES = regex(r".*_(?:msgs|interfaces|srvs|actions)|builtin_interfaces|std_srvs")
 INCLUDE = "include:"
 
 

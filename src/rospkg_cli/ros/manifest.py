@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from ..lazy_regex import regex
+
 DEPENDENCY_TAGS = (
     "buildtool_depend",
     "buildtool_export_depend",
@@ -94,14 +96,14 @@ OTHER_BUILD_TYPES = ("ament_cargo", "ament_gradle", "ament_nodejs", "bazel", "me
 BUILD_FILES = {"ament_python": "setup.py", "ament_cmake": "CMakeLists.txt", "cmake": "CMakeLists.txt"}
 """What each build type is built by."""
 
-PACKAGE_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+PACKAGE_NAME = regex(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 """REP-144 and the schemas: lower case, no `__`, no `_` at the end."""
 
 NUMBER = "(0|[1-9][0-9]*)"
-VERSION = re.compile(rf"{NUMBER}\.{NUMBER}\.{NUMBER}")
-VERSION_LIMIT = re.compile(rf"{NUMBER}(\.{NUMBER}(\.{NUMBER})?)?")
+VERSION = regex(rf"{NUMBER}\.{NUMBER}\.{NUMBER}")
+VERSION_LIMIT = regex(rf"{NUMBER}(\.{NUMBER}(\.{NUMBER})?)?")
 
-EMAIL = re.compile(r"[\w%+-]+(\.[\w%+-]+)*@([A-Za-z0-9%-]+\.)+[A-Za-z]{2,}", re.ASCII)
+EMAIL = regex(r"[\w%+-]+(\.[\w%+-]+)*@([A-Za-z0-9%-]+\.)+[A-Za-z]{2,}", re.ASCII)
 """What the schemas and every release tool take for an e-mail address."""
 
 ENVIRONMENT = ("ROS_VERSION", "ROS_DISTRO", "ROS_PYTHON_VERSION", "DISABLE_GROUPS_WORKAROUND")
@@ -119,7 +121,7 @@ def place_of(tag: str) -> int:
     return len(ORDER)
 
 
-BUILD_TOOLS = re.compile(
+BUILD_TOOLS = regex(
     r"ament_cmake.*|ament_lint.*|rosidl_(cmake|default_generators|generator_.*)|.*_cmake(_module)?|cmake"
 )
 """Packages that take part in a build and are no part of what is built."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from ..lazy_regex import regex
 from ..suggest import distance
 from .aliases import NOTHING_NEEDED, key_for_apt, key_for_pip
 from .distros import Targets
 from .names import Names
 from .read_table import rows
 
-SEPARATOR = re.compile(r"[-_.]")
+SEPARATOR = regex(r"[-_.]")
 MAX_TYPOS = 2
 """More typos than these make another name."""
 

@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import re
 
+from ..lazy_regex import regex
+
 # All of these have to fit the whole name of a file, which no file system lets be longer than 255 bytes.
-LAUNCH = re.compile(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
+LAUNCH = regex(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
 
 """Files that `ros2 launch` takes; a bare `.launch` is left out, it is ROS 1's more often than not."""
 
-MODELS = re.compile(r".*\.(?:stl|dae|obj|glb|gltf|ply|mtl|sdf|urdf|xacro|config|png|jpe?g|tga|material)", re.IGNORECASE)
-ROBOTS, WORLDS = re.compile(r".*\.(?:urdf|xacro|srdf|xml)"), re.compile(r".*\.(?:world|sdf|wbt|xacro|usda?|proto)")
+MODELS = regex(r".*\.(?:stl|dae|obj|glb|gltf|ply|mtl|sdf|urdf|xacro|config|png|jpe?g|tga|material)", re.IGNORECASE)
+ROBOTS, WORLDS = regex(r".*\.(?:urdf|xacro|srdf|xml)"), regex(r".*\.(?:world|sdf|wbt|xacro|usda?|proto)")
 
 FOLDERS: dict[str, re.Pattern[str]] = {
     "launch": LAUNCH,
-    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), re.compile(r".*\.(?:ya?ml|rviz|lua|json)")),
-    "rviz": re.compile(r".*\.rviz"),
+    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), regex(r".*\.(?:ya?ml|rviz|lua|json)")),
+    "rviz": regex(r".*\.rviz"),
     **dict.fromkeys(("urdf", "xacro", "robots", "srdf"), ROBOTS),
     **dict.fromkeys(("meshes", "mesh", "models"), MODELS),
     **dict.fromkeys(("worlds", "world"), WORLDS),
-    **dict.fromkeys(("maps", "map"), re.compile(r".*\.(?:ya?ml|pgm|png|pbstream)")),
-    **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), re.compile(r".*\.xml")),
+    **dict.fromkeys(("maps", "map"), regex(r".*\.(?:ya?ml|pgm|png|pbstream)")),
+    **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), regex(r".*\.xml")),
 }
 """The usual folders for run time, and which of their files are for it."""
 

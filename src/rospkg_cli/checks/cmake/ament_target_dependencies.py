@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
@@ -11,6 +10,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import CMakeFile
 from ...languages.cmake.syntax import CommandArgument, CommandInvocation
 from ...languages.cmake.values import UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
@@ -27,7 +27,7 @@ LINK_PLAINLY = ("ament_add_gtest", "ament_add_gmock", "ament_add_gtest_executabl
                 "ament_add_ros_isolated_gmock")  # fmt: skip
 """Commands that link their target without a keyword: CMake then refuses keywords in other calls."""
 
-LIBRARIES = re.compile(r"\$\{\w+_(LIBRARIES|LIBS|TARGETS)\}")
+LIBRARIES = regex(r"\$\{\w+_(LIBRARIES|LIBS|TARGETS)\}")
 
 Signature = Literal["plain", "keyword"]
 

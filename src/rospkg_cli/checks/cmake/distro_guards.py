@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator
 
 from ...languages.cmake.command_blocks import Block
 from ...languages.cmake.syntax import CommandInvocation
+from ...lazy_regex import regex
 
-DISTRO_TEST = re.compile(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
+DISTRO_TEST = regex(r"ROS_DISTRO|ament_target_dependencies|\b(?:rclcpp|ament_cmake\w*)_VERSION\b")
 """What a condition contains that tests for it."""
 
 

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Literal
 
 from ...languages.cmake.evaluated_command import path_in_package
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
@@ -18,7 +19,7 @@ from ...unreadable import UnreadableError
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
-USES_ROS = re.compile(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
+USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
 @dataclass(frozen=True)

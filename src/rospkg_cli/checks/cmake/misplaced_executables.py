@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
@@ -17,10 +18,10 @@ from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
 # Linear: it has to fit a whole name, from its start.
-ROS = re.compile(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
-EXECUTABLE = re.compile(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
+ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
+EXECUTABLE = regex(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4
-IMPORTS_ROS = re.compile(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
+IMPORTS_ROS = regex(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
@@ -17,7 +17,7 @@ from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
 REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
-VARIABLE = re.compile(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")
+VARIABLE = regex(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")
 BY_MACRO = {
     "generate_parameter_library": frozenset(
         "fmt rclcpp rclcpp_lifecycle rsl tcb_span tl_expected parameter_traits generate_parameter_library".split()

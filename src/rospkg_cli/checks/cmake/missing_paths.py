@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from .distro_guards import guarded_commands
 
-ASKED_FOR = re.compile(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
+ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
@@ -15,9 +15,7 @@ from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
 
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
-USED_AT_BUILD = re.compile(
-    r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test"
-)
+USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
@@ -24,7 +24,7 @@ def normalized(name: str) -> str:
     return name.replace("-", "_").lower()
 
 
-COMMENTED_DEPENDENCY = re.compile(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
+COMMENTED_DEPENDENCY = regex(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
 
 
 @dataclass(frozen=True)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from .declared_dependencies import DeclaredDependencies
 
-LEFT_OUT_ON_PURPOSE = re.compile(
+LEFT_OUT_ON_PURPOSE = regex(
     r"(?:^|.*_)(?:tests?|testing|examples?|demos?|tutorials?|benchmark\w*|performance|rqt)(?:_.*|$)"
 )
 """Packages that a metapackage leaves out on purpose."""

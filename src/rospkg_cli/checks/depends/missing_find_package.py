@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.values import UNKNOWN
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLinks
 from ...ros.manifest import BUILDS
@@ -15,7 +15,7 @@ from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_includes import IncludeDependencies
 
-AUTOMATIC = re.compile(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
+AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
 """Commands that find packages, or may well do so, such as `autoware_package`."""
 
 MIN_LETTERS = 5

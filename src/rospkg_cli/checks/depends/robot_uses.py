@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH
 from ...package.install_table import InstallTable
@@ -19,7 +20,7 @@ from ..launch.package_references import every_reference
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_launch_packages import LaunchDependencies
 
-INTERFACES = re.compile(r".*_(?:msgs|srvs|interfaces|actions)")
+INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
@@ -19,7 +20,7 @@ from .name_source import source_of
 RUNNERS = frozenset({"python3-pytest", "launch_testing"})
 """What runs the tests: it is fine if it comes with a declared dependency."""
 
-REQUIREMENTS = re.compile(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
+REQUIREMENTS = regex(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
 """Files that pip installs by."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})

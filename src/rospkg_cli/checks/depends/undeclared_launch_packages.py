@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
@@ -23,9 +23,9 @@ from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 
-EXAMPLE = re.compile(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
+EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
 STARTER = "ros2launch"
-ENDING = re.compile(r"[._]launch\.\w+$|\.launch$")
+ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
 from ...languages.python.file import Import
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
@@ -23,7 +23,7 @@ from .word_index import WordIndex
 BUILT_IN = frozenset({"depend", "build_depend"})
 """Tags that say "something here is made with it"; in a Python package that is an import."""
 
-IMPORTED_ONLY = re.compile(r".*_(msgs|srvs|interfaces|actions)")
+IMPORTED_ONLY = regex(r".*_(msgs|srvs|interfaces|actions)")
 """Packages that nothing but an import uses; another exec_depend may be there for a node started by name."""
 
 BY_GENERATORS = frozenset({"action_msgs", "service_msgs", "builtin_interfaces", "unique_identifier_msgs"})

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from functools import cached_property
 from pathlib import PurePosixPath
 from typing import Literal
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
@@ -22,7 +22,7 @@ OTHERS = frozenset(
     ".py .xml .yaml .yml .launch .urdf .xacro .rviz .sdf .srdf .world .wbt .proto .cfg .toml .json .ini .sh"
     " .bash .lua .js .html .lisp .rs .in .em .ui .service .rules .perspective .repos .ipynb".split()
 )
-WORD = re.compile(r"[\w-]+")
+WORD = regex(r"[\w-]+")
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...lazy_regex import regex
 from ...package.interfaces.interface_file import InterfaceFile, Member, MessageSection
 from ...ros.interfaces import CONSTANT_NAME, CPP_KEYWORDS, FIELD_NAME, IDL_KEYWORDS, PYTHON_KEYWORDS
 
-HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+HUMP = regex(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 
 
 def is_valid(member: Member) -> bool:

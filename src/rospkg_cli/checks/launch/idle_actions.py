@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Call
 from ...languages.python.file import PythonFile
+from ...lazy_regex import regex
 from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
@@ -23,7 +23,7 @@ TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
 
 NEGATED = {"IfCondition": False, "UnlessCondition": True, "if": False, "unless": True}
-VARIABLE = re.compile(r"\$\(var ([^()\s]+)\)")
+VARIABLE = regex(r"\$\(var ([^()\s]+)\)")
 
 
 def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:

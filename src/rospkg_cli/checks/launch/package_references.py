@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
 
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""

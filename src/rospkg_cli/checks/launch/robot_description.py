@@ -6,12 +6,12 @@ A `ParameterValue(…, value_type=str)` around it makes it a string.
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
@@ -22,13 +22,13 @@ from ...source import Span
 from ...unreadable import UnreadableError
 
 PRINTS_ROBOT = ("xacro", ".urdf")
-ROBOT_FILE = re.compile(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
+ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
 NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode"})
 
-NO_PLAIN_SCALAR = re.compile(r":[ \t\r\n]|[ \t]#")
+NO_PLAIN_SCALAR = regex(r":[ \t\r\n]|[ \t]#")
 """What ends a plain scalar of YAML: a colon with a blank behind it, a hash with a blank before it."""
 
-INCLUDED = re.compile(r"filename\s*=\s*[\"'][^\"']*?([\w.-]+\.(?:xacro|urdf|xml))[\"']")
+INCLUDED = regex(r"filename\s*=\s*[\"'][^\"']*?([\w.-]+\.(?:xacro|urdf|xml))[\"']")
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterator
 
 from ...languages.yaml.nodes import ScalarNode, SequenceNode, YamlNode
+from ...lazy_regex import regex
 from ...package.params.parameter_file import ParameterFile
 from ...package.params.scalar_types import integer, type_of, yaml_type
 from ..fault import Fault, TextRepair, replacement
 
-EXPONENT = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?[eE]([+-]?)([0-9]+)")
-OCTAL = re.compile(r"[+-]?0[0-9]+")
+EXPONENT = regex(r"([+-]?)([0-9]*)(?:\.([0-9]*))?[eE]([+-]?)([0-9]+)")
+OCTAL = regex(r"[+-]?0[0-9]+")
 
 
 def number_faults(file: ParameterFile, *, is_read_by_python: bool) -> Iterator[Fault]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cpp.file import CppFile
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import read_in
@@ -26,9 +26,9 @@ ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
 ALMOST = 0.8
 """The same, where it is about what a block does not set."""
-ALLOWED = re.compile(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
+ALLOWED = regex(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
-MILD = re.compile(r"\bcatch\b|\bhas_parameter\b")
+MILD = regex(r"\bcatch\b|\bhas_parameter\b")
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
+from ...lazy_regex import regex
 from ...package.params.parameter_file import NodeBlock
 
-LISTS = re.compile(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
+LISTS = regex(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
 TYPE = "plugin"
 
 

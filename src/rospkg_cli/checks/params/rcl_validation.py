@@ -5,10 +5,10 @@ Sources: ros2/rcl: parse.c (also _validate_name) and rmw_validate_namespace; ros
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...languages.yaml.nodes import AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...lazy_regex import regex
 from ...package.params.parameter_file import (
     KEY,
     NodeEntry,
@@ -21,7 +21,7 @@ from ...package.params.scalar_types import type_of
 from ..fault import Fault
 
 REFUSES = "rcl refuses the whole file, and the node does not start"
-NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 WILDCARDS = ("*", "**")
 MAX_NAME = 255
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 
@@ -17,8 +18,8 @@ MACROS = frozenset(
 )  # fmt: skip
 """The first argument is the class, the second its base; both are kept as they are written."""
 
-CLASS = re.compile(r"(::)?[A-Za-z_]\w*(::[A-Za-z_]\w*)*(<.*>)?")
-MACRO_NAME = re.compile(r"_*[A-Z][A-Z0-9_]*_*")
+CLASS = regex(r"(::)?[A-Za-z_]\w*(::[A-Za-z_]\w*)*(<.*>)?")
+MACRO_NAME = regex(r"_*[A-Z][A-Z0-9_]*_*")
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
@@ -13,7 +14,7 @@ from ...ros.names import NameKind
 from ...suggest import near_names
 from .exported_classes import tail
 
-SEPARATOR = re.compile(r"/|::")
+SEPARATOR = regex(r"/|::")
 BUILT_IN = frozenset({"rviz_common"})
 """Packages with plugins that are registered without a description."""
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.setup.setup_text import SetupText
 from .python_package import PythonPackage
 
-REQUIREMENT = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
+REQUIREMENT = regex(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
 
 
 @dataclass(frozen=True)

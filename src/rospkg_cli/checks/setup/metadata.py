@@ -7,17 +7,18 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.xml.parser import Element
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ...ros.licenses import spdx_id
 
-SEVERAL = re.compile(r"\s*(?:,|;|\band\b|&|\|)\s*")
-ADDRESS = re.compile(r"\s*<[^>]*>")
-TODO = re.compile(r"todo\b.*", re.IGNORECASE | re.DOTALL)
+SEVERAL = regex(r"\s*(?:,|;|\band\b|&|\|)\s*")
+ADDRESS = regex(r"\s*<[^>]*>")
+TODO = regex(r"todo\b.*", re.IGNORECASE | re.DOTALL)
 
-REAL = re.compile(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
+REAL = regex(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
 """An address that is one, and not a template's."""
 
 MAX_LENGTH = 1_000

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_cfg import SetupCfg
@@ -13,7 +13,7 @@ from ...package.workspace import Workspace
 from .python_package import PythonPackage
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
-ELSEWHERE = re.compile(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
+ELSEWHERE = regex(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import ast
-import re
 import warnings
 
-TOKEN = re.compile(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$[^{($]+|\$$")
+from ...lazy_regex import regex
+
+TOKEN = regex(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$[^{($]+|\$$")
 COMMANDS = {"find": (1, 1), "env": (1, 1), "optenv": (1, 99), "dirname": (0, 0), "arg": (1, 1), "cwd": (0, 0)}
 """Each command with how many words may follow it; `eval` takes everything."""
 SUGGESTIONS = {"find-pkg-share": "find", "find-pkg-prefix": "find", "var": "arg", "arg_": "arg", "finds": "find"}

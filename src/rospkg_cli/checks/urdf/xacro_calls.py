@@ -5,22 +5,22 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.xml.parser import Element
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..fault import Fault, softer
 
-CALL = re.compile(r"<xacro:([^\s<>/\"']+)")
-EXPRESSION = re.compile(r"\$\{([^}]*)")
-WORD = re.compile(r"[A-Za-z_]\w*")
-INSERTED = re.compile(r"<xacro:insert_block\s+name=\"([^\"]*)\"")
+CALL = regex(r"<xacro:([^\s<>/\"']+)")
+EXPRESSION = regex(r"\$\{([^}]*)")
+WORD = regex(r"[A-Za-z_]\w*")
+INSERTED = regex(r"<xacro:insert_block\s+name=\"([^\"]*)\"")
 CONDITIONS = ("xacro:if", "xacro:unless")
 
 

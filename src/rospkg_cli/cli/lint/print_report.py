@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import IO
 
 from ...control_characters import visible_lines, without_workflow_commands
-from ...engine.fixing.write import write_text
 from ...finding import Finding, Safety
 from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
@@ -39,6 +38,8 @@ def print_report(
     """Write the reports to their files, and one with the fixes before it to a stream; raises WriteError."""
     shown, is_text = options.report, options.report.format == "text" and not options.report.statistics
     for name, path in files:
+        from ...engine.fixing.write import write_text
+
         text = io.StringIO()
         render(name, replace(report, color=False, width=None), text)
         write_text(path, text.getvalue())

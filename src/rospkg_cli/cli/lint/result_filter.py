@@ -8,10 +8,8 @@ from pathlib import Path
 
 from ...config.file import Config
 from ...current_folder import absolute
-from ...engine.baseline import apply_baseline, read_baseline, write_baseline
 from ...engine.config_filter import ConfigFilter
 from ...engine.discovery.locate import Located
-from ...engine.fixing.write import write_text
 from ...engine.run.session import Results, Session
 from ...report import Report
 from ..streams import say
@@ -22,6 +20,8 @@ def result_filter(baseline: Path | None, config: Config, located: Located) -> Ca
     by_config = ConfigFilter(config, located.root, located.scope.selected == frozenset(located.scope.folders))
     if baseline is None:
         return by_config
+    from ...engine.baseline import apply_baseline, read_baseline
+
     known, shown = read_baseline(baseline), relative_to(baseline, located.root)
     return lambda session, results: apply_baseline(by_config(session, results), known, shown)
 
@@ -34,6 +34,9 @@ def relative_to(baseline: Path, root: Path) -> Callable[[str], str]:
 
 def save_baseline(path: Path, report: Report) -> int:
     """Write the findings of a report as a baseline; return the exit status."""
+    from ...engine.baseline import write_baseline
+    from ...engine.fixing.write import write_text
+
     findings = report.results.findings
     write_text(path, write_baseline(findings, relative_to(path, report.root)))
     say(f"baseline `{path}` written with {len(findings)} findings; use it with: rospkg lint --baseline {path}")

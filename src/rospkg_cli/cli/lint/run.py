@@ -11,9 +11,7 @@ from ...config.file import Config, find_config
 from ...current_folder import common_folder, current_folder
 from ...disk_trace import stop_trace
 from ...engine.discovery.locate import Located, locate
-from ...engine.fixing.fix import FixResults, fix_all
-from ...engine.fixing.remove_leftovers import remove_leftovers
-from ...engine.fixing.write import write_changes
+from ...engine.fixing.fix_results import FixResults
 from ...engine.run.session import Results, Session
 from ...engine.selection import rule_names
 from ...fence import Fence
@@ -22,11 +20,9 @@ from ...report import Report
 from ...report.color import wants_color
 from ...report.summary import counted
 from ...report.wrap import terminal_width
-from ..diff import unified
 from ..index.age import warn_of_age
 from ..progress import progress
 from ..streams import said, say
-from .add_ignores import add_ignores
 from .kept_output import KeptOutput, may_be_kept
 from .lint_options import FixOptions, LintOptions
 from .print_report import print_report, report_files
@@ -69,6 +65,8 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     if suppression.write_baseline and located.scope.selected:
         return save_baseline(suppression.write_baseline, report)
     if suppression.add_ignores is not None and located.scope.selected:
+        from .add_ignores import add_ignores
+
         return add_ignores(suppression.add_ignores, session, report)
     if found.results.crashes:
         stop_trace()  # what crashed may not crash again
@@ -96,6 +94,8 @@ def make_report(options: LintOptions, config: Config, located: Located, found: F
 
 def show_diff(session: Session, found: FixResults, options: LintOptions) -> int:
     """Print what the fixes would change and, on stderr, how many there are; return the exit status."""
+    from ..diff import unified
+
     sys.stdout.writelines(unified(session.tree, found.changes))
     count, files = counted(len(found.applied), "finding"), counted(len(found.changes), "file")
     how = "--fix --unsafe-fixes" if options.fixing.unsafe_fixes else "--fix"
@@ -122,6 +122,8 @@ def run_session(session: Session, options: FixOptions) -> FixResults:
     """Lint, and fix in memory where that is asked for."""
     if not (options.fix or options.fix_only or options.diff):
         return FixResults(session.run())
+    from ...engine.fixing.fix import fix_all
+
     return fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
 
 
@@ -133,6 +135,9 @@ def nothing_found(session: Session, options: LintOptions, located: Located) -> F
 
 def write_fixes(session: Session, found: FixResults, located: Located) -> None:
     """Write what was fixed; raises WriteError."""
+    from ...engine.fixing.remove_leftovers import remove_leftovers
+    from ...engine.fixing.write import write_changes
+
     remove_leftovers(located.root / folder for folder in located.scope.selected)
     write_changes(located.root, session.tree, found.changes, Fence(located.root, located.scope.folders))
 

@@ -11,9 +11,7 @@ from ...config.file import Config
 from ...config.required_version import satisfies
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
-from ...engine.run.process_pool import SERIAL_BELOW, ProcessPool
-from ...engine.run.rule_plugins import load_plugins
-from ...engine.run.session import Pool, Session
+from ...engine.run.session import Pool, Scope, Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
 from ...index.cache import names
@@ -23,10 +21,14 @@ from ...ros.distros import Targets, fault_of_name
 from ...ros.names import BUILT_IN, Names
 from ...rule import Profile
 from ...suggest import did_you_mean
+from ...tree import Tree
 from .. import UsageError
 from ..streams import say
 from .lint_options import LintOptions, RuleOptions
 from .result_filter import result_filter
+
+SERIAL_BELOW = 40
+"""With fewer packages starting processes costs more than it saves."""
 
 
 def make_session(
@@ -34,7 +36,10 @@ def make_session(
 ) -> Session:
     """Return the run that the options and the config ask for; raises UsageError, PluginError and BaselineError."""
     require_version(config)
-    load_plugins(config.plugins, located.root, config.folder)
+    if config.plugins:
+        from ...engine.run.rule_plugins import load_plugins
+
+        load_plugins(config.plugins, located.root, config.folder)
     return Session(
         DiskTree(located.root, located.scope.folders),
         replace(located.scope, index=known_names()),
@@ -95,7 +100,7 @@ def targets(typed: tuple[str, ...], config: Config) -> Targets:
     return Targets(typed or config.target or (() if fault_of_name(sourced) else (sourced,)))
 
 
-def pool_for(jobs: str, packages: int) -> type[Pool] | partial[ProcessPool]:
+def pool_for(jobs: str, packages: int) -> Callable[[Tree, Scope, Targets, RuleSettings], Pool]:
     """Return what makes the pool for so many packages; raises UsageError for a number of jobs that is none."""
     if jobs == "auto":
         count = min(os.cpu_count() or 1, 8) if packages >= SERIAL_BELOW else 1
@@ -103,4 +108,8 @@ def pool_for(jobs: str, packages: int) -> type[Pool] | partial[ProcessPool]:
         count = int(jobs)
     else:
         raise UsageError(f"--jobs requires a number (1 or more) or auto; not `{jobs}`")
-    return partial(ProcessPool, jobs=count) if count > 1 else Pool
+    if count == 1:
+        return Pool
+    from ...engine.run.process_pool import ProcessPool
+
+    return partial(ProcessPool, jobs=count)

@@ -14,6 +14,7 @@ from ...disk_trace import exists, is_file, is_folder, real_path, scan
 from ...fence import is_shared
 from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
+from ...user_error import UserError
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden
@@ -23,7 +24,7 @@ from .installed_packages import installed_package_names
 NO_CONFIG = Config()
 
 
-class LocateError(Exception):
+class LocateError(UserError):
     """A path that can't be linted; the message says why."""
 
 

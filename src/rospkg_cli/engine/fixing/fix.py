@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...finding import Finding, Safety
-from ...light_dataclasses import dataclass, field, replace
+from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
 from ..run.session import Results, Session
-from .apply import Changes
+from .fix_results import FixResults
 from .oscillation import MAX_ROUNDS, oscillating
 from .overlay import Overlay
 from .round import one_round
@@ -18,21 +18,6 @@ MAX_STARTS = 5
 
 Ban = tuple[str, str]
 """Code and path."""
-
-
-@dataclass
-class FixResults:
-    """The results of a run with fixes."""
-
-    results: Results
-    """Of the last round."""
-    changes: Changes = field(default_factory=dict)
-    """Against the tree as it was; paths relative to the root of the run."""
-    applied: list[Finding] = field(default_factory=list)
-    refused: list[tuple[Finding, str]] = field(default_factory=list)
-    """Findings whose fix was taken back, and why."""
-    uncovered: int = 0
-    """How many of the applied were not there before the first round."""
 
 
 def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:

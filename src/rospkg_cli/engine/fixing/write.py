@@ -11,10 +11,11 @@ from pathlib import Path
 
 from ...fence import Fence
 from ...tree import LeadsOutError, Tree, TreeEntry
+from ...user_error import UserError
 from .apply import Changes
 
 
-class WriteError(Exception):
+class WriteError(UserError):
     """Files that were not written; the message says which and why. All others are written whole."""
 
 

@@ -21,9 +21,6 @@ from .worker import PackageResults, Worker
 
 T = TypeVar("T")
 
-SERIAL_BELOW = 40
-"""With fewer packages starting processes costs more than it saves."""
-
 _worker: Worker | None = None
 
 

@@ -7,7 +7,6 @@ PYTHONPATH makes of a repository's own folders is not installed.
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
@@ -17,20 +16,22 @@ from pathlib import Path
 from typing import Any
 
 from ...disk_trace import current_trace, read_limited, scan
+from ...lazy_regex import regex
 from ...rule import PLUGGED_IN, Rule, rules_in
 from ...rule_table import forget_rules, rule_entries
 from ...search_path import installed_folders
 from ...suggest import did_you_mean
+from ...user_error import UserError
 from ..selection import codes_named
 
 GROUP = "rospkg_cli.rules"
-CODE = re.compile(r"[A-Z]{3}[0-9]{3}")
+CODE = regex(r"[A-Z]{3}[0-9]{3}")
 
 LOADED_PLUGINS: set[str] = set()
 """The names of the plugins whose rules are known."""
 
 
-class PluginError(Exception):
+class PluginError(UserError):
     """A plugin that can't be used; the message says which and what to do."""
 
 

@@ -9,17 +9,18 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .file_head import FileHead
 
-COMMENT = re.compile(
+COMMENT = regex(
     r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]{0,1000})\](?P<reason>[^\n]*)"
 )
 MAX_REASON = 4_000
 """A comment of XML may go on for so many characters."""
-NAME = re.compile(r"[^\s,]+")
+NAME = regex(r"[^\s,]+")
 KINDS = "py xml cfg txt cmake yaml yml launch urdf xacro sdf world msg srv action c cc cpp cxx h hh hpp hxx"
 SUFFIXES = frozenset(f".{kind}" for kind in KINDS.split())
 

@@ -9,10 +9,8 @@ from ...edits import toml
 from ...package.run_events import UnknownRuleName, UnusedSuppression
 from ...source import Span
 from ...suggest import nearest
+from ..config_filter import Keys
 from ..selection import codes_named, rule_names
-
-Keys = tuple[str, ...]
-"""The keys that lead to a value from the top of the config: ("per-path", "src/*", "ignore", "XML104")."""
 
 
 def rule_name_events(

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from ...source import Source
 
-BLANK = re.compile(r"[\ufeff\s]+")
-REST_OF_LINE = re.compile(r"(?:#|//)[^\n]*")
+BLANK = regex(r"[\ufeff\s]+")
+REST_OF_LINE = regex(r"(?:#|//)[^\n]*")
 MAX_STEPS = 20_000
 """So many blanks, comments and instructions are looked at in all; a head that goes on for longer is none."""
 

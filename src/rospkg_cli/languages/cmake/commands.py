@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Callable, Mapping
 
+from ...lazy_regex import regex
 from .call_stack import PYTHON, LeaveError
 from .evaluated_command import EvaluatedCommand
 from .file import ROOT
@@ -25,7 +25,7 @@ from .variable_commands import (
 )
 from .variable_scope import VariableScope
 
-NAME = re.compile(r"[A-Za-z_]\w*")
+NAME = regex(r"[A-Za-z_]\w*")
 
 OUTPUT_KEYWORDS = ("OUTPUT_VARIABLE", "RESULT_VARIABLE", "ERROR_VARIABLE", "RESULTS_VARIABLE")
 FIRST_IS_OUTPUT = ("find_program", "find_library", "find_path", "find_file", "get_target_property", "get_property",

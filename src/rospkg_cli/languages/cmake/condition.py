@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from .regex import max_steps, search
 from .values import UNKNOWN, Value, Word, list_to_text
@@ -14,13 +14,13 @@ Truth = bool | None
 
 TRUE = frozenset({"ON", "YES", "TRUE", "Y"})
 FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
-NUMBER = re.compile(r"[+-]?\d+(\.\d+)?")
-NUMBER_FIRST = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
+NUMBER = regex(r"[+-]?\d+(\.\d+)?")
+NUMBER_FIRST = regex(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
 """What EQUAL and LESS read of a text: sscanf stops where the number does.
 
 Linear: it is only tried at the start of a word.
 """
-VERSION = re.compile(r"\d{1,9}(\.\d{1,9})*")
+VERSION = regex(r"\d{1,9}(\.\d{1,9})*")
 
 NUMBERS: Mapping[str, Callable[[float, float], bool]] = {
     "EQUAL": lambda a, b: a == b,

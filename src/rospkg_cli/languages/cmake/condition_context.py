@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from .call_stack import ENVIRONMENT
 from .condition import Truth
@@ -13,9 +12,9 @@ from .values import BINARY, PREFIX, UNKNOWN, Value
 OLDEST_POLICY = "CMP0128"
 """The last that Ubuntu 22.04's CMake knows: what is newer may be unknown to the one that builds."""
 
-IDENTIFIER = re.compile(r"[A-Za-z_][\w.:+-]*")
+IDENTIFIER = regex(r"[A-Za-z_][\w.:+-]*")
 
-FROM_OUTSIDE = re.compile(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z]+_*")
+FROM_OUTSIDE = regex(r"[A-Z][A-Z0-9]*_[A-Z0-9_]+|\w+_[A-Z]+_*")
 """What may be set by CMake, by its user, or by another package: `CMAKE_BUILD_TYPE`, `rclcpp_VERSION`.
 
 Linear: of all ways to part a name such as `a_B_C`, only the last is tried to its end.

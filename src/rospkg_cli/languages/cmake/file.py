@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
@@ -18,7 +19,7 @@ ROOT = "CMakeLists.txt"
 MAX_LENGTH = 500_000
 """In characters; what people write has a hundredth of that."""
 ENDS = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
-INDENT = re.compile(r"^([ \t]+)(?=\S)", re.MULTILINE)
+INDENT = regex(r"^([ \t]+)(?=\S)", re.MULTILINE)
 SETTERS = {"set": 0, "option": 0, "list": 1, "foreach": 0, "get_filename_component": 0, "set_property": 0}
 """The index of the argument that names the variable which a command sets."""
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from .call_stack import FunctionDefinition, LeaveError
 from .command_blocks import Block
@@ -12,7 +11,7 @@ from .interpreter import Interpreter
 from .values import UNKNOWN, Value, as_value
 from .variable_scope import VariableScope
 
-AGAIN = re.compile(r"\$\{|\\")
+AGAIN = regex(r"\$\{|\\")
 """What a macro evaluates once more where it uses an argument."""
 
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from typing import Literal
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 
@@ -22,7 +23,7 @@ MAKE = r"(?:\$\([A-Za-z0-9_]*\))"
 LEGACY = rf"""(?:{MAKE}|{BARE}|"(?:{MAKE}|{BARE}|[ \t])*")"""
 """`-Da="b c"` and `$(MAKE)`: quotes and parentheses inside an unquoted argument."""
 
-TOKEN = re.compile(
+TOKEN = regex(
     r"""(?P<newline>\n)"""
     r"""|(?P<space>[ \t\r]+)"""
     r"""|(?P<open>\#?\[=*\[)"""
@@ -32,7 +33,7 @@ TOKEN = re.compile(
     r"""|(?P<quoted>"[^"\\]*(?:\\.[^"\\]*)*")""",
     re.DOTALL,
 )
-IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+IDENTIFIER = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 
+from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from .evaluated_command import EvaluatedCommand
 from .interpreter import Interpreter
 from .regex import max_steps, replace_all, search
 from .values import UNKNOWN, Value, Word, as_value, limited, texts
 
-NUMBER = re.compile(r"-?\d{1,9}")
+NUMBER = regex(r"-?\d{1,9}")
 
 
 def run_list(interpreter: Interpreter, call: EvaluatedCommand) -> None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from .lexer import CMakeToken
 
-CONFLICT = re.compile(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
+CONFLICT = regex(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
 
 
 def unexpected(token: CMakeToken, fresh: bool) -> str:

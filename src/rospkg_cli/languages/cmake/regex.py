@@ -6,9 +6,11 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from ...lazy_regex import regex
+
 MAX_STEPS = 2_000_000
-QUANTIFIERS = re.compile(r"\\.|\[\^?\]?[^\]]*\]|([*+])", re.DOTALL)
-REPEATED_GROUP = re.compile(r"\)[*+]|\(\?")
+QUANTIFIERS = regex(r"\\.|\[\^?\]?[^\]]*\]|([*+])", re.DOTALL)
+REPEATED_GROUP = regex(r"\)[*+]|\(\?")
 
 
 @cache

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from typing import Literal
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ..syntax_problem import SyntaxProblem
@@ -18,7 +19,7 @@ from .parse_errors import unclosed, unexpected
 ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
 
 BLANK = ("space", "newline", "comment", "bracket comment")
-COMMAND_LINE = re.compile(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
+COMMAND_LINE = regex(r"^[ \t]*(?!(?:AND|OR|NOT)\b)[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
 MAX_PROBLEMS = 20
 """After so many the rest of a file is not parsed: each may read to the end."""
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Span
 from .syntax import CommandArgument
@@ -23,9 +24,9 @@ PREFIX = "/\1prefix"
 MAX_TEXT = 100_000
 MAX_WORDS = 5_000
 
-REFERENCE = re.compile(r"\$(ENV|CACHE)?\{|\}|\\(.)", re.DOTALL)
-PLAIN_REFERENCE = re.compile(r"\$\{([^{}$\\]+)\}")
-HOLE_AT_TEXT = re.compile(r";\0(?=[^;\0])|(?<=[^;\0])\0;")
+REFERENCE = regex(r"\$(ENV|CACHE)?\{|\}|\\(.)", re.DOTALL)
+PLAIN_REFERENCE = regex(r"\$\{([^{}$\\]+)\}")
+HOLE_AT_TEXT = regex(r";\0(?=[^;\0])|(?<=[^;\0])\0;")
 ESCAPES = {"n": "\n", "t": "\t", "r": "\r", ";": "\\;"}
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from .evaluated_command import EvaluatedCommand, flags_and_values
 from .interpreter import Interpreter
 from .values import UNKNOWN, as_value, list_to_text
 
-PRODUCT = re.compile(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
+PRODUCT = regex(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
 
 
 def run_set(interpreter: Interpreter, call: EvaluatedCommand) -> None:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import re
-
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 
-PIECE = re.compile(
+PIECE = regex(
     r"""(?P<comment>//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?\*/)"""
     r"""|(?P<string>R"(?P<tag>[^()\\\s"]{0,16})\([\s\S]*?\)(?P=tag)"|"(?:[^"\\\n]|\\[\s\S])*")"""
     r"""|(?P<char>(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.)+')"""
     r"""|(?P<open>[({\[])|(?P<close>[)}\]])|(?P<comma>,)|(?P<other>[<>])"""
 )
-LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"(?:\s*"((?:[^"\\\n]|\\.)*)")?')
+LITERAL = regex(r'"((?:[^"\\\n]|\\.)*)"(?:\s*"((?:[^"\\\n]|\\.)*)")?')
 MAX_LENGTH = 20_000
 """A longer call is not read."""
 

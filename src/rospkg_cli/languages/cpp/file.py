@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from .call import MAX_LENGTH, CppArgument, CppCall, arguments, template_end
 from .lexer import CppToken, tokens
 
-INCLUDED = re.compile(r'<([^>\n"]+)>|"([^"\n]+)"')
-DEFINED = re.compile(r"\w+")
-VARIABLE = re.compile(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
-WANTED = re.compile(
+INCLUDED = regex(r'<([^>\n"]+)>|"([^"\n]+)"')
+DEFINED = regex(r"\w+")
+VARIABLE = regex(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
+WANTED = regex(
     r"\w*(REGISTER|EXPORT)\w*|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?"
 )
 MAX_FOLLOWED = 500_000
 FOLLOWED_AGAIN = 10
 """Calls are read over so many characters, and over so many times the length of their file: they may hold others."""
-BEFORE = re.compile(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
+BEFORE = regex(r'(?:(?<=[\s,:.(])|^)([A-Za-z_]\w*)\s*[({]\s*("[^"\n]*")\s*,\s*$')
 
 
 @dataclass(frozen=True, slots=True)

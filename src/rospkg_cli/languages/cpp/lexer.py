@@ -10,12 +10,13 @@ import re
 from collections.abc import Iterator
 from typing import Literal
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 
 Kind = Literal["directive", "string", "name"]
 
 REST = r"(?:[^\n\\/]|/(?![/*])|\\[\s\S])*"
-TOKEN = re.compile(
+TOKEN = regex(
     r"""(?P<comment>//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?(?:\*/|\Z))"""
     r"""|(?P<raw>R"(?P<tag>[^()\\\s"]{0,16})\([\s\S]*?\)(?P=tag)")"""
     r"""|(?P<string>"(?:[^"\\\n]|\\[\s\S])*")"""
@@ -23,8 +24,8 @@ TOKEN = re.compile(
     rf"""|(?P<directive>\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|define)\b{REST})"""
     r"""|(?P<name>\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)(?=\s*(?P<opening>[<(])))"""
 )
-DIRECTIVE = re.compile(r"#[ \t]*(\w+)[ \t]*")
-NEVER = re.compile(r"0\b|false\b")
+DIRECTIVE = regex(r"#[ \t]*(\w+)[ \t]*")
+NEVER = regex(r"0\b|false\b")
 
 
 @dataclass(frozen=True, slots=True)

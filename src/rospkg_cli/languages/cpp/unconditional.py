@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 from .call import PIECE
 
 CONTROL = frozenset({"if", "for", "while", "switch", "catch", "else", "do", "constexpr"})
-COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+COMMENT = regex(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 MAX_STATEMENT = 4_000
 """A longer statement counts as conditional."""
-HEADER = re.compile(r"\b(?:if|else|for|while|case|default|catch|do)\b|\?|&&|\|\|")
+HEADER = regex(r"\b(?:if|else|for|while|case|default|catch|do)\b|\?|&&|\|\|")
 
 
 @dataclass(slots=True)

@@ -9,26 +9,28 @@ import ast
 import re
 import warnings
 
+from ...lazy_regex import regex
+
 MAX_NESTING = 20
 """How deep strings are followed into each other."""
 
-TOKEN = re.compile(
+TOKEN = regex(
     r"""(?P<comment>\#[^\r\n]*)
     |(?P<prefix>(?:[bB][rR]?|[rR][bBfFtT]?|[uU]|[fFtT][rR]?)?)(?P<quote>\"{3}|'{3}|["'])
     |(?P<word>\w+)|(?P<newline>\r\n|\r|\n)|(?P<blank>[ \t\f]+|\\(?:\r\n|\r|\n))|(?P<sign>.)""",
     re.VERBOSE | re.DOTALL,
 )
 REST = {
-    '"': re.compile(r'[^\\"\r\n]*(?:\\(?:\r\n|.)[^\\"\r\n]*)*"', re.DOTALL),
-    "'": re.compile(r"[^\\'\r\n]*(?:\\(?:\r\n|.)[^\\'\r\n]*)*'", re.DOTALL),
-    '"""': re.compile(r'[^\\"]*(?:(?:\\.|"(?!""))[^\\"]*)*"""', re.DOTALL),
-    "'''": re.compile(r"[^\\']*(?:(?:\\.|'(?!''))[^\\']*)*'''", re.DOTALL),
+    '"': regex(r'[^\\"\r\n]*(?:\\(?:\r\n|.)[^\\"\r\n]*)*"', re.DOTALL),
+    "'": regex(r"[^\\'\r\n]*(?:\\(?:\r\n|.)[^\\'\r\n]*)*'", re.DOTALL),
+    '"""': regex(r'[^\\"]*(?:(?:\\.|"(?!""))[^\\"]*)*"""', re.DOTALL),
+    "'''": regex(r"[^\\']*(?:(?:\\.|'(?!''))[^\\']*)*'''", re.DOTALL),
 }
 """What follows a plain string's opening quote, by the quote."""
 
-SPECIAL = re.compile(r"""[{}\\"'\r\n]""")
-CONVERSION = re.compile(r"![rsa][ \t]*")
-AFTER_EQUALS = re.compile(r"=\s*(?=[!:}])")
+SPECIAL = regex(r"""[{}\\"'\r\n]""")
+CONVERSION = regex(r"![rsa][ \t]*")
+AFTER_EQUALS = regex(r"=\s*(?=[!:}])")
 
 
 class NotNewerError(Exception):

@@ -11,6 +11,7 @@ import sys
 from functools import cached_property
 from itertools import pairwise
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 from .newer_strings import NotNewerError, can_be_parsed, tokens_of
 
@@ -19,8 +20,8 @@ NEWEST = (3, 14)
 """Whose grammar is known here: PEP 654 and 646 (3.11), 695 and 701 (3.12), 696 (3.13), 750 and 758 (3.14)."""
 
 CLOSES = {"(": ")", "[": "]", "{": "}"}
-WORD = re.compile(r"\w+")
-PARAMETER = re.compile(r"\s*\*{0,2}(\s*\w+\s*(?::.*?)?(?:=\s*\*?.*)?)", re.DOTALL)
+WORD = regex(r"\w+")
+PARAMETER = regex(r"\s*\*{0,2}(\s*\w+\s*(?::.*?)?(?:=\s*\*?.*)?)", re.DOTALL)
 
 
 def needs_newer(text: str) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import re
 
+from ...lazy_regex import regex
+
 MAX_TOKENS = 200_000
 """Some 20,000 lines of code; their tree takes up to 300 MiB."""
 
@@ -14,7 +16,7 @@ MAX_DEPTH = 200
 LEAVES = frozenset({int, bool, str, type(None), ast.Name, ast.Constant, ast.alias, *ast.expr_context.__subclasses__()})
 """What holds no node that matters for the depth, of the values of a node's fields."""
 
-TOKEN = re.compile(
+TOKEN = regex(
     r"\#[^\r\n]*|\"{3}[^\\\"]*(?:(?:\\.|\"(?!\"\"))[^\\\"]*)*\"{3}|'{3}[^\\']*(?:(?:\\.|'(?!''))[^\\']*)*'{3}"
     r"|\"[^\\\"\r\n]*(?:\\.[^\\\"\r\n]*)*\"|'[^\\'\r\n]*(?:\\.[^\\'\r\n]*)*'|\w+|[^\w\s]",
     re.DOTALL,

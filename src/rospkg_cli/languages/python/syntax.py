@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import ast
 import gc
-import re
 import warnings
 from array import array
 from functools import cached_property
 from typing import Protocol
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 from ...unreadable import UnreadableError
@@ -21,7 +21,7 @@ from ..char_table import char_table
 from .newer_syntax import needs_newer
 from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 
-LINE_END = re.compile(r"\r\n|\r|\n")
+LINE_END = regex(r"\r\n|\r|\n")
 
 
 class PositionedNode(Protocol):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from xml.parsers import expat
 
+from ...lazy_regex import regex
 from ...source import Source
 
-CONFLICT = re.compile(r"^(<<<<<<<|>>>>>>>)(?= |$)", re.MULTILINE)
+CONFLICT = regex(r"^(<<<<<<<|>>>>>>>)(?= |$)", re.MULTILINE)
 
 Code = expat.errors.codes
 UNCLOSED = {Code[expat.errors.XML_ERROR_NO_ELEMENTS], Code[expat.errors.XML_ERROR_UNCLOSED_TOKEN]}

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from xml.parsers import expat
 
+from ...lazy_regex import regex
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table
@@ -24,8 +24,8 @@ MAX_ATTRIBUTES = 1_000
 MAX_ELEMENTS = 50_000
 """Comments count too."""
 
-ATTRIBUTE = re.compile(r"""\s+([^\s=<>"'/]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
-QUALIFIED = re.compile(r"[^:]+(:[^:]+)?")
+ATTRIBUTE = regex(r"""\s+([^\s=<>"'/]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+QUALIFIED = regex(r"[^:]+(:[^:]+)?")
 BOUND = frozenset({"xml", "xmlns"})
 
 

@@ -5,11 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...files import ReaderInput
-from ...languages.cmake.commands import COMMANDS, run_unknown_command
-from ...languages.cmake.control_flow import BLOCKS
 from ...languages.cmake.file import CMakeFile
-from ...languages.cmake.functions import call_function
-from ...languages.cmake.interpreter import Interpreter
 from ...unreadable import Unreadable
 from .build import is_built_with_cmake
 from .cmake_project import CMake
@@ -26,6 +22,12 @@ def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
     """Yield the package's CMake, or one Unreadable for each of its files that can't be read."""
     if not is_built_with_cmake(reading):
         return
+    # Two dozen modules that other packages need not import
+    from ...languages.cmake.commands import COMMANDS, run_unknown_command
+    from ...languages.cmake.control_flow import BLOCKS
+    from ...languages.cmake.functions import call_function
+    from ...languages.cmake.interpreter import Interpreter
+
     interpreter = Interpreter(
         reading.files, commands=COMMANDS, blocks=BLOCKS, invoke=call_function, run_unknown_command=run_unknown_command
     )

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 import unicodedata
 
-ESCAPE = re.compile(r"\\(?:N\{[^}]*\}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[0-7]{1,3}|.)?", re.DOTALL)
+from ...lazy_regex import regex
+
+ESCAPE = regex(r"\\(?:N\{[^}]*\}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|[0-7]{1,3}|.)?", re.DOTALL)
 SIMPLE = {"a": "\a", "b": "\b", "f": "\f", "n": "\n", "r": "\r", "t": "\t", "v": "\v", "\\": "\\", "'": "'", '"': '"'}
-PAIR = re.compile(r"\\.", re.DOTALL)
+PAIR = regex(r"\\.", re.DOTALL)
 
 
 def escape_fault(text: str) -> tuple[int, int] | None:

@@ -13,7 +13,6 @@ from ..file_role import role_of
 from ..manifest import Manifest
 from .grammar_problem import GrammarCode, GrammarProblem
 from .interface_file import InterfaceFile
-from .text import parse_interface
 
 MAX_LENGTH = 200_000
 """In characters; a message that people write has a hundredth of that."""
@@ -39,6 +38,8 @@ def read(files: PackageFiles, source: Source) -> InterfaceFile:
     if len(source.text) > MAX_LENGTH:
         message = f"`{source.path}` is not read: it has more than {MAX_LENGTH:,} characters"
         raise UnreadableError(source.path, Span(0, 0), message, skipped=True)
+    from .text import parse_interface
+
     found = parse_interface(source, source.path.rpartition(".")[2])
     if not files.tree.entry(source.path).text.bom:
         return found

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...ros.interfaces import PRIMITIVES, STRINGS
 from ...source import Span
@@ -15,7 +15,7 @@ from .interface_file import FieldType, Member
 from .type_parser import TypeProblemError, parse_type
 from .value import QUOTES, string_value, value_fault
 
-NAME = re.compile(r"[A-Za-z0-9_-]+")
+NAME = regex(r"[A-Za-z0-9_-]+")
 """What looks like a name; rosidl may still refuse it."""
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
@@ -13,7 +13,7 @@ from .grammar_problem import GrammarCode, GrammarProblem
 from .interface_file import InterfaceFile, MessageSection
 from .section_parser import InterfaceLine, SectionReader
 
-NEARLY = re.compile(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
+NEARLY = regex(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 """A separator as people write it; rosidl takes only a line that is exactly `---`."""
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Literal as OneOf
 
 from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
@@ -16,14 +16,14 @@ from .text import LaunchText, Literal, Substitution
 ReferenceKind = OneOf["include", "default", "file"]
 """Included by the launch file; the default of an argument; anything else."""
 
-NAME = re.compile(r"[A-Za-z]\w*")
+NAME = regex(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
-END = re.compile(r"[\s'\",;:|&()`]")
+END = regex(r"[\s'\",;:|&()`]")
 """What ends a path inside of a longer text."""
-PATTERN = re.compile(r"[*?\[\]{}<>$%]")
+PATTERN = regex(r"[*?\[\]{}<>$%]")
 """Characters of patterns and templates, not of file names."""
 
-OUTPUT_FILE = re.compile(
+OUTPUT_FILE = regex(
     r"(^|.*[/_.-])(logs?|out|output|save|saved|record|recorded|results?|tmp|cache)([/_.-].*|$)"
     r"|.*\.(log|csv|bag|db3|mcap|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
 )

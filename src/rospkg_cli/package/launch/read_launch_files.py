@@ -7,21 +7,21 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
+from ...lazy_regex import regex
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from ..python_modules import PythonModules
 from .launch_file import LaunchFile
 from .read_python import read_python_launch
-from .read_xml_yaml import read_xml_launch, read_yaml_launch
 
-NAMED = re.compile(r"(^|[._/-])launch\.(py|xml|ya?ml)$|\.launch$|(^|/)launch(es)?/(.*/)?[^/]*\.(py|xml|ya?ml)$")
+NAMED = regex(r"(^|[._/-])launch\.(py|xml|ya?ml)$|\.launch$|(^|/)launch(es)?/(.*/)?[^/]*\.(py|xml|ya?ml)$")
 """Files that their name or their folder makes launch files."""
 
 MAX_CHARACTERS = 250_000
 """Of the launch files of one package together, some 2 s of reading: the largest known package of them has 135,000."""
 
-ENTRY = re.compile(r"^def generate_(launch|test)_description\b", re.MULTILINE)
+ENTRY = regex(r"^def generate_(launch|test)_description\b", re.MULTILINE)
 
 
 def read_launch_files(reading: ReaderInput) -> Iterator[LaunchFile | Unreadable]:
@@ -59,6 +59,8 @@ class LaunchReader:
         source = self.files.source(path)
         if "<launch" in source.text or "launch:" in source.text:
             self.spend(source)
+        from .read_xml_yaml import read_xml_launch, read_yaml_launch
+
         return read_yaml_launch(source) if path.endswith(("yaml", "yml")) else read_xml_launch(source)
 
     def read_python(self, path: str) -> LaunchFile | None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 
 from ...files import ReaderInput
+from ...lazy_regex import regex
 from ...ros.imports import STANDARD
 from ..install_table import InstallTable
 from .file_references import references_in
@@ -17,10 +17,8 @@ from .launch_signature import LaunchSignature
 KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}
 """Packages whose functions neither declare nor use arguments by themselves."""
 
-NAMED_USE = re.compile(
-    r"(?:launch_configurations(?:\.get\(|\[)|LaunchConfiguration(?:Not)?Equals\()\s*['\"]([\w/.-]+)['\"]"
-)
-ANY_USE = re.compile(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
+NAMED_USE = regex(r"(?:launch_configurations(?:\.get\(|\[)|LaunchConfiguration(?:Not)?Equals\()\s*['\"]([\w/.-]+)['\"]")
+ANY_USE = regex(r"launch_configurations|LaunchConfiguration(?:Not)?Equals\(")
 
 
 def launch_signatures(reading: ReaderInput) -> tuple[LaunchSignature, ...]:

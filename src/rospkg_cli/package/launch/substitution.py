@@ -9,24 +9,25 @@ from __future__ import annotations
 import re
 
 from ...languages.located_text import LocatedText
+from ...lazy_regex import regex
 from .text import LaunchText, Literal, Substitution
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
-OUTSIDE = re.compile(r"(?:[^$]|\$(?!\()|(?<=\\)\$)+")
+NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
+OUTSIDE = regex(r"(?:[^$]|\$(?!\()|(?<=\\)\$)+")
 """Text between substitutions."""
 
 ARGUMENT = {
-    "": re.compile(r"""(?:[^ '\\"$()]|\\["'$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
-    "'": re.compile(r"""(?:[^ '\\$()]|\\['$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
-    '"': re.compile(r"""(?:[^ "\\$()]|\\["$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    "": regex(r"""(?:[^ '\\"$()]|\\["'$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    "'": regex(r"""(?:[^ '\\$()]|\\['$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
+    '"': regex(r"""(?:[^ "\\$()]|\\["$()]|\$(?!\()|(?<=\\)\$|\\)+"""),
 }
 """A piece of an argument, by the quotes around the whole substitution."""
 
 QUOTED = {
-    "'": re.compile(r"(?:[^'\\$]|\\'|\$(?!\()|(?<=\\)\$|\\)+"),
-    '"': re.compile(r'(?:[^"\\$]|\\"|\$(?!\()|(?<=\\)\$|\\)+'),
+    "'": regex(r"(?:[^'\\$]|\\'|\$(?!\()|(?<=\\)\$|\\)+"),
+    '"': regex(r'(?:[^"\\$]|\\"|\$(?!\()|(?<=\\)\$|\\)+'),
 }
-ESCAPED = re.compile(r"\\(.)")
+ESCAPED = regex(r"\\(.)")
 MAX_DEPTH = 20
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.cpp.file import read_cpp
 from ...languages.cpp.read import SUFFIXES
+from ...lazy_regex import regex
 from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import role_of
@@ -18,7 +18,7 @@ from .declared_parameter import DeclaredParameter
 from .parameter_file import ParameterFile
 from .parameter_library import defined_parameters
 
-DECLARES = re.compile("declare_parameter|declare_or_get_parameter")
+DECLARES = regex("declare_parameter|declare_or_get_parameter")
 DYNAMIC = "dynamic_typing"
 """Where a descriptor allows this, a parameter takes values of any type."""
 

@@ -8,32 +8,33 @@ from collections.abc import Callable, Iterable, Iterator
 from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.unconditional import last_word, unconditional
+from ...lazy_regex import regex
 from ...source import Source
 from .declared_parameter import DeclaredParameter
 
-NAMED = re.compile(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
+NAMED = regex(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""
-NODE = re.compile("node|parent|shared_from_this", re.IGNORECASE)
+NODE = regex("node|parent|shared_from_this", re.IGNORECASE)
 """What is in the name of a first argument that is the node, where the function is none of its own."""
 MAX_LENGTH = 500
 """Of a name, a type or a value, in characters; a longer one is unknown."""
 
-WRAPPED = re.compile(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
-TAIL = re.compile(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
-NUMBER = re.compile(r"-?\s*(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+[eE])[0-9eE.+-]*[fFlL]?|-?\s*[0-9]+[eE.]?[fF]")
-WHOLE = re.compile(r"-?\s*(?:0[xX][0-9a-fA-F]+|[0-9']+)[uUlLzZ]*")
-TEXT = re.compile(r'(?:R?"[^"]*"\s*)+s?|std::string\s*[({].*[)}]')
-OUTER = re.compile(r"(?:rclcpp::)?ParameterValue\s*[({](?P<inside>.*)[)}]", re.DOTALL)
-CAST = re.compile(r"(?:static_cast\s*<\s*(?P<cast>[^<>]+)>|(?P<plain>double|float|int|bool|std::string))\s*[({].*[)}]")
-VECTOR = re.compile(r"(?P<type>std::vector\s*<.*?>)\s*[({].*[)}]", re.DOTALL)
-NAMED_TYPE = re.compile(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_(?P<type>[A-Z_]+)")
-VARIABLE = re.compile(r"(?:[A-Za-z_]\w*\s*(?:\.|->|::)\s*)*(?P<name>[A-Za-z_]\w*)")
+WRAPPED = regex(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
+TAIL = regex(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
+NUMBER = regex(r"-?\s*(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+[eE])[0-9eE.+-]*[fFlL]?|-?\s*[0-9]+[eE.]?[fF]")
+WHOLE = regex(r"-?\s*(?:0[xX][0-9a-fA-F]+|[0-9']+)[uUlLzZ]*")
+TEXT = regex(r'(?:R?"[^"]*"\s*)+s?|std::string\s*[({].*[)}]')
+OUTER = regex(r"(?:rclcpp::)?ParameterValue\s*[({](?P<inside>.*)[)}]", re.DOTALL)
+CAST = regex(r"(?:static_cast\s*<\s*(?P<cast>[^<>]+)>|(?P<plain>double|float|int|bool|std::string))\s*[({].*[)}]")
+VECTOR = regex(r"(?P<type>std::vector\s*<.*?>)\s*[({].*[)}]", re.DOTALL)
+NAMED_TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_(?P<type>[A-Z_]+)")
+VARIABLE = regex(r"(?:[A-Za-z_]\w*\s*(?:\.|->|::)\s*)*(?P<name>[A-Za-z_]\w*)")
 
 TYPES = {"bool": "bool", "double": "double", "float": "double", "std::string": "string", "string": "string"}
-WHOLE_TYPES = re.compile(
+WHOLE_TYPES = regex(
     r"(?:std::)?(?:u?int(?:8|16|32|64)?(?:_t)?|size_t)|(?:unsigned |signed )?(?:long )*(?:int|long)|unsigned"
 )
-LIST = re.compile(r"std::vector<(.*)>")
+LIST = regex(r"std::vector<(.*)>")
 RCL_TYPES = {
     "BOOL": "bool", "INTEGER": "int", "DOUBLE": "double", "STRING": "string", "BOOL_ARRAY": "bool[]",
     "INTEGER_ARRAY": "int[]", "DOUBLE_ARRAY": "double[]", "STRING_ARRAY": "string[]",

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cpp.read import SUFFIXES
+from ...lazy_regex import regex
 from ...unreadable import UnreadableError
 from ..cmake.cmake_project import CMake
 from .declared_parameter import NodeCode
 
-REGISTERED = re.compile(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")
+REGISTERED = regex(r"RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]+)\s*\)")
 
 
 def node_code(reading: ReaderInput) -> tuple[NodeCode, ...]:

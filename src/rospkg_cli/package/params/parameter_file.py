@@ -8,11 +8,12 @@ from functools import cached_property
 from typing import Literal
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source
 
 KEY = "ros__parameters"
-MISSPELT_KEY = re.compile(r"_*ros_+param(?:eter)?s?_*|_*rosparameters?_*", re.IGNORECASE)
+MISSPELT_KEY = regex(r"_*ros_+param(?:eter)?s?_*|_*rosparameters?_*", re.IGNORECASE)
 
 EntryKind = Literal["block", "namespace", "after block", "no block", "value", "no name"]
 

@@ -6,12 +6,12 @@ Source: generate_parameter_library_py/parse_yaml.py, cpp_conversions.py and the 
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode, documents
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
@@ -21,7 +21,7 @@ from .declared_parameter import DeclaredParameter
 
 COMMANDS = ("generate_parameter_library", "generate_parameter_module")
 BASES = {"bool": "bool", "double": "double", "int": "int", "string": "string"}
-FIXED = re.compile(r"(?P<base>(?:double|int|string)_array|string)_fixed_[0-9]+")
+FIXED = regex(r"(?P<base>(?:double|int|string)_array|string)_fixed_[0-9]+")
 MAP = "__map_"
 
 

@@ -7,16 +7,17 @@ from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.yaml.nodes import documents
+from ...lazy_regex import regex
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
 from .parameter_file import ParameterFile
 from .passed_files import handed_files
 
-MENTIONS = re.compile(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
-WILD = re.compile(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
+MENTIONS = regex(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
+WILD = regex(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
 """A name for many nodes, at the top: nothing but parameters begins like this."""
-TEMPLATE = re.compile(r"\{\{|\{%|<%")
+TEMPLATE = regex(r"\{\{|\{%|<%")
 
 
 def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unreadable]:

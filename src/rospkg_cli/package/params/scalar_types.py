@@ -10,6 +10,7 @@ import re
 from typing import Literal
 
 from ...languages.yaml.nodes import ScalarNode
+from ...lazy_regex import regex
 
 ValueType = Literal["bool", "int", "double", "string"]
 
@@ -17,19 +18,19 @@ TRUE = frozenset("Y y yes Yes YES true True TRUE on On ON".split())
 FALSE = frozenset("N n no No NO false False FALSE off Off OFF".split())
 STRING_TAG = "tag:yaml.org,2002:str"
 
-INTEGER = re.compile(r"[+-]?(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)")
-DOUBLE = re.compile(
+INTEGER = regex(r"[+-]?(?:0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)")
+DOUBLE = regex(
     r"[+-]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
     r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)(?:[pP][+-]?[0-9]+)?"
     r"|inf|infinity|nan(?:\(\w*\))?)",
     re.IGNORECASE,
 )
-SPECIAL = re.compile(r"\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF)")
+SPECIAL = regex(r"\.(?:nan|NaN|NAN)|[+-]?\.(?:inf|Inf|INF)")
 
-YAML_INTEGER = re.compile(
+YAML_INTEGER = regex(
     r"[-+]?0b[0-1_]+|[-+]?0[0-7_]+|[-+]?(?:0|[1-9][0-9_]*)|[-+]?0x[0-9a-fA-F_]+|[-+]?[1-9][0-9_]*(?::[0-5]?[0-9])+"
 )
-YAML_DOUBLE = re.compile(
+YAML_DOUBLE = regex(
     r"[-+]?(?:[0-9][0-9_]*)\.[0-9_]*(?:[eE][-+][0-9]+)?|\.[0-9][0-9_]*(?:[eE][-+][0-9]+)?"
     r"|[-+]?[0-9][0-9_]*(?::[0-5]?[0-9])+\.[0-9_]*|[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)"
 )

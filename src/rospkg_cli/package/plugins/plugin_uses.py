@@ -10,21 +10,20 @@ import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput
+from ...lazy_regex import regex
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..package_facts import PluginUse
 
 NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
-YAML = re.compile(
+YAML = regex(
     rf"""^[ ]*(?:-[ ]+)?(["']?)(?:\w*plugin|plugin_type|type|Class)\1[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
     re.MULTILINE,
 )
-RVIZ = re.compile(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
+RVIZ = regex(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
 """The names of RViz displays and tools may have blanks."""
-XML = re.compile(
-    rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</"""
-)
+XML = regex(rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</""")
 PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
 
 

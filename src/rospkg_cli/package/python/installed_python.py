@@ -6,11 +6,12 @@ import re
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...unreadable import UnreadableError
 from ..install_table import InstallTable
 
-PROGRAMS = re.compile(r"\binstall\s*\(\s*PROGRAMS\b([^)]*)\)", re.IGNORECASE)
-PYTHON_PACKAGE = re.compile(r"\bament_python_install_package\s*\(", re.IGNORECASE)
+PROGRAMS = regex(r"\binstall\s*\(\s*PROGRAMS\b([^)]*)\)", re.IGNORECASE)
+PYTHON_PACKAGE = regex(r"\bament_python_install_package\s*\(", re.IGNORECASE)
 
 
 class InstalledPython:

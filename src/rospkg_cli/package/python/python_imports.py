@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import PurePosixPath
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import Import, PythonFile, parse_python
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source
 from ...unreadable import UnreadableError
@@ -22,7 +22,7 @@ from .node_calls import DescribedNode, described_nodes
 NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
 """Folders without `__init__.py` that are not imported, though Python would import them."""
 
-VARIABLE = re.compile(r"@(\w+)@")
+VARIABLE = regex(r"@(\w+)@")
 
 
 @dataclass(frozen=True)

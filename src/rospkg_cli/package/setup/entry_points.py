@@ -6,23 +6,23 @@ refuses what does not fit it from 60 on, and writes it into the metadata as it i
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Literal
 
 from ...languages.python.evaluate.conversion import is_known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..package_facts import NOWHERE
 from .setup_text import SetupText
 
 # Both are linear: they have to fit one whole line, from its start, and neighbours share no character but blanks.
-WHOLE = re.compile(
+WHOLE = regex(
     r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"
     r"(?:\s*:\s*(?P<attribute>[^\W\d]\w*(?:\.\w+)*))?\s*(?P<extras>\[[^\]]*\])?"
 )
-GROUP = re.compile(r"\[(?P<name>[^\]]+)\]")
+GROUP = regex(r"\[(?P<name>[^\]]+)\]")
 
 SCRIPTS = ("console_scripts", "gui_scripts")
 

@@ -7,12 +7,13 @@ import re
 from collections.abc import Iterator
 
 from ...languages.python.evaluate.sandbox_filesystem import OutsideError
+from ...lazy_regex import regex
 from ...source import Span
 from ..install_table import PYTHON, InstalledFile, InstallKind, InstallTable, UnknownPart
 from ..package_facts import NOWHERE
 from .setup_py import SetupPy
 
-BASE = re.compile(r"\$(?:base|\{base\}|prefix)/*(?P<rest>.*)")
+BASE = regex(r"\$(?:base|\{base\}|prefix)/*(?P<rest>.*)")
 GENERATED: tuple[InstallKind, ...] = ("share", "module")
 
 ARGUMENTS: dict[str, tuple[InstallKind, ...]] = {

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import configparser
-import re
 from collections.abc import Iterator
 
 from ...files import ReaderInput
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .setup_text import SetupText
 
-SECTION = re.compile(r"\[(?P<name>.+)\]")
-OPTION = re.compile(r"(?P<key>[^=:\s]*(?:\s+[^=:\s]+)*)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
-APART = re.compile(r"\S[^\S\n]{200,}\S")
+SECTION = regex(r"\[(?P<name>.+)\]")
+OPTION = regex(r"(?P<key>[^=:\s]*(?:\s+[^=:\s]+)*)\s*(?:(?P<sign>[=:])\s*(?P<value>.*))?$")
+APART = regex(r"\S[^\S\n]{200,}\S")
 """What keeps configparser's own pattern busy for the square of its length."""
 
 MAX_CHARACTERS = 200_000
@@ -107,6 +106,8 @@ def refuse(source: Source) -> None:
     if apart := APART.search(source.text):
         why = f"`{source.path}` is skipped: it has a line with more than 200 blanks in a row; take them out"
         raise UnreadableError(source.path, Span(*apart.span()), why, skipped=True)
+    import configparser
+
     parser = configparser.RawConfigParser()
     parser.optionxform = str  # type: ignore[assignment,method-assign]  # as setuptools sets it
     try:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.xml.parser import Document, Element, read_xml
+from ...lazy_regex import regex
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
@@ -15,7 +16,7 @@ from .robot_file import RobotFile
 
 ROBOTS = (".urdf", ".xacro")
 WORLDS = (".sdf", ".world")
-DECLARATION = re.compile(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
+DECLARATION = regex(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
 
 
 def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Mapping
 
 from ...languages.xml.parser import Document, Element
+from ...lazy_regex import regex
 from ...source import Source, Span
 from .robot_file import LocalInclude, ResourceReference, Use
 
-NAMED = re.compile(
+NAMED = regex(
     r"package://(?P<package>[A-Za-z][A-Za-z0-9_-]*)(?P<rest>/[^\s<>\"']*)?"
     r"|\$\(find +(?P<found>[A-Za-z][A-Za-z0-9_-]*) *\)(?P<below>/[^\s<>\"']*)?"
 )
-PROPERTY = re.compile(r"\$\{ *([A-Za-z_][A-Za-z0-9_]*) *\}")
-GLOB = re.compile(r"[*?\[]")
+PROPERTY = regex(r"\$\{ *([A-Za-z_][A-Za-z0-9_]*) *\}")
+GLOB = regex(r"[*?\[]")
 
 
 def references(document: Document) -> Iterator[ResourceReference]:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...rule import rule
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
 """What both files can hold as it is, be it a good name or not."""
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakeForTargets
 from ...package.cmake.cmake_project import CMake
 from ...ros.distros import Targets
@@ -16,7 +16,7 @@ from ...rule import rule
 from ...source import Span
 
 WANTED = "3.10"
-VERSION = re.compile(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
+VERSION = regex(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
 
 
 @rule(

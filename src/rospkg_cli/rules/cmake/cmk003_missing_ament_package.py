@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...edits.cmake_commands import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
+from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
@@ -19,7 +19,7 @@ find_package(ament_cmake REQUIRED)
 ament_package()
 """
 
-MACRO = re.compile(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install)\w*package\w*")
+MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install)\w*package\w*")
 """What may be a macro around ament_package(), such as `my_team_package`."""
 
 

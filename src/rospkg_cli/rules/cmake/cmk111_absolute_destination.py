@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.install_rules import InstallRule
 from ...rule import rule
@@ -16,9 +16,9 @@ SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/sh
 HOME = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/home/ada/models»)\nament_package")
 URDF = '<robot name="my_robot">\n  <link name="base_link"/>\n</robot>\n'
 
-OUTSIDE = re.compile(r"/|~|\$ENV\{HOME\}")
-SYSTEM = re.compile(r"/(?:etc|lib/udev|(?:usr/)?lib/systemd|usr/lib/udev)(?:/|$)")
-STANDARD = re.compile(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
+OUTSIDE = regex(r"/|~|\$ENV\{HOME\}")
+SYSTEM = regex(r"/(?:etc|lib/udev|(?:usr/)?lib/systemd|usr/lib/udev)(?:/|$)")
+STANDARD = regex(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
 """A folder below the prefix, with a slash or the path of a workspace before it."""
 
 

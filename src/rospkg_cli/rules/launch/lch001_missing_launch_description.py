@@ -7,12 +7,13 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...package.file_role import role_of
 from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 from ...source import Span
 
-STARTABLE = re.compile(r"(.*[._-])?launch\.py", re.IGNORECASE)
+STARTABLE = regex(r"(.*[._-])?launch\.py", re.IGNORECASE)
 
 GOOD = """\
 from launch import LaunchDescription

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...ros.manifest import PACKAGE_NAME
 from ...rule import rule
 
 CMAKE = "cmake_minimum_required(VERSION 3.20)\nproject({0})\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
 GOOD = manifest(build_type="ament_cmake")
-TOLERATED = re.compile(r"[a-zA-Z][a-zA-Z0-9_-]*")
+TOLERATED = regex(r"[a-zA-Z][a-zA-Z0-9_-]*")
 
 
 def named(name: str) -> dict[str, str]:

@@ -7,15 +7,16 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...package.manifest import Manifest
 from ...rule import rule
 from ...source import Span
 
 GOOD = manifest()
-TODO = re.compile(
+TODO = regex(
     r"\W*(?i:TODO|TBD|FIXME|XXX|none|description|(a )?package description)\W*|\W*TODO\b.*|(?i:todo:).*", re.DOTALL
 )
-EMAIL = re.compile(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
+EMAIL = regex(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
 WANTED = "say in one sentence what the package does"
 
 

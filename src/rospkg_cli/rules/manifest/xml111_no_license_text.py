@@ -8,10 +8,11 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...ros.licenses import spdx_id
 from ...rule import Profile, rule
 
-TEXT = re.compile(r"(LICEN[CS]E|COPYING)([._-][^/]*)?|LICENSES/.+", re.IGNORECASE)
+TEXT = regex(r"(LICEN[CS]E|COPYING)([._-][^/]*)?|LICENSES/.+", re.IGNORECASE)
 USUAL = tuple(
     name + end
     for name in ("LICENSE", "LICENCE", "COPYING", "license", "License")

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
+from ...lazy_regex import regex
 from ...rule import rule
 
 GOOD = manifest(build_type="ament_cmake")
 BAD = GOOD.replace("  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")
-FAMILY = re.compile(r"(.*_)?cmake(_.*)?")
+FAMILY = regex(r"(.*_)?cmake(_.*)?")
 """ament_cmake and its parts, and what wraps it, such as autoware_cmake."""
 
 NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterContext, given_type
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
+from ...lazy_regex import regex
 from ...package.params.parameter_file import Parameter
 from ...rule import rule
 
@@ -78,7 +78,7 @@ def article(kind: str) -> str:
 
 
 INTEGERS = (("int", "double"), ("int[]", "double[]"))
-DECIMAL = re.compile(r"[+-]?(?:0|[1-9][0-9]*)")
+DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)")
 
 
 def as_double(path: str, parameter: Parameter) -> Fix | None:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
 from ...example import Example
 from ...finding import Create, Fix, Hit, Move, Safety, Severity
+from ...lazy_regex import regex
 from ...rule import rule
 from ...source import Span
 
 FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n"}
 
-MISSPELT = re.compile(r"/_{0,3}init_{0,3}\.py$")
+MISSPELT = regex(r"/_{0,3}init_{0,3}\.py$")
 
 
 @rule(

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from string import Formatter
 
+from ....lazy_regex import regex
 from ....light_dataclasses import replace
 from ....source import Span
 from .conversion import NoPythonValueError, join_texts, to_python
@@ -13,15 +14,15 @@ from .limits import STEP, spend
 from .values import Constant, PartialText, Sequence, Text, Unknown, Value
 from .values import Mapping as MappingValue
 
-PERCENT = re.compile(
+PERCENT = regex(
     r"%(?:\((?P<key>[^)]{0,200})\))?(?P<flags>[-#0 +]*)(?P<width>\d*|\*)(?:\.(?P<precision>\d*|\*))?(?P<type>.)"
 )
-WIDE = re.compile(r"\d{4}|\*")
+WIDE = regex(r"\d{4}|\*")
 """A width that could make a text of any size."""
 
 CONVERSIONS: Mapping[str, Callable[[object], str]] = {"a": ascii, "r": repr, "s": str}
 
-FIELD = re.compile(r"(?P<name>\w*)(?P<path>.*)", re.DOTALL)
+FIELD = regex(r"(?P<name>\w*)(?P<path>.*)", re.DOTALL)
 
 
 def as_text(value: Value, span: Span) -> Value:

@@ -10,12 +10,13 @@ from functools import lru_cache
 from typing import Literal
 
 from ....files import PackageFiles
+from ....lazy_regex import regex
 from .limits import ITEM, STEP, spend
 
 ROOT = "/<package>"
 """The absolute path of the package in evaluated texts."""
 
-MAGIC = re.compile(r"[*?\[]")
+MAGIC = regex(r"[*?\[]")
 
 MAX_DEPTH = 100
 """How many folders deep a search for modules or a `**` goes."""
