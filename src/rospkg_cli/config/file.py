@@ -16,6 +16,9 @@ from ..light_dataclasses import dataclass, field
 from .schema import FORMS, key_position, read_section
 from .schema import ConfigError as ConfigError
 
+Keys = tuple[str, ...]
+"""The keys that lead to a value from the top of the config: ("per-path", "src/*", "ignore", "XML104")."""
+
 MAX_TEXT = 1_000_000
 """Characters; the largest pyproject.toml that is known has a tenth of it."""
 

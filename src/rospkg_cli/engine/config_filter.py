@@ -7,15 +7,12 @@ from contextlib import suppress
 from fnmatch import fnmatch
 from pathlib import Path
 
-from ..config.file import Config, Ignores, OverrideSection
+from ..config.file import Config, Ignores, Keys, OverrideSection
 from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, field, replace
 from ..package.run_events import UnknownRuleName, UnusedSuppression
 from .run.session import Results, Session
 from .selection import codes_named
-
-Keys = tuple[str, ...]
-"""The keys that lead to a value from the top of the config: ("per-path", "src/*", "ignore", "XML104")."""
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Set
 
-from ...config.file import Config
+from ...config.file import Config, Keys
 from ...edits import toml
 from ...package.run_events import UnknownRuleName, UnusedSuppression
 from ...source import Span
 from ...suggest import nearest
-from ..config_filter import Keys
 from ..selection import codes_named, rule_names
 
 
