@@ -53,7 +53,7 @@ def test_a_project_is_only_renamed_to_what_is_a_name(name: str) -> None:
     assert repaired(files, "CMK001") == {}
     (finding,) = lint_files(files, ["CMK001"]).findings
     assert finding.fix is None
-    assert "project(" not in finding.message
+    assert f"project({name}" not in finding.message
 
 
 @pytest.mark.parametrize("script", ["b c.py", "b;c.py", "$(c).py", "b) message(hi.py", "${X}.py"])
