@@ -29,7 +29,21 @@ def module_of(node: ast.Import | ast.ImportFrom) -> str:
     return node.module or "" if isinstance(node, ast.ImportFrom) else node.names[0].name
 
 
-def wrap(path: str, span: Span, before: str, after: str) -> tuple[Edit, ...]:
-    """Write something around an expression."""
-    start, end = Span(span.start, span.start), Span(span.end, span.end)
-    return (Edit(path, start, before), Edit(path, end, after))
+def pass_through(file: PythonFile, span: Span, call: str, last: str, width: int) -> tuple[Edit, ...]:
+    """Write a call with one more argument around an expression, over several lines where one would be too long.
+
+    Nothing where a line would be too long in either way.
+    """
+    text = file.source.text
+    line = text.rfind("\n", 0, span.start) + 1
+    end = text.find("\n", span.end)
+    indent = text[line : len(text) - len(text[line:].lstrip(" \t"))]
+    around = text[line : span.start], text[span.start : span.end], text[span.end : end if end >= 0 else len(text)]
+    newline = "\r\n" if "\r\n" in text else "\n"
+    inner = f"{newline}{indent}    "
+    for before, after in ((f"{call}(", f", {last})"), (f"{call}({inner}", f",{inner}{last})")):
+        lines = (around[0] + before + around[1] + after + around[2]).split("\n")
+        if all(len(each.rstrip()) <= width for each in lines):
+            start, stop = Span(span.start, span.start), Span(span.end, span.end)
+            return (Edit(file.path, start, before), Edit(file.path, stop, after))
+    return ()

@@ -6,6 +6,7 @@ A `ParameterValue(…, value_type=str)` around it makes it a string.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from ...files import PackageFiles
@@ -24,6 +25,10 @@ from ...unreadable import UnreadableError
 PRINTS_ROBOT = ("xacro", ".urdf")
 ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
 NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode"})
+
+COMMENT = r"<!--(?:(?!-->).){0,5000}-->[ \t\r]{0,200}\n?[ \t]{0,200}"
+DROPPED = regex(rf"(?:{COMMENT}){{1,20}}(?=<xacro:)|<xacro:[^<>]*>", re.DOTALL)
+"""What xacro leaves out: its own elements, and the comments right before them. (xacro: remove_previous_comments)"""
 
 NO_PLAIN_SCALAR = regex(r":[ \t\r\n]|[ \t]#")
 """What ends a plain scalar of YAML: a colon with a blank behind it, a hash with a blank before it."""
@@ -46,15 +51,16 @@ class RobotParameter:
 
 @dataclass(frozen=True)
 class RobotDescriptions:
-    """The robot parameters of a launch file, and the robot files of its package."""
+    """The robot parameters of the launch files of a package, and its robot files."""
 
-    file: LaunchFile
+    launch: tuple[LaunchFile, ...]
     files: PackageFiles
 
-    def parameters(self) -> Iterator[tuple[RobotParameter, str]]:
+    def parameters(self) -> Iterator[tuple[LaunchFile, RobotParameter, str]]:
         """Yield each parameter with the file of the package that YAML can't read; "" where none is known."""
-        for each in robot_parameters(self.file.evaluated) if self.file.evaluated else ():
-            yield each, next(self.files_unlike_yaml(each.robot), "")
+        for file in self.launch:
+            for each in robot_parameters(file.evaluated) if file.evaluated else ():
+                yield file, each, next(self.files_unlike_yaml(each.robot), "")
 
     def files_unlike_yaml(self, name: str) -> Iterator[str]:
         """Yield the files of a robot that hold what YAML can't read, from the one of this name on."""
@@ -64,7 +70,7 @@ class RobotDescriptions:
             for path in self.files.paths:
                 if path.rpartition("/")[2] == current:
                     text = self.text(path)
-                    if NO_PLAIN_SCALAR.search(text):
+                    if NO_PLAIN_SCALAR.search(printed(text)):
                         yield path
                     found = [each for each in INCLUDED.findall(text) if each not in seen]
                     seen.update(found)
@@ -75,6 +81,11 @@ class RobotDescriptions:
             return self.files.source(path).text
         except UnreadableError:
             return ""
+
+
+def printed(text: str) -> str:
+    """Return what xacro prints of a file, as far as it passes over comments and its own elements."""
+    return DROPPED.sub("", text) if "<xacro:" in text else text
 
 
 def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
