@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.after_ament_package import MisplacedCommand, commands_after_ament_package
+from ...checks.cmake.after_ament_package import ENDS, MisplacedCommand, commands_after_ament_package
 from ...edits.cmake_commands import add_at_end, remove
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -56,10 +56,10 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
 
 
 def move_to_end(package: CMakePackage, late: MisplacedCommand) -> Fix | None:
-    """Return the fix, where the call is alone in its lines and outside of any block."""
+    """Return the fix, where the call is alone in its lines, outside of any block, and the only one that ends."""
     file = package.cmake.root
     command = late.end.command
-    again = [call for call in package.cmake.named(late.end.name) if call is not late.end]
+    again = [call for call in package.cmake.named(*ENDS) if call is not late.end]
     taken = remove(file, command)
     if command not in file.body or taken.span == command.span or again:
         return None
