@@ -44,8 +44,13 @@ def missing_debian_packages() -> str:
     return f"needs the Debian packages {', '.join(missing)} (see .ci/debian-packages.txt)" if missing else ""
 
 
+@pytest.fixture(scope="session")
+def mypy_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("mypy-cache")
+
+
 @pytest.fixture
-def shell(tmp_path: Path) -> Shell:
+def shell(tmp_path: Path, mypy_cache: Path) -> Shell:
     """A shell with a home and a git identity of its own; without PYTHON*, ROS_*, AMENT_*, COLCON_* and GIT_*."""
     home = tmp_path / "home"
     home.mkdir()
@@ -53,7 +58,8 @@ def shell(tmp_path: Path) -> Shell:
     kept = {n: v for n, v in os.environ.items() if n in PASSED_ON or n.startswith(PASSED_ON_PREFIXES)}
     git = str(Path(shutil.which("git") or "/usr/bin/git").parent)
     folders = dict.fromkeys(("/usr/local/bin", "/usr/bin", "/bin", git))
-    return Shell({**kept, "HOME": str(home), "GIT_CONFIG_NOSYSTEM": "1", "PATH": os.pathsep.join(folders)})
+    own = {"HOME": str(home), "GIT_CONFIG_NOSYSTEM": "1", "MYPY_CACHE_DIR": str(mypy_cache)}
+    return Shell({**kept, **own, "PATH": os.pathsep.join(folders)})
 
 
 def tools(make: Callable[[], Path]) -> Path:
