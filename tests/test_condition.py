@@ -73,7 +73,7 @@ def test_a_fault_is_shown_where_it_is(text: str, at: int) -> None:
 
 
 def test_deep_parentheses_are_refused() -> None:
-    with pytest.raises(SyntaxProblemError, match="parentheses"):
+    with pytest.raises(SyntaxProblemError, match="CONDITION_DEPTH"):
         parse_condition("(" * 5000)
 
 

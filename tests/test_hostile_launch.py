@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
@@ -66,7 +67,7 @@ def test_xml_that_is_too_large_is_skipped(text: str) -> None:
     with pytest.raises(UnreadableError) as caught:
         read_xml(Source("a.xml", text))
     assert caught.value.unreadable.skipped
-    assert caught.value.unreadable.message.startswith("`a.xml` is skipped: ")
+    assert what_is_wrong(caught.value.unreadable).startswith("`a.xml` is skipped: ")
 
 
 def test_an_option_of_blanks_is_skipped() -> None:

@@ -39,6 +39,7 @@ FLOORS = (
         "gitignore",
         "search_path",
         "disk_trace",
+        "read_problem",
     },
     {"tree", "absent_paths", "finding", "unreadable"},
     {"fence", "files"},
@@ -83,7 +84,7 @@ def test_a_rule_imports_only_what_it_may(name: str) -> None:
     assert not {i for i in imports(name) if i not in allowed and i.partition(".")[0] not in rooms}
 
 
-TEXTS = {"lazy_regex", "light_dataclasses", "source", "encoding", "tree", "files", "unreadable"}
+TEXTS = {"lazy_regex", "light_dataclasses", "read_problem", "source", "encoding", "tree", "files", "unreadable"}
 ROOMS = {
     "languages": TEXTS,
     "package": {*TEXTS, "languages", "ros", "suggest", "resources"},

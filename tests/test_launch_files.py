@@ -6,6 +6,7 @@ import pytest
 
 from rospkg_cli.checks.launch.entity_schema import entity_faults
 from rospkg_cli.checks.launch.package_references import package_references
+from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.launch.text import LaunchText
@@ -313,7 +314,7 @@ def test_yaml_that_unfolds_without_end_is_refused() -> None:
         f"{chr(98 + i)}: &{chr(98 + i)} [{', '.join(['*' + chr(97 + i)] * 9)}]\n" for i in range(8)
     )
     (broken,) = Package(PackageFiles(MemoryTree.of({"launch/a.yaml": laughs}))).parts(LaunchFile).broken
-    assert "too" in broken.message
+    assert "too" in what_is_wrong(broken)
 
 
 def test_each_round_of_a_loop_makes_its_own() -> None:

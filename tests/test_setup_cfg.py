@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reading import one, package
 
+from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.package.setup.setup_cfg import OPTION, SetupCfg, parse_setup_cfg
 from rospkg_cli.source import Source
 from rospkg_cli.unreadable import UnreadableError
@@ -96,7 +97,7 @@ def squeezed(value: str) -> str:
 def test_what_configparser_refuses(text: str, at: str, why: str) -> None:
     (broken,) = package({"setup.cfg": text}).parts(SetupCfg).broken
     assert text[broken.span.start : broken.span.end] == at
-    assert why in broken.message
+    assert why in what_is_wrong(broken)
 
 
 def test_an_option_is_found_in_one_pass() -> None:
@@ -119,4 +120,4 @@ def test_a_file_that_is_too_long_is_skipped_and_that_is_said() -> None:
     with pytest.raises(UnreadableError) as caught:
         parse_setup_cfg(Source("setup.cfg", "[a]\n" + "b\n" * 100_000))
     assert caught.value.unreadable.skipped
-    assert "200,000 characters" in caught.value.unreadable.message
+    assert "200,000 characters" in what_is_wrong(caught.value.unreadable)

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.languages.xml.parser import MAX_DEPTH, Document, read_xml
 from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
@@ -50,7 +51,7 @@ def read(text: str) -> Document:
 def complaint(text: str) -> tuple[Span, str]:
     with pytest.raises(UnreadableError) as caught:
         read(text)
-    return caught.value.unreadable.span, caught.value.unreadable.message
+    return caught.value.unreadable.span, what_is_wrong(caught.value.unreadable)
 
 
 @given(elements())
@@ -100,7 +101,7 @@ def test_any_text_is_read_or_refused(text: str) -> None:
     found = refusal(text)
     if found:
         assert 0 <= found.span.start <= found.span.end <= len(text)
-        assert found.message.startswith("`package.xml`")
+        assert what_is_wrong(found).startswith("`package.xml`")
 
 
 @settings(max_examples=150)

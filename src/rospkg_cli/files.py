@@ -9,6 +9,7 @@ from typing import Generic, Protocol, TypeVar
 
 from .absent_paths import AbsentPaths
 from .light_dataclasses import dataclass
+from .read_problem import ReadProblem
 from .source import Source, Span
 from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
 from .unreadable import Unreadable, UnreadableError
@@ -108,12 +109,15 @@ class PackageFiles:
             try:
                 text = self.tree.entry(path).text.text
             except UnicodeError as error:
-                raise UnreadableError(path, Span(0, 0), unreadable_bytes(path, error)) from None
+                raise undecodable(path, error) from None
             except SkippedError as error:
                 outside = isinstance(error, LeadsOutError)
-                raise UnreadableError(path, Span(0, 0), str(error), skipped=True, outside=outside) from None
+                raise UnreadableError(
+                    path, Span(0, 0), ReadProblem.SKIPPED, str(error), skipped=True, outside=outside
+                ) from None
             except OSError as error:
-                raise UnreadableError(path, Span(0, 0), f"`{path}` can't be read: {error.strerror or error}") from None
+                why = str(error.strerror or error)
+                raise UnreadableError(path, Span(0, 0), ReadProblem.NO_ACCESS, why) from None
             self._sources[path] = Source(path, text)
         return self._sources[path]
 
@@ -138,10 +142,10 @@ def folders_of(paths: Iterable[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def unreadable_bytes(path: str, error: UnicodeError) -> str:
+def undecodable(path: str, error: UnicodeError) -> UnreadableError:
     if isinstance(error, UnicodeDecodeError):
-        return f"`{path}` is not valid {error.encoding} (byte {error.start}); save it as UTF-8"
-    return f"`{path}`: {error}"
+        return UnreadableError(path, Span(0, 0), ReadProblem.ENCODING, error.encoding, str(error.start))
+    return UnreadableError(path, Span(0, 0), ReadProblem.UNDECODABLE, str(error))
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .light_dataclasses import dataclass
+from .read_problem import ReadProblem
 from .source import Span
 
 
@@ -10,7 +11,9 @@ from .source import Span
 class Unreadable:
     path: str
     span: Span
-    message: str
+    code: ReadProblem
+    details: tuple[str, ...] = ()
+    """What the sentence on the problem names."""
     grammar: bool = False
     """The text may be right for a Python newer than the one that runs us."""
     skipped: bool = False
@@ -26,11 +29,11 @@ class UnreadableError(Exception):
         self,
         path: str,
         span: Span,
-        message: str,
-        *,
+        code: ReadProblem,
+        *details: str,
         grammar: bool = False,
         skipped: bool = False,
         outside: bool = False,
     ) -> None:
-        super().__init__(message)
-        self.unreadable = Unreadable(path, span, message, grammar, skipped, outside)
+        super().__init__(code.name, *details)
+        self.unreadable = Unreadable(path, span, code, details, grammar, skipped, outside)

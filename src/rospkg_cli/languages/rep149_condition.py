@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..read_problem import ReadProblem
 from ..source import Span
 from .syntax_problem import SyntaxProblem, SyntaxProblemError
 
@@ -79,6 +80,9 @@ class Junction:
 
 Condition = Comparison | Junction
 
+MAX_DEPTH = 50
+"""Of parentheses."""
+
 
 @lru_cache(maxsize=512)
 def parse_condition(text: str) -> Condition:
@@ -86,7 +90,7 @@ def parse_condition(text: str) -> Condition:
     parser = ConditionParser(text)
     found = parser.junction("or")
     if parser.kind:
-        raise parser.error(f"`{parser.token}` is not expected", parser.at, len(parser.token))
+        raise parser.error(ReadProblem.CONDITION_TOKEN, parser.at, parser.token)
     return found
 
 
@@ -135,15 +139,15 @@ class ConditionParser:
             rest = self.text[self.end :]
             if rest.strip():
                 first = rest.split()[0]
-                raise self.error(f"`{first}` is not expected", self.end + len(rest) - len(rest.lstrip()), len(first))
+                raise self.error(ReadProblem.CONDITION_TOKEN, self.end + len(rest) - len(rest.lstrip()), first)
             self.kind = self.token = ""
             return
         self.kind = match.lastgroup or ""
         self.token, self.at, self.end = match.group(self.kind), match.start(self.kind), match.end()
 
-    def error(self, message: str, at: int, length: int = 0) -> SyntaxProblemError:
-        """Return what to raise for a piece of the text."""
-        return SyntaxProblemError(SyntaxProblem(Span(at, at + length), message))
+    def error(self, code: ReadProblem, at: int, token: str = "") -> SyntaxProblemError:
+        """Return what to raise for a token, or a place where one is missing."""
+        return SyntaxProblemError(SyntaxProblem(Span(at, at + len(token)), code, (token,)))
 
     def junction(self, word: str) -> Condition:
         parts = [self.part(word)]
@@ -158,12 +162,14 @@ class ConditionParser:
         if self.token != "(" or self.kind != "paren":
             return self.comparison()
         self.depth += 1
-        if self.depth > 50:
-            raise self.error("more than 50 parentheses", self.at)
+        if self.depth > MAX_DEPTH:
+            raise SyntaxProblemError(
+                SyntaxProblem(Span(self.at, self.at), ReadProblem.CONDITION_DEPTH, (str(MAX_DEPTH),))
+            )
         self.step()
         found = self.junction("or")
         if (self.kind, self.token) != ("paren", ")"):
-            raise self.error("`)` is missing", self.at)
+            raise self.error(ReadProblem.CONDITION_PARENTHESIS, self.at)
         self.depth -= 1
         self.step()
         return found
@@ -171,14 +177,14 @@ class ConditionParser:
     def comparison(self) -> Comparison:
         left = self.operand()
         if self.kind != "op":
-            raise self.error("a comparison (`==`, `!=`, `<`, `<=`, `>`, `>=`) is missing", self.at)
+            raise self.error(ReadProblem.CONDITION_COMPARISON, self.at)
         sign = self.token
         self.step()
         return Comparison(left, sign, self.operand())
 
     def operand(self) -> Operand:
         if self.kind not in ("variable", "quoted", "literal", "word"):  # `and` is a value where one is wanted
-            raise self.error("a `$VARIABLE` or a value is missing", self.at)
+            raise self.error(ReadProblem.CONDITION_VALUE, self.at)
         text = {"variable": self.token[1:], "quoted": self.token[1:-1]}.get(self.kind, self.token)
         found = Operand(text, self.kind == "variable", self.kind == "quoted", self.at)
         self.step()

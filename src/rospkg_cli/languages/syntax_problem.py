@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..light_dataclasses import dataclass
+from ..read_problem import ReadProblem
 from ..source import Span
 
 
@@ -11,12 +12,13 @@ class SyntaxProblem:
     """An error that the language's own parser would report too; offsets are those of the parsed text."""
 
     span: Span
-    message: str
+    code: ReadProblem
+    details: tuple[str, ...] = ()
 
 
 class SyntaxProblemError(ValueError):
     """Raised by parsers that stop at the first problem."""
 
     def __init__(self, problem: SyntaxProblem) -> None:
-        super().__init__(problem.message)
+        super().__init__(problem.code.name, *problem.details)
         self.problem = problem

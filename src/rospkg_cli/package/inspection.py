@@ -89,7 +89,7 @@ def launch_files(package: Package) -> tuple[LaunchFile, ...]:
 
 def unread(build_type: str, broken: list[Unreadable]) -> InstallTable:
     """Return the table of a package of which nothing is known, and why."""
-    why = broken[0].message if broken else f"how a package of build type `{build_type}` is installed is not known here"
+    why = broken[0] if broken else f"build type `{build_type}` is not known here"
     path, span = (broken[0].path, broken[0].span) if broken else ("package.xml", NOWHERE)
     return InstallTable((), tuple(UnknownPart(what, why, path, span) for what in EVERYTHING))
 

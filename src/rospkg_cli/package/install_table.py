@@ -8,6 +8,7 @@ from typing import Literal
 from ..languages.cmake.call_stack import PYTHON as PYTHON
 from ..light_dataclasses import dataclass
 from ..source import Span
+from ..unreadable import Unreadable
 from .package_facts import NOWHERE
 
 InstallKind = Literal["executable", "share", "module", "library", "header", "other"]
@@ -38,7 +39,8 @@ class UnknownPart:
     """A part of the table that is unknown."""
 
     what: InstallKind
-    why: str
+    why: str | Unreadable
+    """The part of a sentence, or the file that would tell."""
     path: str
     span: Span
 

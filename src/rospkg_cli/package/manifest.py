@@ -9,6 +9,7 @@ from ..files import ReaderInput
 from ..languages.rep149_condition import may_hold
 from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
 from ..light_dataclasses import dataclass
+from ..read_problem import ReadProblem
 from ..ros.distros import Targets
 from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
 from ..source import Source, Span
@@ -186,6 +187,5 @@ def manifest_of(source: Source) -> Manifest:
     document = read_xml(source)
     root = document.root
     if root.tag != "package":
-        why = f"`{source.path}` describes no package: its root element is `<{root.tag}>`, not `<package>`"
-        raise UnreadableError(source.path, root.open, why)
+        raise UnreadableError(source.path, root.open, ReadProblem.NO_PACKAGE, root.tag)
     return Manifest(document)

@@ -8,6 +8,7 @@ from typing import Any, TypeVar, cast
 
 from ..files import PackageFiles, ReadModels
 from ..light_dataclasses import dataclass
+from ..read_problem import ReadProblem
 from ..source import Span
 from ..unreadable import Unreadable, UnreadableError
 from .readers import READERS, readers_of
@@ -53,7 +54,8 @@ class Package:
             broken.append(error.unreadable)
         except Exception:  # a fault of ours in one reader leaves the package's other models as they are
             self.crashes[kind.__name__] = traceback.format_exc()
-            return ReadModels((), (Unreadable("package.xml", Span(0, 0), f"the reader of {kind.__name__} failed"),))
+            crash = Unreadable("package.xml", Span(0, 0), ReadProblem.READER_CRASH, (kind.__name__,))
+            return ReadModels((), (crash,))
         return ReadModels(tuple(good), tuple(broken))
 
     def unreadable(self, paths: Iterable[str] = ()) -> list[Unreadable]:

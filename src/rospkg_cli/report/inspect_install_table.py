@@ -7,6 +7,7 @@ from pathlib import PurePosixPath
 from typing import IO, Any
 
 from .. import __version__
+from ..checks.read_sentences import why_unknown
 from ..control_characters import visible, without_workflow_commands
 from ..package.inspection import Inspection
 from ..package.install_table import PYTHON, InstalledFile, InstallKind
@@ -83,7 +84,7 @@ def not_known(inspection: Inspection) -> Iterator[str]:
     reasons: dict[str, list[str]] = {}
     for each in inspection.table.unknown:
         line, _ = inspection.position(each.path, each.span.start)
-        reasons.setdefault(f"{each.why} ({each.path}:{line})", []).append(TITLES[each.what])
+        reasons.setdefault(f"{why_unknown(each)} ({each.path}:{line})", []).append(TITLES[each.what])
     return (f"{', '.join(dict.fromkeys(titles))}: {reason}" for reason, titles in reasons.items())
 
 
@@ -130,7 +131,7 @@ def document(inspection: Inspection, root: str) -> dict[str, Any]:
         "interfaces": list(inspection.interfaces),
         "launch_files": [launch_document(file, at) for file in inspection.launch],
         "unknown": [
-            {"what": each.what, "why": each.why, "said": at(each.path, each.span.start)}
+            {"what": each.what, "why": why_unknown(each), "said": at(each.path, each.span.start)}
             for each in inspection.table.unknown
         ],
     }

@@ -10,6 +10,7 @@ from ...package.launch.text import Substitution
 from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
 from ...suggest import did_you_mean, nearest
 from ..fault import Fault
+from ..read_sentences import syntax_sentence
 
 
 def entity_faults(file: LaunchFile) -> Iterator[Fault]:
@@ -17,7 +18,7 @@ def entity_faults(file: LaunchFile) -> Iterator[Fault]:
     if file.root is None or file.is_ros1:
         return
     for problem in file.syntax_problems:
-        yield Fault(problem.span, problem.message)
+        yield Fault(problem.span, syntax_sentence(problem))
     for child in file.root.children:
         yield from action_faults(child)
     for each in file.substitutions:

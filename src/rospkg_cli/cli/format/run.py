@@ -7,6 +7,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
+from ...checks.read_sentences import what_is_wrong
 from ...config.file import find_config
 from ...control_characters import visible
 from ...current_folder import common_folder, current_folder
@@ -37,7 +38,7 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     tree = DiskTree(located.root, located.scope.folders)
     changes, broken = changes_of(tree, sorted(located.scope.selected))
     for path, unreadable in broken.items():
-        say(f"{relative(located.root / path)}: {unreadable.message}; it is left alone")
+        say(f"{relative(located.root / path)}: {what_is_wrong(unreadable)}; it is left alone")
     if diff:
         sys.stdout.writelines(unified(tree, changes))
     elif not check:

@@ -6,6 +6,7 @@ import traceback
 from collections.abc import Iterable, Mapping, Sequence, Set
 from zlib import crc32
 
+from ...checks.read_sentences import what_is_wrong
 from ...files import PackageFiles
 from ...finding import Finding
 from ...light_dataclasses import dataclass
@@ -131,6 +132,7 @@ def unreadable_files(tree: Tree, folders: set[str], paths: Iterable[str]) -> dic
         prefix = folder + "/" if folder else ""
         package = Package(PackageFiles(tree.sub(folder), folder))
         found |= {
-            prefix + each.path: each.message for each in package.unreadable(p for p in paths if p.startswith(prefix))
+            prefix + each.path: what_is_wrong(each)
+            for each in package.unreadable(p for p in paths if p.startswith(prefix))
         }
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ..syntax_problem import SyntaxProblem
 from .syntax import CommandInvocation
 
@@ -75,12 +76,10 @@ def may_have_alternative(block: Block) -> bool:
 def misplaced(command: CommandInvocation, stack: Sequence[Block]) -> SyntaxProblem:
     if not stack:
         wanted = OPENED_BY.get(command.name, "if")
-        return SyntaxProblem(command.name_span, f"`{command.name}` is outside of any `{wanted}`")
+        return SyntaxProblem(command.name_span, ReadProblem.CMAKE_OUTSIDE, (command.name, wanted))
     opened = stack[-1].command.name
-    return SyntaxProblem(command.name_span, f"`{command.name}` is where `{CLOSED_BY[opened]}` should close `{opened}`")
+    return SyntaxProblem(command.name_span, ReadProblem.CMAKE_WRONG_END, (command.name, CLOSED_BY[opened], opened))
 
 
 def unclosed(command: CommandInvocation) -> SyntaxProblem:
-    return SyntaxProblem(
-        command.name_span, f"`{command.name}` is never closed: `{CLOSED_BY[command.name]}()` is missing"
-    )
+    return SyntaxProblem(command.name_span, ReadProblem.CMAKE_OPEN_BLOCK, (command.name, CLOSED_BY[command.name]))

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..syntax_problem import SyntaxProblem
@@ -83,8 +84,7 @@ def read_file(files: PackageFiles, path: str) -> CMakeFile:
     """Read one file; raises UnreadableError at the first place that CMake would refuse, and for one too large."""
     source = files.source(path)
     if len(source.text) > MAX_LENGTH:
-        message = f"`{path}` is not read: it has more than {MAX_LENGTH:,} characters; split what is generated in it off"
-        raise UnreadableError(path, Span(0, 0), message, skipped=True)
+        raise UnreadableError(path, Span(0, 0), ReadProblem.CMAKE_LENGTH, f"{MAX_LENGTH:,}", skipped=True)
     syntax = parse(source)
     body, problems = nest(syntax.commands)
     raise_first(path, syntax.problems or tuple(problems))
@@ -94,7 +94,7 @@ def read_file(files: PackageFiles, path: str) -> CMakeFile:
 def raise_first(path: str, problems: tuple[SyntaxProblem, ...]) -> None:
     if problems:
         first = problems[0]
-        raise UnreadableError(path, first.span, f"`{path}` is not valid CMake: {first.message}")
+        raise UnreadableError(path, first.span, first.code, *first.details)
 
 
 def assigned_names(file: CMakeFile) -> Iterator[str]:

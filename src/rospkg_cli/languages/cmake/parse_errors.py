@@ -1,31 +1,36 @@
-"""Messages for syntax errors of CMake files."""
+"""What is wrong where a CMake file has a syntax error."""
 
 from __future__ import annotations
 
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from .lexer import CMakeToken
 
 CONFLICT = regex(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
 
 
-def unexpected(token: CMakeToken, fresh: bool) -> str:
+Found = tuple[ReadProblem, str]
+"""A problem and its detail."""
+
+
+def unexpected(token: CMakeToken, fresh: bool) -> Found:
     if CONFLICT.match(token.text):
-        return f"`{token.text[:7]}` is left from a merge conflict"
+        return ReadProblem.CMAKE_CONFLICT, token.text[:7]
     if token.kind == "bad" and len(token.text) > 1:
         return unclosed(token)
     if not fresh:
-        return f"`{token.text}` follows a command in the same line: CMake wants a new line for each command"
+        return ReadProblem.CMAKE_SAME_LINE, token.text
     if token.kind == ")":
-        return "`)` closes nothing"
-    return f"`{token.text}` is where a command should begin"
+        return ReadProblem.CMAKE_CLOSES_NOTHING, token.text
+    return ReadProblem.CMAKE_NO_COMMAND, token.text
 
 
-def unclosed(token: CMakeToken) -> str:
+def unclosed(token: CMakeToken) -> Found:
     match token.text[:1]:
         case '"':
-            return '`"` is never closed'
+            return ReadProblem.CMAKE_OPEN_QUOTE, token.text[0]
         case "[" | "#":
             opening = token.text[: token.text.index("[", token.text.index("[") + 1) + 1]
-            return f"`{opening}` is never closed"
+            return ReadProblem.CMAKE_OPEN_BRACKET, opening
         case _:
-            return f"`{token.text}` is not a character that CMake allows here"
+            return ReadProblem.CMAKE_CHARACTER, token.text

@@ -11,6 +11,7 @@ from typing import Literal
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ..syntax_problem import SyntaxProblem
 from .lexer import CMakeToken, tokens
@@ -105,7 +106,7 @@ class CMakeParser:
                     if (resume := self.command(token)) is not None:
                         return resume
                 case _:
-                    return self.fault(token, unexpected(token, fresh))
+                    return self.fault(token, *unexpected(token, fresh))
         return len(self.source.text)
 
     def note(self, token: CMakeToken) -> None:
@@ -116,7 +117,7 @@ class CMakeParser:
         """Read the arguments behind a name; return where to continue after an error, None where there is none."""
         opened = next((token for token in self.stream if token.kind != "space"), None)
         if opened is None or opened.kind != "(":
-            return self.fault(name, f"`{name.text}` is followed by no `(`: a command is `name(arguments)`")
+            return self.fault(name, ReadProblem.CMAKE_NO_PARENTHESIS, name.text)
         arguments: list[CommandArgument] = []
         depth, before = 0, "space"
         for token in self.stream:
@@ -126,25 +127,24 @@ class CMakeParser:
                 self.commands.append(CommandInvocation(name.text.lower(), name.span, span, tuple(arguments), inner))
                 return None
             if token.kind == "bad":
-                return self.fault(token, unclosed(token))
+                return self.fault(token, *unclosed(token))
             if lacks_blank(before, token.kind):
-                return self.fault(token, "a blank is missing before this argument")
+                return self.fault(token, ReadProblem.CMAKE_NO_BLANK)
             depth += {"(": 1, ")": -1}.get(token.kind, 0)
             before = token.kind
             self.note(token)
             if token.kind not in BLANK:
                 arguments.append(argument_of(token))
-        return self.fault(
-            CMakeToken("bad", name.text + "(", name.start), f"`{name.text}(` is never closed: a `)` is missing"
-        )
+        opening = CMakeToken("bad", name.text + "(", name.start)
+        return self.fault(opening, ReadProblem.CMAKE_OPEN_PARENTHESIS, name.text)
 
-    def fault(self, token: CMakeToken, message: str) -> int:
+    def fault(self, token: CMakeToken, code: ReadProblem, *details: str) -> int:
         """Record a problem; return the offset of the next line that looks like a command."""
         start = token.start
         if (opening := self.swallowing(start)) is not None:
-            start, message = opening, '`"` is never closed: the string goes on into the next command'
+            start, code, details = opening, ReadProblem.CMAKE_OPEN_QUOTE_BEFORE, ()
         length = len(token.text.split("\n", 1)[0]) if start == token.start else 1
-        self.problems.append(SyntaxProblem(Span(start, start + max(length, 1)), message))
+        self.problems.append(SyntaxProblem(Span(start, start + max(length, 1)), code, details))
         again = COMMAND_LINE.search(self.source.text, self.source.text.find("\n", start) + 1 or len(self.source.text))
         resume = again.start() if again else len(self.source.text)
         self.reread += max(0, self.read_to - resume)

@@ -15,6 +15,7 @@ from typing import Protocol
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table
@@ -87,7 +88,7 @@ def parse(source: Source) -> ast.Module:
     With `skipped` where it is too large, or nested too deeply, for what visits the tree.
     """
     if is_too_large(source.text):
-        raise skipped_file(source, f"it has more than {MAX_TOKENS:,} tokens; leave generated files out with `exclude`")
+        raise skipped_file(source, ReadProblem.PYTHON_LENGTH, f"{MAX_TOKENS:,}")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -95,13 +96,11 @@ def parse(source: Source) -> ast.Module:
     except SyntaxError as error:
         raise syntax_error(source, error) from None
     except (RecursionError, MemoryError):
-        raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is nested too deeply to be read") from None
+        raise UnreadableError(source.path, Span(0, 0), ReadProblem.PYTHON_TOO_DEEP) from None
     except ValueError as error:
-        raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is not Python: {error}") from None
+        raise UnreadableError(source.path, Span(0, 0), ReadProblem.PYTHON_VALUE, str(error)) from None
     if is_too_deep(tree):
-        raise skipped_file(
-            source, f"its code is nested deeper than {MAX_DEPTH} levels; spread it over several statements"
-        )
+        raise skipped_file(source, ReadProblem.PYTHON_DEPTH, str(MAX_DEPTH))
     return tree
 
 
@@ -116,8 +115,8 @@ def parsed_without_collector(source: Source) -> ast.Module:
             gc.enable()
 
 
-def skipped_file(source: Source, why: str) -> UnreadableError:
-    return UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
+def skipped_file(source: Source, code: ReadProblem, most: str) -> UnreadableError:
+    return UnreadableError(source.path, Span(0, 0), code, most, skipped=True)
 
 
 def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
@@ -125,7 +124,5 @@ def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
     starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
     line = min(max(error.lineno or 1, 1), len(starts))
     start = min(starts[line - 1] + max((error.offset or 1) - 1, 0), len(source.text))
-    message = f"`{source.path}` is not valid Python: {error.msg}"
-    return UnreadableError(
-        source.path, Span(start, min(start + 1, len(source.text))), message, grammar=needs_newer(source.text)
-    )
+    span, is_newer = Span(start, min(start + 1, len(source.text))), needs_newer(source.text)
+    return UnreadableError(source.path, span, ReadProblem.PYTHON_SYNTAX, str(error.msg), grammar=is_newer)

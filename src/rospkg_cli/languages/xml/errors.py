@@ -1,4 +1,4 @@
-"""Messages for XML that is not well formed."""
+"""What is wrong where XML is not well formed."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from xml.parsers import expat
 
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from ...source import Source
 
 CONFLICT = regex(r"^(<<<<<<<|>>>>>>>)(?= |$)", re.MULTILINE)
@@ -17,37 +18,38 @@ JUNK = Code[expat.errors.XML_ERROR_JUNK_AFTER_DOC_ELEMENT]
 INVALID = Code[expat.errors.XML_ERROR_INVALID_TOKEN]
 DECLARATION = Code[expat.errors.XML_ERROR_MISPLACED_XML_PI]
 
+Found = tuple[ReadProblem] | tuple[ReadProblem, str] | tuple[ReadProblem, str, str]
+"""A problem and its details."""
 
-def describe_error(source: Source, code: int, at: int, inside: str, opened: int) -> tuple[int, str]:
-    """Return the offset and the message of an error; expat reports `code` at `at`, inside a tag opened earlier.
+
+def describe_error(source: Source, code: int, at: int, inside: str, opened: int) -> tuple[int, Found]:
+    """Return the offset and the problem of an error; expat reports `code` at `at`, inside a tag opened earlier.
 
     A merge conflict is reported as such, where it begins, in preference to other errors.
     """
     conflict = CONFLICT.search(source.text)
     if conflict:
-        return conflict.start(), f"`{source.path}` holds a merge conflict (`{conflict.group()}`); resolve it"
+        return conflict.start(), (ReadProblem.XML_CONFLICT, conflict.group())
     at = max(at, 0)
     if code in UNCLOSED and inside:
-        at, why = opened, f"`<{inside}>` is never closed"
-    else:
-        why = explain_code(source.text, code, at, inside)
-    return at, f"`{source.path}` is not well-formed XML: {why}"
+        return opened, (ReadProblem.XML_OPEN, inside)
+    return at, problem_of(source.text, code, at, inside)
 
 
-def explain_code(text: str, code: int, at: int, inside: str) -> str:
+def problem_of(text: str, code: int, at: int, inside: str) -> Found:
     around = text[max(0, at - 40) : at + 1].rpartition("\n")[2]
     if not text.strip():
-        return "the file is empty"
+        return (ReadProblem.XML_EMPTY,)
     if code == MISMATCH:
         found = re.match(r"[^\s<>/]*", text[at:])
-        return f"`<{inside}>` is closed by `</{found.group() if found else ''}>`"
+        return ReadProblem.XML_MISMATCH, inside, found.group() if found else ""
     if code == JUNK:
-        return "something follows after the end of the root element"
+        return (ReadProblem.XML_AFTER_ROOT,)
     if code == DECLARATION:
-        return "the `<?xml …?>` line must be the very first of the file"
+        return (ReadProblem.XML_DECLARATION,)
     if code == INVALID and re.search(r"&[^;\s<>]*[^;]?$", around):
-        return "a lone `&`; write `&amp;`"
+        return (ReadProblem.XML_AMPERSAND,)
     if code == INVALID and inside and re.search(r"<[^/!?\w]?$", around):
-        return f"a `<` that begins no tag, inside `<{inside}>`; write `&lt;`"
+        return ReadProblem.XML_LESS_THAN, inside
     said = expat.ErrorString(code).replace("not well-formed (invalid token)", "an unexpected character")
-    return said + (f", inside `<{inside}>`" if inside else "")
+    return (ReadProblem.XML_OTHER_INSIDE, said, inside) if inside else (ReadProblem.XML_OTHER, said)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from xml.parsers import expat
 
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import char_table
@@ -54,7 +55,7 @@ class XmlParser:
 
     def read(self) -> Document:
         if (at := self.source.text.find("\0")) >= 0:  # expat would guess another encoding from it
-            self.fail(at, f"`{self.source.path}` is not well-formed XML: it holds a NUL character; save it as UTF-8")
+            self.fail(at, ReadProblem.XML_NUL)
         parser = self.parser
         parser.buffer_text = True
         parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
@@ -65,11 +66,9 @@ class XmlParser:
             parser.Parse(self.data, True)
         except expat.ExpatError as error:
             inside = self.stack[-1]
-            self.fail(
-                *describe_error(
-                    self.source, error.code, self.char(parser.ErrorByteIndex), inside.tag, inside.span.start
-                )
-            )
+            at = self.char(parser.ErrorByteIndex)
+            at, problem = describe_error(self.source, error.code, at, inside.tag, inside.span.start)
+            self.fail(at, *problem)
         return Document(self.source, self.stack[0].children[0], self.instructions, self.comments)
 
     def char(self, byte: int) -> int:
@@ -79,28 +78,27 @@ class XmlParser:
     def at(self) -> int:
         return self.char(self.parser.CurrentByteIndex)
 
-    def fail(self, at: int, why: str) -> None:
+    def fail(self, at: int, code: ReadProblem, *details: str) -> None:
         at = max(0, min(at, len(self.source.text)))
-        raise UnreadableError(self.source.path, Span(at, min(at + 1, len(self.source.text))), why)
+        raise UnreadableError(self.source.path, Span(at, min(at + 1, len(self.source.text))), code, *details)
 
-    def skip(self, at: int, why: str) -> None:
-        message = f"`{self.source.path}` is skipped: {why}"
-        raise UnreadableError(self.source.path, Span(at, at + 1), message, skipped=True)
+    def skip(self, at: int, code: ReadProblem, *details: str) -> None:
+        raise UnreadableError(self.source.path, Span(at, at + 1), code, *details, skipped=True)
 
     def count(self, at: int) -> None:
         """Refuse more elements and comments than readers can process in some seconds."""
         self.elements += 1
         if self.elements > MAX_ELEMENTS:
-            self.skip(at, f"it has more than {MAX_ELEMENTS:,} elements; leave generated files out with `exclude`")
+            self.skip(at, ReadProblem.XML_LENGTH, f"{MAX_ELEMENTS:,}")
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         at = self.at
         if len(attributes) > MAX_ATTRIBUTES:
-            self.skip(at, f"`<{tag[:40]}>` has more than {MAX_ATTRIBUTES:,} attributes")
+            self.skip(at, ReadProblem.XML_ATTRIBUTES, tag[:40], f"{MAX_ATTRIBUTES:,}")
         found, end = start_tag(self.source.text, at + 1 + len(tag), attributes)
         element = Element(tag, Span(at, end), Span(at, end), Span(end, end), found)
         if len(self.stack) > MAX_DEPTH:
-            self.fail(at, f"`{self.source.path}` is nested deeper than {MAX_DEPTH} elements")
+            self.fail(at, ReadProblem.XML_DEPTH, str(MAX_DEPTH))
         self.count(at)
         declared = [name[6:] for name in attributes if name.startswith("xmlns:")]
         self.bound.append(self.bound[-1].union(declared) if declared else self.bound[-1])
@@ -114,8 +112,7 @@ class XmlParser:
         """Refuse a prefix that no `xmlns:` declares, as every reader with namespaces does."""
         prefix = name.partition(":")[0]
         if not QUALIFIED.fullmatch(name) or prefix not in self.bound[-1]:
-            why = f"the prefix of `{name}` is declared nowhere (`xmlns:{prefix}`)"
-            self.fail(at, f"`{self.source.path}` is not well-formed XML: {why}")
+            self.fail(at, ReadProblem.XML_PREFIX, name, prefix)
 
     def end(self, tag: str) -> None:
         element, at, text = self.stack.pop(), self.at, self.source.text
@@ -140,7 +137,7 @@ class XmlParser:
 
     def doctype(self, *_: object) -> None:
         at = max(self.source.text.rfind("<!DOCTYPE", 0, self.at + 9), 0)
-        self.fail(at, f"`{self.source.path}` has a DOCTYPE; entities and document types are not read: remove it")
+        self.fail(at, ReadProblem.XML_DOCTYPE)
 
 
 def start_tag(text: str, at: int, values: dict[str, str]) -> tuple[dict[str, Attribute], int]:

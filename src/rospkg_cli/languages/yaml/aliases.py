@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NoReturn
 
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .nodes import MAX_DEPTH, AliasNode, MappingNode, ScalarNode, SequenceNode, YamlNode, documents
@@ -23,7 +24,7 @@ def read_resolved(source: Source) -> ResolvedNode | None:
     roots = documents(source)
     if len(roots) > 1:
         at = first_character(roots[1])
-        raise UnreadableError(source.path, at, f"`{source.path}` is not one YAML document: another one begins here")
+        raise UnreadableError(source.path, at, ReadProblem.YAML_DOCUMENTS)
     return AliasResolver(source).node(roots[0], 0) if roots else None
 
 
@@ -41,11 +42,11 @@ class AliasResolver:
         """Raises UnreadableError for an alias of nothing, and for what is too deep or too large."""
         self.count += 1
         if depth > MAX_DEPTH or self.count > MAX_NODES:
-            self.refuse(node.span, "is nested too deeply, or too large")
+            self.refuse(node.span, ReadProblem.YAML_SIZE)
         if isinstance(node, AliasNode):
             target = self.anchors.get(node.name)
             if target is None:
-                self.refuse(node.span, f"is not valid YAML: found undefined alias '{node.name}'")
+                self.refuse(node.span, ReadProblem.YAML_ALIAS, node.name)
             return self.node(target, depth + 1)
         if node.anchor is not None:
             self.anchors[node.anchor] = node
@@ -55,5 +56,5 @@ class AliasResolver:
             return MappingNode(node.span, [(self.node(k, depth + 1), self.node(v, depth + 1)) for k, v in node.entries])
         return node
 
-    def refuse(self, span: Span, why: str) -> NoReturn:
-        raise UnreadableError(self.source.path, span, f"`{self.source.path}` {why}")
+    def refuse(self, span: Span, code: ReadProblem, *details: str) -> NoReturn:
+        raise UnreadableError(self.source.path, span, code, *details)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..located_text import LocatedText
@@ -72,10 +73,11 @@ def events(source: Source) -> Iterator[Any]:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
         at = mark.index if mark else getattr(error, "position", 0)
-        said = getattr(error, "problem", None) or getattr(error, "reason", None) or "it can't be read"
+        said = getattr(error, "problem", None) or getattr(error, "reason", None)
         at = min(at, len(source.text))
         span = Span(at, min(at + 1, len(source.text)))
-        raise UnreadableError(source.path, span, f"`{source.path}` is not valid YAML: {said}") from None
+        code, details = (ReadProblem.YAML_SYNTAX, (str(said),)) if said else (ReadProblem.YAML_UNREADABLE, ())
+        raise UnreadableError(source.path, span, code, *details) from None
 
 
 class NodeBuilder:
@@ -97,8 +99,7 @@ class NodeBuilder:
             self.put(AliasNode(event.anchor, span))
         elif name in ("SequenceStartEvent", "MappingStartEvent"):
             if len(self.open) >= MAX_DEPTH:
-                message = f"`{self.source.path}` is nested deeper than {MAX_DEPTH} levels"
-                raise UnreadableError(self.source.path, span, message)
+                raise UnreadableError(self.source.path, span, ReadProblem.YAML_DEPTH, str(MAX_DEPTH))
             node = SequenceNode(span) if name == "SequenceStartEvent" else MappingNode(span)
             node.anchor = event.anchor
             self.open.append(node)

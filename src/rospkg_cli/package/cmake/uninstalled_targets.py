@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Literal, NamedTuple
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import Target
@@ -24,11 +25,21 @@ MAX_PARTS = 5
 """Behind the first `:` of `$<TARGET_FILE:ns::talker>` there are three, parted by `:`."""
 
 
+User = Literal["component", "exporter", "linked target", "exported target", "parameter library"]
+
+
+class TargetUse(NamedTuple):
+    """What does not work without a target; `name` is that of a component or of another target."""
+
+    user: User
+    name: str = ""
+
+
 @dataclass(frozen=True)
 class UninstalledTarget:
     target: Target
-    needed_by: str
-    """What needs it, as in a message; "" for an executable."""
+    needed_by: TargetUse | None
+    """None for an executable."""
     stops: bool = False
     """Whether CMake itself stops."""
 
@@ -54,8 +65,8 @@ class UninstalledTargets:
             if target.name in stopping:
                 continue
             if target.is_executable and not target.call.maybe and not self.is_used(target):
-                yield UninstalledTarget(target, "")
-            elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)):
+                yield UninstalledTarget(target, None)
+            elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)) is not None:
                 yield UninstalledTarget(target, needed)
 
     def candidates(self) -> Iterator[Target]:
@@ -91,16 +102,16 @@ class UninstalledTargets:
         """The targets that get sources of target_sources."""
         return frozenset(text for call in self.cmake.named("target_sources") for text in call.texts[:1])
 
-    def needed_by(self, target: Target) -> str:
+    def needed_by(self, target: Target) -> TargetUse | None:
         """Return what does not work without a library."""
         if (plugin := self.plugins.get(target.name)) is not None:
-            return f"the component `{plugin}`"
+            return TargetUse("component", plugin)
         if target.name in self.promised:
-            return "those who use the package, as `ament_export_libraries` promises it,"
+            return TargetUse("exporter")
         for link in self.links.with_word(target.name):
             if link.target in self.links.installed and not link.package:
-                return f"`{link.target}`, which is linked with it and is installed,"
-        return ""
+                return TargetUse("linked target", link.target)
+        return None
 
     @cached_property
     def plugins(self) -> dict[str, str]:
@@ -125,7 +136,7 @@ class UninstalledTargets:
                     target = self.cmake.target(name)
                     if target is not None and name not in exported and name not in seen and is_refused(target):
                         seen.add(name)
-                        yield UninstalledTarget(target, f"the exported target `{word.text}`", stops=True)
+                        yield UninstalledTarget(target, TargetUse("exported target", word.text), stops=True)
 
     def parameters(self) -> Iterator[UninstalledTarget]:
         """Yield parameter libraries that nothing is linked with, where all their like are installed."""
@@ -136,7 +147,7 @@ class UninstalledTargets:
             and len(libraries) > 2
             and not any(link.word.text == unused[0].name for link in self.links.all)
         ):
-            yield UninstalledTarget(unused[0], "who links it, as the other parameter libraries can be,")
+            yield UninstalledTarget(unused[0], TargetUse("parameter library"))
 
     def interface_of(self, word: Word) -> Iterator[str]:
         """Yield the package's targets that are linked along with a target."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput, read_each
+from ...read_problem import ReadProblem
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...source import Source, Span
@@ -36,8 +37,7 @@ def interface_paths(files: PackageFiles) -> list[str]:
 
 def read(files: PackageFiles, source: Source) -> InterfaceFile:
     if len(source.text) > MAX_LENGTH:
-        message = f"`{source.path}` is not read: it has more than {MAX_LENGTH:,} characters"
-        raise UnreadableError(source.path, Span(0, 0), message, skipped=True)
+        raise UnreadableError(source.path, Span(0, 0), ReadProblem.INTERFACE_LENGTH, f"{MAX_LENGTH:,}", skipped=True)
     from .text import parse_interface
 
     found = parse_interface(source, source.path.rpartition(".")[2])

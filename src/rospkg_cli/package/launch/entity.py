@@ -10,6 +10,7 @@ from ...languages.xml.parser import Document, Element, read_xml
 from ...languages.yaml.aliases import read_resolved
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 
 
@@ -63,9 +64,7 @@ def from_yaml(source: Source) -> tuple[Entity | None, list[SyntaxProblem]]:
         return None, []
     problems: list[SyntaxProblem] = []
     if len(entries) > 1:
-        problems.append(
-            SyntaxProblem(entries[1][0].located.span, "a YAML launch file has one key at its top: `launch:`")
-        )
+        problems.append(SyntaxProblem(entries[1][0].located.span, ReadProblem.LAUNCH_KEYS))
     key, value = entries[0]
     return yaml_entity(key, value, problems), problems
 
@@ -107,15 +106,15 @@ def children_of(items: list[YamlNode], problems: list[SyntaxProblem]) -> Iterato
     for item in items:
         entries = pairs(item) if isinstance(item, MappingNode) else []
         if not entries:
-            message = "an entry of a launch description is `- name:` with its attributes below"
-            problems.append(SyntaxProblem(item.located.span if isinstance(item, ScalarNode) else item.span, message))
+            span = item.located.span if isinstance(item, ScalarNode) else item.span
+            problems.append(SyntaxProblem(span, ReadProblem.LAUNCH_ENTRY))
             continue
         key, value = entries[0]
         yield yaml_entity(key, value, problems)
         if len(entries) > 1:
             extra = entries[1][0]
-            message = f"`{extra.text}` and `{key.text}` are in one list entry; indent it below, or begin a new one"
-            problems.append(SyntaxProblem(extra.located.span, f"{message} with `-`"))
+            names = (extra.text, key.text)
+            problems.append(SyntaxProblem(extra.located.span, ReadProblem.LAUNCH_TWO_IN_ONE, names))
 
 
 def with_children(entity: Entity, children: list[Entity]) -> Entity:

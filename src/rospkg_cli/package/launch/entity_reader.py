@@ -52,9 +52,8 @@ class EntityVisitor:
         try:
             found = parse_text(written)
         except SubstitutionError as error:
-            self.problems.append(
-                SyntaxProblem(written.part(error.at, min(error.at + 1, len(written.text))), str(error))
-            )
+            span = written.part(error.at, min(error.at + 1, len(written.text)))
+            self.problems.append(SyntaxProblem(span, error.code, error.details))
             return unknown_text(written.span)
         self.texts.append(found)
         return found

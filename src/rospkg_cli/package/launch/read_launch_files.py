@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
@@ -77,7 +78,12 @@ class LaunchReader:
         parsed = self.modules.read(path)
         if isinstance(parsed, Unreadable):
             raise UnreadableError(
-                parsed.path, parsed.span, parsed.message, grammar=parsed.grammar, skipped=parsed.skipped
+                parsed.path,
+                parsed.span,
+                parsed.code,
+                *parsed.details,
+                grammar=parsed.grammar,
+                skipped=parsed.skipped,
             )
         return read_python_launch(parsed, self.folder)
 
@@ -86,5 +92,5 @@ class LaunchReader:
         self.characters += len(source.text)
         if self.characters > MAX_CHARACTERS:
             self.characters -= len(source.text)
-            why = f"the launch files of the package have more than {MAX_CHARACTERS:,} characters together"
-            raise UnreadableError(source.path, Span(0, 0), f"`{source.path}` is skipped: {why}", skipped=True)
+            most = f"{MAX_CHARACTERS:,}"
+            raise UnreadableError(source.path, Span(0, 0), ReadProblem.LAUNCH_LENGTH, most, skipped=True)

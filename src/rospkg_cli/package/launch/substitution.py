@@ -10,6 +10,7 @@ import re
 
 from ...languages.located_text import LocatedText
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from .text import LaunchText, Literal, Substitution
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
@@ -34,9 +35,9 @@ MAX_DEPTH = 20
 class SubstitutionError(ValueError):
     """The text is not what the grammar takes; `at` is the offset where it stops being it."""
 
-    def __init__(self, message: str, at: int) -> None:
-        super().__init__(message)
-        self.at = at
+    def __init__(self, at: int, code: ReadProblem, details: tuple[str, ...]) -> None:
+        super().__init__(code.name, *details)
+        self.at, self.code, self.details = at, code, details
 
 
 def parse_text(written: LocatedText) -> LaunchText:
@@ -48,8 +49,8 @@ class SubstitutionParser:
     def __init__(self, written: LocatedText) -> None:
         self.written, self.text, self.at = written, written.text, 0
 
-    def fail(self, message: str) -> SubstitutionError:
-        return SubstitutionError(message, self.at)
+    def fail(self, code: ReadProblem, *details: str) -> SubstitutionError:
+        return SubstitutionError(self.at, code, details)
 
     def piece(self, pattern: re.Pattern[str]) -> Literal | None:
         match = pattern.match(self.text, self.at)
@@ -67,18 +68,18 @@ class SubstitutionParser:
                 parts.append(self.substitution(quote, depth))
                 continue
             found = self.piece(QUOTED[quote] if quote else OUTSIDE)
-            assert found is not None, "every character that is not `$(` is text"
+            assert found is not None
             parts.append(found)
         return LaunchText(self.written.part(start, self.at), tuple(parts))
 
     def substitution(self, quote: str, depth: int) -> Substitution:
         start = self.at
         if depth > MAX_DEPTH:
-            raise self.fail(f"more than {MAX_DEPTH} substitutions inside of each other")
+            raise self.fail(ReadProblem.SUBSTITUTION_DEPTH, str(MAX_DEPTH))
         name = NAME.match(self.text, start + 2)
         self.at += 2
         if name is None:
-            raise self.fail("`$(` wants the name of a substitution right behind it")
+            raise self.fail(ReadProblem.SUBSTITUTION_NAME)
         self.at = name.end()
         arguments = []
         while self.text.startswith(" ", self.at):
@@ -92,8 +93,8 @@ class SubstitutionParser:
     def refuse(self, start: int, name: str) -> None:
         if self.at >= len(self.text):
             self.at = start
-            raise self.fail(f"`$({name}` is never closed")
-        raise self.fail(f"`{self.text[self.at]}` is not allowed inside of `$({name} …)`: quote it")
+            raise self.fail(ReadProblem.SUBSTITUTION_OPEN, name)
+        raise self.fail(ReadProblem.SUBSTITUTION_CHARACTER, self.text[self.at], name)
 
     def argument(self, quote: str, depth: int) -> LaunchText:
         """Read one argument: a quoted text where the quotes are not used around it, or pieces without a blank."""
@@ -103,7 +104,7 @@ class SubstitutionParser:
             inner = self.template(first, depth)
             if not self.text.startswith(first, self.at):
                 self.at = start
-                raise self.fail(f"the quote {first} is never closed")
+                raise self.fail(ReadProblem.SUBSTITUTION_QUOTE, first)
             self.at += 1
             return inner
         parts: list[Literal | Substitution] = []
@@ -115,5 +116,5 @@ class SubstitutionParser:
             else:
                 break
         if not parts:
-            raise self.fail("an argument is missing: exactly one blank separates two")
+            raise self.fail(ReadProblem.SUBSTITUTION_ARGUMENT)
         return LaunchText(self.written.part(start, self.at), tuple(parts))

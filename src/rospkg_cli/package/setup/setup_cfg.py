@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...files import ReaderInput
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from .setup_text import SetupText
@@ -101,11 +102,9 @@ def parse_setup_cfg(source: Source) -> SetupCfg:
 def refuse(source: Source) -> None:
     """Raise UnreadableError at the line that configparser complains about."""
     if len(source.text) > MAX_CHARACTERS:
-        why = f"`{source.path}` is skipped: it has more than {MAX_CHARACTERS:,} characters"
-        raise UnreadableError(source.path, Span(0, 0), why, skipped=True)
+        raise UnreadableError(source.path, Span(0, 0), ReadProblem.CFG_LENGTH, f"{MAX_CHARACTERS:,}", skipped=True)
     if apart := APART.search(source.text):
-        why = f"`{source.path}` is skipped: it has a line with more than 200 blanks in a row; take them out"
-        raise UnreadableError(source.path, Span(*apart.span()), why, skipped=True)
+        raise UnreadableError(source.path, Span(*apart.span()), ReadProblem.CFG_BLANKS, skipped=True)
     import configparser
 
     parser = configparser.RawConfigParser()
@@ -113,20 +112,20 @@ def refuse(source: Source) -> None:
     try:
         parser.read_string(source.text)
     except configparser.MissingSectionHeaderError as error:
-        fail(source, error.lineno, "an option before the first `[section]`")
+        fail(source, error.lineno, ReadProblem.CFG_NO_SECTION)
     except configparser.ParsingError as error:
-        fail(source, error.errors[0][0] if error.errors else 1, "neither a `[section]` nor an `option = value`")
+        fail(source, error.errors[0][0] if error.errors else 1, ReadProblem.CFG_LINE)
     except configparser.DuplicateOptionError as error:
-        fail(source, error.lineno or 1, f"`{error.option}` stands twice in `[{error.section}]`")
+        fail(source, error.lineno or 1, ReadProblem.CFG_OPTION_TWICE, error.option, error.section)
     except configparser.DuplicateSectionError as error:
-        fail(source, error.lineno or 1, f"`[{error.section}]` stands twice")
+        fail(source, error.lineno or 1, ReadProblem.CFG_SECTION_TWICE, error.section)
     except configparser.Error as error:
-        fail(source, 1, str(error).splitlines()[0])
+        fail(source, 1, ReadProblem.CFG_OTHER, str(error).splitlines()[0])
 
 
-def fail(source: Source, line: int, why: str) -> None:
+def fail(source: Source, line: int, code: ReadProblem, *details: str) -> None:
     span = source.line_span(min(line, len(source.line_starts)))
-    raise UnreadableError(source.path, span, f"`{source.path}` can't be read: {why}; setuptools stops there")
+    raise UnreadableError(source.path, span, code, *details)
 
 
 def sections(source: Source) -> Iterator[CfgSection]:

@@ -96,11 +96,21 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
 
 
+USERS = {
+    "component": "the component `{}`",
+    "exporter": "those who use the package, as `ament_export_libraries` promises it,",
+    "linked target": "`{}`, which is linked with it and is installed,",
+    "exported target": "the exported target `{}`",
+    "parameter library": "who links it, as the other parameter libraries can be,",
+}
+
+
 def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
     name = package.cmake.quoted(forgotten.target.word)
+    user = USERS[forgotten.needed_by.user].format(forgotten.needed_by.name) if forgotten.needed_by else ""
     if forgotten.stops:
         return (
-            f"{forgotten.needed_by} is linked with {name}, which no `install(TARGETS … EXPORT …)` names: CMake stops "
+            f"{user} is linked with {name}, which no `install(TARGETS … EXPORT …)` names: CMake stops "
             'with "… requires target … that is not in any export set"; install it with the same export'
         )
     if forgotten.target.is_executable:
@@ -108,7 +118,7 @@ def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
             f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
             f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
         )
-    return f"the library {name} is built and not installed: {forgotten.needed_by} can't load it; install it into lib"
+    return f"the library {name} is built and not installed: {user} can't load it; install it into lib"
 
 
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.read_sentences import syntax_sentence
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.rep149_condition import Comparison, parse_condition
@@ -59,8 +60,9 @@ def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
         try:
             condition = parse_condition(attribute.value)
         except SyntaxProblemError as error:
+            why = syntax_sentence(error.problem)
             message = (
-                f"`{attribute.value}` is no condition: {error}; colcon prints a traceback and builds the folder as a "
+                f"`{attribute.value}` is no condition: {why}; colcon prints a traceback and builds the folder as a "
                 f'plain package; write it as in `condition="$ROS_VERSION == 2"`'
             )
             yield Hit(manifest.path, place(manifest, attribute, error.problem.span.start), message)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.read_sentences import what_is_wrong
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -50,4 +51,4 @@ def unreadable_file(file: Unreadable) -> Iterator[Hit]:
     warning, and `ros2 run` doesn't find it.
     """
     if not (file.grammar or file.skipped):
-        yield Hit(file.path, file.span, file.message)
+        yield Hit(file.path, file.span, what_is_wrong(file))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import groupby
 
+from ...checks.read_sentences import why_unknown
 from ...example import SETUP_PY, Example
 from ...finding import Hit, Severity
 from ...package.install_table import InstallKind, InstallTable, UnknownPart
@@ -57,4 +58,4 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
 
 
 def place(unknown: UnknownPart) -> tuple[str, Span, str]:
-    return unknown.path, unknown.span, unknown.why
+    return unknown.path, unknown.span, why_unknown(unknown)

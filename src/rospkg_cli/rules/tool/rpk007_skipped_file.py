@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.read_sentences import what_is_wrong
 from ...finding import Hit, Severity
 from ...rule import rule
 from ...unreadable import Unreadable
@@ -29,4 +30,4 @@ def skipped_file(file: Unreadable) -> Iterator[Hit]:
     linter print or rewrite a file of the machine that lints it.
     """
     if file.skipped:
-        yield Hit(file.path, file.span, file.message, Severity.INFO if file.outside else None)
+        yield Hit(file.path, file.span, what_is_wrong(file), Severity.INFO if file.outside else None)

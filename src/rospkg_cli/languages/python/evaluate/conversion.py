@@ -167,7 +167,7 @@ def join_texts(parts: Iterable[Value], span: Span, *, path: bool = False) -> Val
     size = sum(len(each.text) for each in pieces if isinstance(each, Text))
     spend(len(pieces) * 2 * ITEM)
     if size > MAX_TEXT:
-        return Unknown(span, f"a text of more than {MAX_TEXT:,} characters is not followed")
+        return Unknown(span, f"a text of more than {MAX_TEXT:,} characters")
     spend(size)
     flat: list[Value] = []
     for _, group in groupby(pieces, lambda each: isinstance(each, Text)):

@@ -57,7 +57,7 @@ def spend(cost: int) -> None:
     if meter is not None:
         meter.cost = min(meter.cost + cost, MAX_COST + 1)
         if meter.cost > MAX_COST:
-            raise LimitError(f"it takes more than {MAX_STEPS:,} steps, or builds more than {MAX_COST:,} characters")
+            raise LimitError(f"it takes more than {MAX_STEPS:,} steps or {MAX_COST:,} characters")
 
 
 class Flow(Enum):

@@ -64,7 +64,7 @@ class SandboxFilesystem:
         if not path:
             return "dir"
         if len(path) > MAX_PATH:
-            raise OutsideError("the path is longer than any that a system takes")
+            raise OutsideError("the path is longer than any may be")
         head, _, name = path.rpartition("/")
         if head in self.children:
             return self.children[head].get(name)
