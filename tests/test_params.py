@@ -123,7 +123,7 @@ def test_yaml_that_is_none_is_told_with_its_place() -> None:
 
 
 def test_depth_is_bounded() -> None:
-    with pytest.raises(UnreadableError, match="deeper"):
+    with pytest.raises(UnreadableError, match="YAML_DEPTH"):
         read("n: " + "{a: " * 500 + "1" + "}" * 500)
 
 

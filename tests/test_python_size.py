@@ -6,6 +6,7 @@ import ast
 
 import pytest
 
+from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.languages.python import syntax
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.python.size_limits import MAX_DEPTH, MAX_TOKENS
@@ -23,7 +24,7 @@ def refused(text: str) -> Unreadable:
 def test_too_many_tokens(line: str) -> None:
     found = refused(line * MAX_TOKENS)
     assert found.skipped
-    assert found.message.startswith("`a.py` is skipped: it has more than 200,000 tokens")
+    assert what_is_wrong(found).startswith("`a.py` is skipped: it has more than 200,000 tokens")
 
 
 def test_long_texts_and_comments_are_few_tokens() -> None:
@@ -48,7 +49,7 @@ DEEP = [
 @pytest.mark.parametrize("depth", [MAX_DEPTH, 900, 2_500, 30_000])
 def test_too_deep(make, depth: int) -> None:  # type: ignore[no-untyped-def]
     found = refused(make(depth))
-    assert "nested" in found.message
+    assert "nested" in what_is_wrong(found)
     assert not found.grammar
 
 
