@@ -141,5 +141,13 @@ class Finding:
     """Whether the config or a baseline suppresses it, not a comment in the file."""
 
     @property
+    def fix_options(self) -> str:
+        """The options of `rospkg lint` that apply the fix; "" where there is none."""
+        if self.fix is None:
+            return ""
+        unsafe = " --unsafe-fixes" if self.fix.safety is Safety.UNSAFE else ""
+        return f"--fix{unsafe}" + (" --fix-level info" if self.severity is Severity.INFO else "")
+
+    @property
     def sort_key(self) -> tuple[str, int, str, str]:
         return (self.location.path, self.location.span.start, self.code, self.message)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from ..engine.baseline import REASON
-from ..finding import Safety, Severity
+from ..finding import Severity
 from .color import paint
 
 from . import Report  # isort: skip
@@ -19,8 +21,8 @@ def summary(report: Report) -> str:
         if counts
         else [f"{paint('No problems found', 'green', color)} ({where})."]
     )
-    safe = sum(f.fix is not None and f.fix.safety is Safety.SAFE for f in results.findings)
-    unsafe = sum(f.fix is not None and f.fix.safety is Safety.UNSAFE for f in results.findings)
+    offered = Counter(finding.fix_options for finding in results.findings)
+    safe, unsafe, infos = (offered[each] for each in ("--fix", "--fix --unsafe-fixes", "--fix --fix-level info"))
     if report.fixed:
         later = f" ({report.uncovered} of them came up while others were fixed)" if report.uncovered else ""
         parts.append(f"{report.fixed} fixed{later}.")
@@ -28,6 +30,8 @@ def summary(report: Report) -> str:
         parts.append(f"{safe} fixable with --fix.")
     if unsafe:
         parts.append(f"{unsafe}{' more' if safe else ''} fixable with --fix --unsafe-fixes.")
+    if infos:
+        parts.append(f"{infos} info fixable with --fix --fix-level info.")
     known = sum(finding.suppressed == REASON for finding in results.suppressed)
     if known:
         parts.append(f"{known} in the baseline.")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import IO
 
-from ..finding import Finding, Safety, Severity
+from ..finding import Finding, Severity
 from .color import SEVERITY_COLORS
 from .excerpt import excerpt
 from .package_groups import badness, by_package, by_rule
@@ -93,10 +93,7 @@ def level_and_code(finding: Finding) -> list[Word]:
 
 def repair(finding: Finding, before: str = "") -> str:
     """Return the option that fixes a finding and what it does; "" for no fix."""
-    if finding.fix is None:
-        return ""
-    how = "--fix" if finding.fix.safety is Safety.SAFE else "--fix --unsafe-fixes"
-    return f"{before}{how}: {lowered(finding.fix.title)}"
+    return f"{before}{finding.fix_options}: {lowered(finding.fix.title)}" if finding.fix else ""
 
 
 def related(report: Report, finding: Finding) -> dict[str, list[str]]:

@@ -25,6 +25,8 @@ class RuleOptions:
 @dataclass(frozen=True)
 class FixOptions:
     fix: bool = False
+    fix_level: str | None = None
+    """The least severity that is fixed; None for warnings, and for infos where they are shown."""
     unsafe_fixes: bool = False
     diff: bool = False
     fix_only: bool = False

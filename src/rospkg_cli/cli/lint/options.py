@@ -41,6 +41,15 @@ def lint(
         Option(metavar="DISTROS", help="humble,jazzy,…", show_default="$ROS_DISTRO", rich_help_panel=CHOICE),
     ] = None,
     fix: Annotated[bool, Option("--fix", help="Fix what can be fixed safely.", rich_help_panel=FIXES)] = False,
+    fix_level: Annotated[
+        str | None,
+        Option(
+            metavar="LEVEL",
+            help="Fix findings of this level or above: error, warning or info.",
+            show_default="warning",
+            rich_help_panel=FIXES,
+        ),
+    ] = None,
     unsafe_fixes: Annotated[
         bool,
         Option(
@@ -109,8 +118,9 @@ def lint(
 
     one_of("--format", format, FORMATS)
     one_of("--color", color, ("auto", "always", "never"))
-    if fail_on is not None:
-        one_of("--fail-on", fail_on, ("error", "warning", "info"))
+    for option, level in (("--fail-on", fail_on), ("--fix-level", fix_level)):
+        if level is not None:
+            one_of(option, level, ("error", "warning", "info"))
     if workspace is not None and not is_folder(workspace):
         raise UsageError(f"--workspace: `{workspace}` is not a folder")
     typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target", "show")}

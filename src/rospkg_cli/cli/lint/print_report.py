@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import IO
 
 from ...control_characters import visible_lines, without_workflow_commands
-from ...finding import Finding, Safety
+from ...finding import Finding
 from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
 from .. import UsageError
@@ -74,7 +74,7 @@ def statistics(report: Report) -> str:
     """Return the number of findings of each rule, the most frequent first."""
     findings = report.results.findings
     counts = Counter((finding.code, finding.name) for finding in findings)
-    fixable = Counter(f.code for f in findings if f.fix and f.fix.safety is Safety.SAFE)
+    fixable = Counter(f.code for f in findings if f.fix_options == "--fix")
     lines = [
         f"{count:>6}  {code}  {name}" + (f"  ({fixable[code]} fixable with --fix)" if fixable[code] else "")
         for (code, name), count in sorted(counts.items(), key=lambda each: (-each[1], each[0]))

@@ -54,7 +54,11 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     located = locate(paths, options.workspace, config)
     with progress(not options.report.quiet) as show_progress:
         session = make_session(options, config, located, show_progress)
-        found = run_session(session, fixing) if located.scope.selected else nothing_found(session, options, located)
+        found = (
+            run_session(session, fixing, least_fixed(options, config))
+            if located.scope.selected
+            else nothing_found(session, options, located)
+        )
     for finding, why in found.refused:
         say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
     report = make_report(options, config, located, found, stream)
@@ -118,13 +122,20 @@ def asks_for_info(options: LintOptions, config: Config) -> bool:
     return "info" in options.report.show or fails or not set(options.rules.select).isdisjoint(rule_names())
 
 
-def run_session(session: Session, options: FixOptions) -> FixResults:
+def least_fixed(options: LintOptions, config: Config) -> Severity:
+    """Return the least severity that is fixed: infos are left alone where nobody asked for them."""
+    are_shown = "all" in options.report.show or asks_for_info(options, config)
+    default = Severity.INFO if are_shown else Severity.WARNING
+    return Severity(options.fixing.fix_level) if options.fixing.fix_level else default
+
+
+def run_session(session: Session, options: FixOptions, level: Severity) -> FixResults:
     """Lint, and fix in memory where that is asked for."""
     if not (options.fix or options.fix_only or options.diff):
         return FixResults(session.run())
     from ...engine.fixing.fix import fix_all
 
-    return fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,))
+    return fix_all(session, (Safety.SAFE, Safety.UNSAFE) if options.unsafe_fixes else (Safety.SAFE,), level)
 
 
 def nothing_found(session: Session, options: LintOptions, located: Located) -> FixResults:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...finding import Finding, Safety
+from ...finding import Finding, Safety, Severity
 from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
 from ..run.session import Results, Session
@@ -20,8 +20,8 @@ Ban = tuple[str, str]
 """Code and path."""
 
 
-def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
-    """Fix everything that may be fixed and that the session's filter leaves; it always ends.
+def fix_all(session: Session, safety: Sequence[Safety], level: Severity = Severity.INFO) -> FixResults:
+    """Fix everything of a level or above that may be fixed and that the session's filter leaves; it always ends.
 
     Each round applies at least one fix or is the last. A fix that is still wanted after MAX_ROUNDS never
     settles: fixing starts again without it.
@@ -30,7 +30,7 @@ def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
     banned: set[Ban] = set()
     refused: list[tuple[Finding, str]] = []
     for _ in range(MAX_STARTS):
-        found, left = fix_without(session, first, safety, banned)
+        found, left = fix_without(session, first, safety, level, banned)
         if not left:
             found.refused = refused + found.refused
             found.changes = {p: e for p, e in found.changes.items() if e != original_entry(session, p)}
@@ -44,13 +44,15 @@ def fix_all(session: Session, safety: Sequence[Safety]) -> FixResults:
 
 
 def fix_without(
-    session: Session, first: Results, safety: Sequence[Safety], banned: set[Ban]
+    session: Session, first: Results, safety: Sequence[Safety], level: Severity, banned: set[Ban]
 ) -> tuple[FixResults, list[Finding]]:
     """Return what MAX_ROUNDS of fixing come to, and the findings whose fix is wanted even then."""
     found, taken_back, crashes = FixResults(first), set[tuple[str, str, str]](), list[RuleCrash]()
 
     def wanted() -> list[Finding]:
-        may_be = [f for f in found.results.findings if f.fix and f.fix.safety in safety]
+        may_be = [
+            f for f in found.results.findings if f.fix and f.fix.safety in safety and f.severity.rank >= level.rank
+        ]
         return [f for f in may_be if finding_key(f) not in taken_back and (f.code, f.location.path) not in banned]
 
     for _ in range(MAX_ROUNDS):
