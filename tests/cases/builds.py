@@ -62,11 +62,12 @@ USER = {
 }
 
 
-def in_workspace(example: Example) -> Example:
-    """The package below src/, beside one that builds against it."""
+def in_workspace(example: Example, build_type: str = "<build_type>ament_cmake") -> Example:
+    """The package below src/, beside one that needs it for its build."""
     files = {"package.xml": manifest("", "ament_cmake"), **example.bad}
     own = {f"src/my_pkg/{path}": text for path, text in files.items()}
-    return Example(bad={**own, **USER}, good={}, on="")
+    user = {path: text.replace("<build_type>ament_cmake", build_type) for path, text in USER.items()}
+    return Example(bad={**own, **user}, good={}, on="")
 
 
 CASES = {
@@ -102,12 +103,15 @@ CASES = {
         cmake(PATHS, files={"scripts/go.py": "#!/bin/sh\n"}),
     ),
     "CMK105": (
+        cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\n\ndef hello():\n    print(os.name)\n"}),
+        cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\nif __name__ == '__main__':\n    os.abort()\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['python3', share + '/hello.py']\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['bash', share + '/hello.py']\n"}),
         cmake(BOTH, files=IMPORTS),
         cmake(BOTH, files={**IMPORTS, "scripts/other.py": "#!/usr/bin/env python3\nimport hello_world\n"}),
     ),
     "CMK106": (
+        in_workspace(cmake(TALKER + INCLUDE, files=HEADER), "<build_type>ament_python"),
         cmake(TALKER + INCLUDE, files=HEADER),
         in_workspace(cmake(TALKER + INCLUDE, files=HEADER)),
         cmake(f"add_library(core src/a.cpp)\nament_export_libraries(core)\n{INCLUDE}", files=HEADER),

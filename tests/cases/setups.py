@@ -40,6 +40,19 @@ OTHER_NAME = SETUP_PY.replace("package_name = 'my_pkg'", "package_name = 'your_p
 WITH_OPTIONS = setup_py(scripts("a = my_pkg.talker:main"), OPTIONS)
 NARROW = set207.launch("glob('launch/*.launch.xml')")
 
+SPIN = "import rclpy\n\nrclpy.init()\n"
+RUNNING = (
+    f"{SPIN}rclpy.spin(None)\n",
+    f"{SPIN}try:\n    rclpy.spin(None)\nfinally:\n    rclpy.shutdown()\n",
+    f"{SPIN}with open('a'):\n    rclpy.spin(None)\n",
+    f"{SPIN}while True:\n    rclpy.spin(None)\n",
+    "def run():\n    print('hello')\n\n\nrun()\n",
+    SPIN,
+    f"{SPIN}if __name__ == '__main__':\n    rclpy.spin(None)\n",
+    f"{SPIN}def run():\n    rclpy.spin(None)\n",
+    "print('hello')\n",
+)
+
 
 def started(*modules: str) -> Example:
     """Two entry points of one package: a module that is missing, and others."""
@@ -58,6 +71,13 @@ CASES = {
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/taker.py\n"}),
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/talker.py\n"}),
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitmodules": "path = my_pkg/taker.py\n"}),
+    ),
+    "SET102": tuple(
+        python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})
+        for text in RUNNING
+    ),
+    "SET103": tuple(
+        python({"setup.py": setup_py(scripts("talker = my_pkg.talker")), "my_pkg/talker.py": text}) for text in RUNNING
     ),
     "SET202": (
         python({"setup.py": OTHER_NAME}),

@@ -22,5 +22,6 @@ class ExportedHeaders:
         if cmake.named(*LIBRARIES) or not any(target.is_built for target in cmake.targets):
             return True
         tags = ("depend", "build_depend", "build_export_depend")
-        needs = (need for facts in self.workspace.packages for need in facts.dependencies)
+        compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
+        needs = (need for facts in compiled for need in facts.dependencies)
         return any(need.name == name and need.tag in tags for need in needs)

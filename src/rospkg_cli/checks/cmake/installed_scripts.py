@@ -19,6 +19,8 @@ from ...unreadable import UnreadableError
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
+STARTS = re.compile(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try)\b)", re.MULTILINE)
+"""A statement at the top level that does something."""
 USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
@@ -65,7 +67,7 @@ class InstalledScripts:
             return None
         if copy.rule.kind == "PROGRAMS":
             if not shebang:
-                return "no shebang" if copy.source.endswith(".py") else None
+                return "no shebang" if copy.source.endswith(".py") and self.does_something(copy.source) else None
             return None if bit else "no bit"
         if not shebang or not self.is_runnable(copy.source):
             return None
@@ -82,6 +84,10 @@ class InstalledScripts:
         readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
         texts = (*self.launch_texts, *self.texts, *map(self.text, readmes))
         return any(posixpath.basename(path) in text for text in texts)
+
+    def does_something(self, path: str) -> bool:
+        """Return whether a Python file is more than definitions, which are there to be imported."""
+        return STARTS.search(self.text(path)) is not None
 
     def is_no_program(self, path: str) -> bool:
         """Return whether another installed script imports a file, or a launch file hands it to Python."""

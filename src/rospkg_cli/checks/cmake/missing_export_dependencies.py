@@ -68,7 +68,8 @@ class ExportedDependencies:
     def is_built_against(self) -> bool:
         """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
         name = self.headers.package.facts.name
-        return any(name in built_against(facts, *BUILD) for facts in self.workspace.packages)
+        compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
+        return any(name in built_against(facts, *BUILD) for facts in compiled)
 
     def registers_classes(self, name: str) -> bool:
         """Return whether a source of a library registers a class that pluginlib or a container loads."""

@@ -113,6 +113,11 @@ class PythonPackage:
         path = self.setup.file_of(module)
         return path is None or offers(self.modules, self.setup, path, name.partition(".")[0])
 
+    def runs_when_imported(self, module: str) -> bool:
+        """Return whether a module of the package starts what it does when it is imported."""
+        file = self.modules.at(self.setup.file_of(module) or "")
+        return file is not None and file.runs_when_imported
+
     def is_node(self, module: str) -> bool:
         """Return whether a module runs a node itself: it imports rclpy."""
         path = self.setup.file_of(module)

@@ -13,6 +13,8 @@ from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
 PLATFORM = frozenset({"sys", "os", "platform", "find_spec", "environ"})
+STARTERS = frozenset({"spin", "run", "exec", "exec_", "mainloop", "main"})
+"""Methods that do not return before the program ends: `rclpy.spin(node)`, `app.exec()`."""
 MODULE = regex(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
 
 
@@ -110,6 +112,15 @@ class PythonFile(PythonSyntax):
         return found
 
     @cached_property
+    def runs_when_imported(self) -> bool:
+        """Whether a statement at the top level, not under `if __name__ == …`, starts what the module does."""
+        return any(self.starts(call) for call in statement_calls(self.tree.body))
+
+    def starts(self, call: ast.Call) -> bool:
+        name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
+        return name in STARTERS or (isinstance(call.func, ast.Name) and call.func.id in self.functions)
+
+    @cached_property
     def star_imports(self) -> tuple[Import, ...]:
         """The modules of which everything is imported at the top level."""
         return tuple(each for each in self.imports if "*" in each.names and not each.is_local)
@@ -125,6 +136,22 @@ class PythonFile(PythonSyntax):
             or (isinstance(node, ast.Attribute) and node.attr == "__dict__")
             for node in ast.walk(self.tree)
         )
+
+
+def statement_calls(body: Iterable[ast.stmt]) -> Iterator[ast.Call]:
+    """Yield the calls that are statements of their own where a module is imported."""
+    for node in body:
+        match node:
+            case ast.Expr(value=ast.Call() as call):
+                yield call
+            case ast.If() if any(isinstance(each, ast.Name) and each.id == "__name__" for each in ast.walk(node.test)):
+                continue
+            case ast.If() | ast.While() | ast.For():
+                yield from statement_calls([*node.body, *node.orelse])
+            case ast.Try():
+                yield from statement_calls([*node.body, *node.orelse, *node.finalbody])
+            case ast.With():
+                yield from statement_calls(node.body)
 
 
 def parse_python(source: Source) -> PythonFile:

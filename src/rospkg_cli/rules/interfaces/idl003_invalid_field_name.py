@@ -84,7 +84,8 @@ def invalid_field_name(scope: InterfaceInPackage) -> Iterator[Hit]:
         if not is_valid(member):
             yield Hit(path, member.name_span, refusal(member), level, fix=rename(path, member))
         elif language:
-            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}; rename it"
+            advice = "" if language == "OMG IDL" else "; rename it"
+            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}{advice}"
             yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else level)
     for section in interface.sections:
         for member, first in repeated(section):

@@ -22,6 +22,7 @@ SCRIPT = "print('hello')\n"
     "entry-point-attribute-missing",
     over=PythonPackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the module starts what it does when it is imported"},
     examples=(
         Example(bad=BAD, good={"my_pkg/talker.py": "def main():\n    print('hello')\n"}),
         Example(
@@ -53,6 +54,13 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
         near = nearest(entry.attribute.partition(".")[0], names)
         hint = f"; did you mean `{near}`?" if near else "; define it there, or name what is"
         start = f"`ros2 run {package.name} {entry.name}`" if entry.is_script else f"loading `{entry.name}`"
+        if package.runs_when_imported(entry.module):
+            message = (
+                f"`{path}` has no top-level `{entry.attribute}`: it runs because importing it starts it, and ends with "
+                "AttributeError; put that into a function"
+            )
+            yield Hit(entry.path, entry.attribute_span, message, Severity.WARNING)
+            continue
         message = (
             f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`: the build is green, and {start} raises "
             f"AttributeError{hint}"

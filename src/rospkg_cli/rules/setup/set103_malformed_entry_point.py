@@ -39,6 +39,7 @@ def one(entry: str) -> dict[str, str]:
     "malformed-entry-point",
     over=PythonPackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "it names a module that starts what it does when it is imported"},
     examples=(
         Example(bad={**MODULES, "setup.py": setup_py(JOINED)}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),
         Example(bad=one("talker = my_pkg.talker.main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
@@ -66,10 +67,18 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
     """
     for entry in package.setup.entry_points:
         if entry.fault:
-            message = f"`{entry.text}` {WHY[entry.fault]}: {consequence(entry)}; write `name = module:function`"
+            runs = entry.fault == "no-attribute" and package.runs_when_imported(entry.module)
+            end = (
+                "it runs because importing the module starts it, and ends with TypeError"
+                if runs
+                else consequence(entry)
+            )
+            message = f"`{entry.text}` {WHY[entry.fault]}: {end}; write `name = module:function`"
+            level = Severity.WARNING if runs else None
             edits = repair_entry_point(package.setup, entry)
             fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
-            yield Hit(entry.path, entry.setup_text.span if entry.fault == "joined" else entry.span, message, fix=fix)
+            span = entry.setup_text.span if entry.fault == "joined" else entry.span
+            yield Hit(entry.path, span, message, level, fix=fix)
 
 
 def consequence(entry: EntryPoint) -> str:
