@@ -1,0 +1,152 @@
+"""Each edit on small texts: what is put in, what is taken out, and what stays around it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import pytest
+from cmaking import read
+
+from rospkg_cli.edits import cmake_commands
+from rospkg_cli.edits.entry_points import strings
+from rospkg_cli.edits.toml import find_entry
+from rospkg_cli.finding import Edit
+
+
+def applied(text: str, edits: Iterable[Edit]) -> str:
+    for edit in sorted(edits, key=lambda each: each.span, reverse=True):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return text
+
+
+def edits(name: str, text: str) -> Iterable[Edit]:
+    """Return what a function makes of the first command `a(…)` of a file."""
+    file = read(text).root
+    command = next(each for each in file.syntax.commands if each.name.lower() == "a")
+    match name:
+        case "add_at_end":
+            return [cmake_commands.add_at_end(file, "new(x)")]
+        case "add_before":
+            return [cmake_commands.add_before(file, command, "new(x)")]
+        case "add_after":
+            return [cmake_commands.add_after(file, command, "new(x)")]
+        case "add_argument":
+            return [cmake_commands.add_argument(file, command, "new")]
+        case "remove_argument":
+            return [cmake_commands.remove_argument(file, command.arguments[-1].span)]
+        case "guard":
+            return {each for some in cmake_commands.guard(file, [command]).values() for each in some}
+        case _:
+            return [cmake_commands.remove(file, command)]
+
+
+@pytest.mark.parametrize(
+    "name, before, after",
+    [
+        ("add_before", "a(1)\nb(2)\n", "new(x)\na(1)\nb(2)\n"),
+        ("add_after", "a(1)\nb(2)\n", "a(1)\nnew(x)\nb(2)\n"),
+        ("add_at_end", "a(1)\nb(2)\n", "a(1)\nb(2)\n\nnew(x)\n"),
+        ("remove", "a(1)\nb(2)\n", "b(2)\n"),
+        ("add_argument", "a(1)\nb(2)\n", "a(1 new)\nb(2)\n"),
+        ("remove_argument", "a(1)\nb(2)\n", "a()\nb(2)\n"),
+        ("guard", "a(1)\nb(2)\n", "if(BUILD_TESTING)\n  a(1)\nendif()\nb(2)\n"),
+        ("add_before", "  a(1) # why\nb(2)", "new(x)\n  a(1) # why\nb(2)"),
+        ("add_after", "  a(1) # why\nb(2)", "  a(1) # why\nnew(x)\nb(2)"),
+        ("add_at_end", "  a(1) # why\nb(2)", "  a(1) # why\nb(2)\n\nnew(x)\n"),
+        ("remove", "  a(1) # why\nb(2)", "   # why\nb(2)"),
+        ("add_argument", "  a(1) # why\nb(2)", "  a(1 new) # why\nb(2)"),
+        ("remove_argument", "  a(1) # why\nb(2)", "  a() # why\nb(2)"),
+        ("guard", "  a(1) # why\nb(2)", "if(BUILD_TESTING)\n    a(1) # why\nendif()\nb(2)"),
+        ("add_before", "# above\n  # more\na(1)\nb(2)\n", "new(x)\n# above\n  # more\na(1)\nb(2)\n"),
+        ("add_after", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\na(1)\nnew(x)\nb(2)\n"),
+        ("add_at_end", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\na(1)\nb(2)\n\nnew(x)\n"),
+        ("remove", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\nb(2)\n"),
+        ("add_argument", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\na(1 new)\nb(2)\n"),
+        ("remove_argument", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\na()\nb(2)\n"),
+        ("guard", "# above\n  # more\na(1)\nb(2)\n", "# above\n  # more\nif(BUILD_TESTING)\n  a(1)\nendif()\nb(2)\n"),
+        ("add_before", "A(1)\nB(2)\n\n\n", "NEW(x)\nA(1)\nB(2)\n\n\n"),
+        ("add_after", "A(1)\nB(2)\n\n\n", "A(1)\nNEW(x)\nB(2)\n\n\n"),
+        ("add_at_end", "A(1)\nB(2)\n\n\n", "A(1)\nB(2)\n\nNEW(x)\n"),
+        ("remove", "A(1)\nB(2)\n\n\n", "B(2)\n\n\n"),
+        ("add_argument", "A(1)\nB(2)\n\n\n", "A(1 new)\nB(2)\n\n\n"),
+        ("remove_argument", "A(1)\nB(2)\n\n\n", "A()\nB(2)\n\n\n"),
+        ("guard", "A(1)\nB(2)\n\n\n", "IF(BUILD_TESTING)\n  A(1)\nENDIF()\nB(2)\n\n\n"),
+        ("add_before", "a(1\n  2)\nb(2)\n", "new(x)\na(1\n  2)\nb(2)\n"),
+        ("add_after", "a(1\n  2)\nb(2)\n", "a(1\n  2)\nnew(x)\nb(2)\n"),
+        ("add_at_end", "a(1\n  2)\nb(2)\n", "a(1\n  2)\nb(2)\n\nnew(x)\n"),
+        ("remove", "a(1\n  2)\nb(2)\n", "b(2)\n"),
+        ("add_argument", "a(1\n  2)\nb(2)\n", "a(1\n  2\n  new)\nb(2)\n"),
+        ("guard", "a(1\n  2)\nb(2)\n", "if(BUILD_TESTING)\n  a(1\n    2)\nendif()\nb(2)\n"),
+        ("add_before", "\n\na(1)  #[[x]]\nb(2)\n", "\n\nnew(x)\na(1)  #[[x]]\nb(2)\n"),
+        ("add_after", "\n\na(1)  #[[x]]\nb(2)\n", "\n\na(1)  #[[x]]\nnew(x)\nb(2)\n"),
+        ("add_at_end", "\n\na(1)  #[[x]]\nb(2)\n", "\n\na(1)  #[[x]]\nb(2)\n\nnew(x)\n"),
+        ("remove", "\n\na(1)  #[[x]]\nb(2)\n", "\n\n  #[[x]]\nb(2)\n"),
+        ("add_argument", "\n\na(1)  #[[x]]\nb(2)\n", "\n\na(1 new)  #[[x]]\nb(2)\n"),
+        ("remove_argument", "\n\na(1)  #[[x]]\nb(2)\n", "\n\na()  #[[x]]\nb(2)\n"),
+        ("guard", "\n\na(1)  #[[x]]\nb(2)\n", "\n\nif(BUILD_TESTING)\n  a(1)  #[[x]]\nendif()\nb(2)\n"),
+        ("add_argument", "a()\n", "a(new)\n"),
+        ("add_argument", "a( )\n", "a(new )\n"),
+        ("add_argument", "a(\n  1\n  2\n)\n", "a(\n  1\n  2\n  new\n)\n"),
+        ("remove_argument", "a(\n  1\n  2\n)\n", "a(\n  1\n)\n"),
+        ("add_argument", "a(1\n  2\n)\n", "a(1\n  2\n  new\n)\n"),
+        ("remove_argument", "a(1\n  2\n)\n", "a(1\n)\n"),
+        ("add_argument", "a(\n  1 2)\n", "a(\n  1 2 new)\n"),
+        ("remove_argument", "a(\n  1 2)\n", "a(\n  1)\n"),
+        ("add_argument", "a(1 2)\n", "a(1 2 new)\n"),
+        ("remove_argument", "a(1 2)\n", "a(1)\n"),
+    ],
+)
+def test_commands_of_cmake(name: str, before: str, after: str) -> None:
+    assert applied(before, edits(name, before)) == after
+
+
+@pytest.mark.parametrize("text", ["", "\n\n"])
+def test_an_empty_file_of_cmake_begins_with_what_is_added(text: str) -> None:
+    assert applied(text, [cmake_commands.add_at_end(read(text).root, "new()")]) == "new()\n"
+
+
+@pytest.mark.parametrize(
+    "text, keys, found",
+    [
+        ('[ignore]\nA = "x"\n', ("ignore", "A"), ("A", "[ignore]\n")),
+        ('[ignore]\nA = "x" # why\nB = "y"\n', ("ignore", "A"), ("A", '[ignore]\nB = "y"\n')),
+        ('ignore = {A = "x", B = "y"}\n', ("ignore", "A"), ("A", 'ignore = {B = "y"}\n')),
+        ('ignore = {A = "x", B = "y"}\n', ("ignore", "B"), ("B", 'ignore = {A = "x"}\n')),
+        ('ignore.A = "x"\n', ("ignore", "A"), ("A", "")),
+        ("ignore.\"A\" = 'x'\nb = 1", ("ignore", "A"), ('"A"', "b = 1")),
+        ('[a.ignore]\n"A"="x"', ("a", "ignore", "A"), ('"A"', "[a.ignore]\n")),
+        ("[ignore]\nA = 1\n", ("ignore", "A"), None),
+        ('[ignore]\nA = """x"""\n', ("ignore", "A"), None),
+        ('[other]\nA = "x"\n[ignore]\nA = "x"\n', ("ignore", "A"), ("A", '[other]\nA = "x"\n[ignore]\n')),
+        ('[ignore]\nBA = "x"\n', ("ignore", "A"), None),
+        ('ignore = { A = "x" }\n', ("ignore", "A"), ("A", "ignore = {  }\n")),
+        ('[[a]]\nA = "x"\n', ("a", "A"), None),
+        ('ignore = {B = "y" , A = "x\\"y"}\n', ("ignore", "A"), ("A", 'ignore = {B = "y"}\n')),
+        ("x\ry", ("x",), None),
+        ("", ("A",), None),
+    ],
+)
+def test_a_key_of_toml_and_the_rest_without_it(text: str, keys: tuple[str, ...], found: tuple[str, str] | None) -> None:
+    spans = find_entry(text, keys)
+    shown = (text[spans[0].start : spans[0].end], text[: spans[1].start] + text[spans[1].end :]) if spans else None
+    assert shown == found
+
+
+@pytest.mark.parametrize(
+    "code, found",
+    [
+        ("'a' 'b'", ["'a'", "'b'"]),
+        ("'a'\n 'b'", ["'a'", "'b'"]),
+        ("'a' + b", []),
+        ("b", []),
+        ("'a' % 'b'", ["'a'", "'b'"]),
+        ("('a'", []),
+        ("f'x' 'y'", ["f'x'", "'y'"]),
+        ("'a' 'b' # c\n 'd'", ["'a'", "'b'", "'d'"]),
+        ("'''a\nb''' 'c'", ["'''a\nb'''", "'c'"]),
+        ("", []),
+        ("'a'", ["'a'"]),
+    ],
+)
+def test_strings_that_python_joins(code: str, found: list[str]) -> None:
+    assert [code[start:end] for start, end in strings(code)] == found
