@@ -50,6 +50,7 @@ CASES = {
     ),
     "IDL007": (*perhaps("std_msgs/Header a\n"),),
     "IDL008": (
+        Example(bad={f"msg/{name}.msg": "int32 a\n" for name in "ABCD"}, good={}),
         Example(bad={"msg/A.msg": "int32 a\n", "msg/B.msg": "int32 a\n", "data/msg/C.msg": "int32 a\n"}, good={}),
         Example(
             bad={

@@ -104,7 +104,8 @@ class PythonPackage:
         if (found := self.misplaced(module)) is not None:
             return found
         last, started = module.rpartition(".")[2], {entry.module for entry in self.setup.entry_points}
-        free = [other for other in self.on_disk if other not in started]
+        modules = (other for other, path in self.on_disk.items() if not path.endswith("/__init__.py"))
+        free = [other for other in modules if other not in started]
         same = [other for other in free if other.rpartition(".")[2] == last]
         return same[0] if len(same) == 1 else nearest(module, free)
 

@@ -12,6 +12,8 @@ from ...rule import rule
 from ...source import Span
 
 KINDS = ("msg", "srv", "action")
+SHOWN = 3
+"""How many files the message names."""
 
 
 @rule(
@@ -49,9 +51,12 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
         return
     first = PurePosixPath(paths[0])
     kind = first.suffix[1:]
+    names = [f"`{PurePosixPath(path).name}`" for path in paths]
+    shown = ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if names[SHOWN:] else "")
     message = (
-        f"nothing generates interfaces in an ament_python package: the build is green, and `from {name}.{kind} import "
-        f"{first.stem}` raises ModuleNotFoundError; move them: `rospkg new {name}_interfaces --type interfaces`"
+        f"nothing generates {shown} in an ament_python package: the build is green, and `from {name}.{kind} import "
+        f"{first.stem}` raises ModuleNotFoundError; move {'them' if paths[1:] else 'it'} to a package of its own: "
+        f"`rospkg new {name}_interfaces --type interfaces`"
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
     yield Hit(paths[0], Span(0, 0), message, related=related)
