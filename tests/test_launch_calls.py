@@ -8,6 +8,7 @@ from rospkg_cli.checks.launch.call_errors import call_faults
 from rospkg_cli.checks.launch.robot_description import robot_parameters
 from rospkg_cli.checks.launch.undefined_names import undefined_names
 from rospkg_cli.checks.launch.wrong_imports import wrong_imports
+from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.package import Package
@@ -197,6 +198,24 @@ def test_what_launch_looks_at_later_is_a_warning_where_nothing_adds_it(action: s
 )
 def test_launch_takes_it(action: str) -> None:
     assert misused(action) == []
+
+
+@pytest.mark.parametrize(
+    "action, codes",
+    [
+        ("Node(package='p', type='e.py')", ["LCH005 write `executable`"]),
+        (
+            "LifecycleNode(pkg='p', type='e', name='n', namespace='')",
+            ["LCH005 write `package`", "LCH005 write `executable`"],
+        ),
+        ("Node(package='p', executable='e', type='x')", ["LCH005 remove it"]),
+        ("ComposableNode(package='p', plugin='x', type='y')", ["LCH014 a component needs a container"]),
+    ],
+)
+def test_keywords_of_ros1_are_renamed(action: str, codes: list[str]) -> None:
+    text = f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{action}])\n"
+    found = lint_files({"package.xml": manifest(), "launch/a.launch.py": text}, ["LCH005", "LCH014"]).findings
+    assert [f"{each.code} {each.message.split('; ')[-1].split(': ')[-1]}" for each in found] == codes
 
 
 def test_a_description_that_is_not_returned() -> None:

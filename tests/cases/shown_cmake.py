@@ -164,7 +164,8 @@ CASES = {
         *(Example(bad={"CMakeLists.txt": f"{CMAKE}{line}\n"}, good={}, on="ament_cmake") for line in LATE),
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "ament_auto_package") + "\n".join(LATE) + "\n"},
                 good={}, on="ament_cmake"),
-        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "ament_auto_package") + "\n".join(LATE[:-2]) + "\n"},
+        Example(bad={"CMakeLists.txt":
+                     CMAKE.replace("ament_package", "ament_auto_package") + "\n".join(LATE[:-2]) + "\n"},
                 good={}, on="ament_cmake"),
         Example(bad={"CMakeLists.txt": f"{CMAKE}message(x)\nament_export_libraries(x) # here\nmessage(y)\n"}, good={},
                 on="ament_cmake"),

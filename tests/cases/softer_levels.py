@@ -5,15 +5,35 @@ from __future__ import annotations
 from rospkg_cli.example import CMAKE, Example, manifest
 from rospkg_cli.rules.launch import lch002_unknown_executable as lch002
 from rospkg_cli.rules.launch import lch003_missing_launch_reference as lch003
+from rospkg_cli.rules.launch import lch011_unknown_component as lch011
 from rospkg_cli.rules.launch import lch014_invalid_launch_call as lch014
 from rospkg_cli.rules.params import prm002_duplicate_parameter as prm002
 from rospkg_cli.rules.params import prm007_unknown_parameter as prm007
+from rospkg_cli.rules.plugins import plg002_unexported_plugin as plg002
 
 OFF = """\
 <launch>
   <arg name="sim" default="false"/>
   <node pkg="my_pkg" exec="taker" if="$(var sim)"/>
 </launch>
+"""
+OFF_CONTAINER = (
+    lch011.BAD.replace("«", "")
+    .replace("»", "")
+    .replace("<launch>", '<launch>\n  <arg name="sim" default="false"/>')
+    .replace(' namespace=""', ' namespace="" if="$(var sim)"')
+)
+LOST_CONTAINER = """\
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+
+def generate_launch_description():
+    container = ComposableNodeContainer(
+        package='rclcpp_components', executable='component_container', name='c', namespace='',
+        composable_node_descriptions=[ComposableNode(package='my_pkg', plugin='my_pkg::Taker')])
+    return LaunchDescription([])
 """
 NEVER_ADDED = """\
 from launch import LaunchDescription
@@ -65,9 +85,29 @@ CASES = {
         ),
         named(lch003.PYTHON.replace("robot_params.yaml", "robot.rviz")),
     ),
+    "LCH011": tuple(
+        Example(
+            bad={**lch011.FILES, "launch/a.launch.xml": None, f"launch/{name}": text},
+            good={},
+            on="ament_cmake",
+        )
+        for name, text in (("b.launch.xml", OFF_CONTAINER), ("b.launch.py", LOST_CONTAINER))
+    ),
     "LCH014": (
         called(COMPARED),
         called(NEVER_VISITED),
+    ),
+    "PLG002": (
+        Example(
+            bad={
+                **plg002.PLUGIN,
+                "plugins.xml": plg002.XML,
+                "src/planner.cpp": plg002.SOURCE
+                + "PLUGINLIB_EXPORT_CLASS(my_pkg::Base, nav2_core::GlobalPlanner)\nclass Planner : public Base {};\n",
+            },
+            good={},
+            on="ament_cmake",
+        ),
     ),
     "PRM002": (
         Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: 5\n"}, good={}, on="config"),

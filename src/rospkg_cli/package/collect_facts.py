@@ -11,7 +11,7 @@ from .cmake.cmake_facts import exported_targets, registered_components
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
-from .launch.launch_file import launch_summaries, started_nodes
+from .launch.launch_file import launch_summaries, loaded_components, started_nodes
 from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -51,6 +51,7 @@ def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback:
         executables=installed.executables,
         misplaced_executables=installed.misplaced_executables,
         started_nodes=started_nodes(reading),
+        loaded_components=loaded_components(reading),
         launch_files=launch_signatures(reading),
         launch_summaries=launch_summaries(reading),
         interfaces=interfaces,

@@ -79,6 +79,8 @@ class PackageFacts:
     """Executables that are installed where `ros2 run` does not find them, such as bin/."""
     started_nodes: frozenset[tuple[str, str]] = frozenset()
     """What its launch files start under literal names: package and executable."""
+    loaded_components: frozenset[tuple[str, str]] = frozenset()
+    """What its launch files load under literal names: package and class."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     share_files: frozenset[str] = frozenset()

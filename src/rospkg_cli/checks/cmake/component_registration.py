@@ -98,6 +98,11 @@ class ComponentRegistration:
             if each.name not in names | misspelt and each.path in self.in_libraries:
                 yield each
 
+    def is_loaded(self, found: RegisteredClass) -> bool:
+        """Return whether a launch file of the package loads a class."""
+        facts = self.package.facts
+        return (facts.name, found.name) in facts.loaded_components
+
     @cached_property
     def in_libraries(self) -> frozenset[str]:
         """The sources of the libraries that components are registered of."""

@@ -15,7 +15,7 @@ from ..fault import Fault, softer
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import contains, never_added
 from .python_truth import Truth, test_faults, truth_values, use_faults
-from .removed_arguments import RENAMED
+from .removed_arguments import renamed
 
 DESCRIBES = "generate_launch_description"
 ANY_ARGUMENT = frozenset(name for signature in SIGNATURES.values() for name in signature.kinds)
@@ -60,16 +60,16 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
 
 def signature_faults(call: Call, name: str, signature: Signature) -> Iterator[Fault]:
     """Yield why Python refuses a call: unexpected keyword, missing argument, too many positional arguments."""
-    known = signature.kinds.keys()
+    known, old = signature.kinds.keys(), renamed(name)
     intended = set()
     for argument in call.arguments:
-        if argument.name and argument.name not in known and argument.name not in RENAMED:
+        if argument.name and argument.name not in known and argument.name not in old:
             near = nearest(argument.name, known - {"condition"} if argument.name != "conditions" else known)
             if near or argument.name in ANY_ARGUMENT:
                 intended.add(near)
                 hint = f"; did you mean `{near}`?" if near else ""
                 yield Fault(argument.span, f"`{name}` takes no `{argument.name}`: Python raises TypeError{hint}")
-        intended.add(RENAMED.get(argument.name))
+        intended.add(old.get(argument.name))
     positional = [argument for argument in call.arguments if not argument.name]
     most = len(signature.positional)
     if len(positional) > most:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
@@ -11,6 +12,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...suggest import nearest
+from ..cmake.component_registration import ComponentRegistration
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,14 @@ class UnknownComponent:
 class LoadedComponents:
     workspace: Workspace
     file: LaunchFile
+    own: ComponentRegistration | None
+
+    @cached_property
+    def told(self) -> frozenset[tuple[str, str]]:
+        """The classes of this package that a source registers and CMake does not, which CMK108 reports there."""
+        if self.own is None or not self.own.package.is_ament:
+            return frozenset()
+        return frozenset((self.own.package.facts.name, each.name) for each in self.own.without_cmake())
 
     def unknown(self) -> Iterator[UnknownComponent]:
         """Yield components that their package, whose components are all known, does not register."""
@@ -45,7 +55,8 @@ class LoadedComponents:
                 continue
             facts = self.workspace.named(package)
             if facts is not None:
-                if facts.knows("components") and name not in facts.components:
+                known = name in facts.components or (package, name) in self.told
+                if facts.knows("components") and not known:
                     yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts))
             elif found := self.renamed(package, name):
                 yield UnknownComponent(package, node.plugin, name, None, found)

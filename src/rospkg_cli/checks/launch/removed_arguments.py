@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
@@ -18,6 +18,10 @@ RENAMED = {
 }
 """The keywords of launch_ros that were deprecated in Foxy and removed in Galactic, and what they are called since."""
 
+ROS1 = {"type": "executable", "pkg": "package"}
+"""The attributes of ROS 1 that people write as keywords of a node, and what is meant."""
+
+PROGRAMS = frozenset({"Node", "LifecycleNode"})
 NODES = frozenset({
     "Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer",
 })  # fmt: skip
@@ -27,10 +31,16 @@ def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
     """Yield the removed arguments of Python and XML nodes; `type=` of XML nodes is `exec=` in ROS 2."""
     if file.evaluated is not None:
         found = dict(python_arguments(file.evaluated, file.source))
-        yield from (removed(span, name, RENAMED[name], both) for span, (name, both) in found.items())
+        now = {**RENAMED, **ROS1}
+        yield from (removed(span, name, now[name], both) for span, (name, both) in found.items())
     for entity in file.root.walk() if file.root is not None and not file.is_ros1 else ():
         if entity.name == "node" and "type" in entity.attributes:
             yield removed(entity.attribute_spans["type"], "type", "exec", "exec" in entity.attributes)
+
+
+def renamed(name: str) -> Mapping[str, str]:
+    """Return what the keywords of a class of nodes are called now."""
+    return {**RENAMED, **ROS1} if name in PROGRAMS else RENAMED
 
 
 def python_arguments(launch: EvaluatedLaunch, source: Source) -> Iterator[tuple[Span, tuple[str, bool]]]:
@@ -43,13 +53,17 @@ def python_arguments(launch: EvaluatedLaunch, source: Source) -> Iterator[tuple[
         if class_of(call) not in NODES or (asks and not call.is_certain):
             continue
         names = {argument.name for argument in call.arguments}
+        now = renamed(class_of(call))
         for argument in call.arguments:
             span = Span(argument.span.start, argument.span.start + len(argument.name))
-            if argument.name in RENAMED and source.slice(span) == argument.name:
-                yield span, (argument.name, RENAMED[argument.name] in names)
+            if argument.name in now and source.slice(span) == argument.name:
+                yield span, (argument.name, now[argument.name] in names)
 
 
 def removed(span: Span, name: str, now: str, has_both: bool) -> Fault:
-    better = f", and `{now}` is given as well: remove it" if has_both else f"; it is `{now}` now"
+    start = f"`{name}` is ROS 1's: launch takes no such argument of a node and stops there"
+    if name not in ROS1:
+        start = f"launch no longer takes `{name}` of a node and stops there"
+    better = f", and `{now}` is given as well: remove it" if has_both else f"; write `{now}`"
     repair = None if has_both else TextRepair(f"call it `{now}`", ((span, now),))
-    return Fault(span, f"launch no longer takes `{name}` of a node and stops there{better}", repair=repair)
+    return Fault(span, start + better, repair=repair)

@@ -11,6 +11,15 @@ from ...source import Span
 from ..fault import Fault, TextRepair
 
 
+def first_sign(file: LaunchFile) -> Span:
+    """Return the first place by which a file is one for ROS 1: `type=` of a node, `$(find …)`, `$(arg …)`."""
+    places = [each.span for each in file.substitutions if each.name in ("find", "arg")]
+    for entity in file.root.walk() if file.root is not None else ():
+        if entity.name == "node" and "type" in entity.attributes:
+            places.append(entity.attribute_spans["type"])
+    return min(places, default=Span(0, 0))
+
+
 def ros1_syntax(file: LaunchFile) -> Iterator[Fault]:
     """Yield the places of a file for ROS 2 that are still written for ROS 1."""
     if file.root is None or file.is_ros1:

@@ -173,6 +173,17 @@ def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     )
 
 
+def loaded_components(reading: ReaderInput) -> frozenset[tuple[str, str]]:
+    """Return package and class of every component that a package's launch files load under literal names."""
+    nodes = (node for file in reading.parts(LaunchFile).good if not file.is_ros1 for node in file.nodes)
+    named = ((node.package, node.plugin) for node in nodes if node.kind == "composable_node")
+    return frozenset(
+        (package.literal, plugin.literal)
+        for package, plugin in named
+        if package and plugin and package.literal and plugin.literal
+    )
+
+
 def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:
     """Return what other launch files may know of those of a package."""
     files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]

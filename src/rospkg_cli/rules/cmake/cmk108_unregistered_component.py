@@ -54,7 +54,7 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     "unregistered-component",
     over=ComponentRegistration,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a source registers a class, and no call of CMake does"},
+    levels={Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": cmake(LINES.replace('"my_pkg::Talker"', '«"my_package::Talker"»'))},
@@ -112,7 +112,7 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     for source in components.without_cmake():
         start = f"`{source.name}` is registered here and by no `rclcpp_components_register_node(…)`"
         message = f"{start}: it can't be loaded by its name; register it in CMakeLists.txt too"
-        yield Hit(source.path, source.span, message, Severity.WARNING)
+        yield Hit(source.path, source.span, message, None if components.is_loaded(source) else Severity.WARNING)
 
 
 def unknown(components: ComponentRegistration, component: Component) -> str:

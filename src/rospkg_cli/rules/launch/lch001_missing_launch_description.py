@@ -43,11 +43,15 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python launch files without a function `generate_launch_description`.
-    Checked are `*.launch.py` and `*_launch.py`. A function that is imported or assigned counts as well; tests, and
-    files that are programs of their own, are left alone.
+    Checked are `*.launch.py` and `*_launch.py`.
 
     ## Why is this bad?
-    `ros2 launch` loads the file and ends with "module has no attribute 'generate_launch_description'".
+    `ros2 launch` loads the file and ends with "launch file at '…' does not contain the required function
+    'generate_launch_description()'".
+
+    ## When it is quiet
+    Files whose name does not end in `launch.py`, tests, files that are programs of their own, and files that import
+    `*`, are left alone. A function that is imported or assigned counts.
     """
     name = file.path.rpartition("/")[2]
     installed = role_of(file.path) == "launch"

@@ -47,11 +47,16 @@ def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that a launch file names in a share directory and that are not installed there.
-    They exist in the source, but the package does not install them, or installs them elsewhere. Where nothing of the
-    folder is installed, SET206 or CMK101 reports it.
+    They exist in the source, but the package does not install them, or installs them elsewhere.
 
     ## Why is this bad?
-    The build is green, and the launch stops with "No such file or directory": only what is installed is found.
+    Only what is installed is found. The build is green, and the launch stops at an included file ("No such file or
+    directory"); at a parameter file it goes on, with "Parameter file path is not a file" and the node's defaults.
+
+    ## When it is quiet
+    Where nothing of the folder is installed, or setup.py leaves it out beside its neighbours, SET206, SET207 or CMK101
+    reports it alone. Paths that are checked first, that the build writes, and packages whose install rules are not all
+    known, are left alone.
     """
     for missing in files.missing():
         edits = repair(files, missing) if missing.state == "not installed" else ()

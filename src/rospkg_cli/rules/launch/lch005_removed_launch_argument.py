@@ -57,10 +57,13 @@ def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
     ## What it does
     Finds arguments of nodes that launch_ros removed, such as `node_executable`.
     They are `node_executable`, `node_name`, `node_namespace` and `node_plugin`, which launch_ros had up to Foxy, and
-    `type=` of XML nodes, which is ROS 1's. Files that check which distro they run on are left alone.
+    `type=` of nodes, which is ROS 1's.
 
     ## Why is this bad?
     The launch stops with "__init__() got an unexpected keyword argument 'node_executable'" or "missing 1 required
     keyword-only argument: 'executable'".
+
+    ## When it is quiet
+    Files that check which distribution they run on are left alone, and so are launch files for ROS 1.
     """
     yield from hits(file.path, removed_arguments(file))

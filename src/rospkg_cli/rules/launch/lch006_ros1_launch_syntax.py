@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.missing_references import LaunchContext
-from ...checks.launch.ros1_syntax import ros1_syntax
+from ...checks.launch.ros1_syntax import first_sign, ros1_syntax
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
-from ...source import Span
 
 BAD = """\
 <launch>
@@ -18,8 +17,8 @@ BAD = """\
 </launch>
 """
 WHOLE = """\
-<«launch»>
-  <node pkg="my_pkg" type="talker" name="talker"/>
+<launch>
+  <node pkg="my_pkg" «type»="talker" name="talker"/>
 </launch>
 """
 PARAM = """\
@@ -67,13 +66,16 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
 
     ## Why is this bad?
     `ros2 launch` stops with "Unknown substitution: find" or "Unrecognized entity of the type: param".
+
+    ## When it is quiet
+    A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
+    names catkin in its manifest.
     """
     file = scope.file
     yield from hits(file.path, ros1_syntax(file))
     if scope.is_ros1_leftover:
-        at = file.source.text.find("<launch") + 1
         message = (
             "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "
             "refuses it; port it, or install it no longer"
         )
-        yield Hit(file.path, Span(at, at + len("launch") if at else 0), message, Severity.WARNING)
+        yield Hit(file.path, first_sign(file), message, Severity.WARNING)

@@ -65,14 +65,18 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     ## What it does
     Finds what launch refuses in an XML or YAML launch file, and invalid Python expressions.
     In XML and YAML: unknown or missing attributes, misplaced entities, and substitutions that are malformed or take
-    another number of arguments. Unknown actions and substitutions are left alone, since packages may add their own,
-    unless one letter makes a known one of them. In every format: Python expressions (`PythonExpression`, `$(eval …)`)
+    another number of arguments. In every format: Python expressions (`PythonExpression`, `$(eval …)`)
     that are invalid whatever the arguments are, and those with a name that Python does not know: `true` and `false`,
     mostly, from the default of an argument.
 
     ## Why is this bad?
     launch reads an XML or YAML file as a whole before it starts anything: one error, and nothing is started. An
     expression that Python can't evaluate stops the launch when it is evaluated.
+
+    ## When it is quiet
+    Unknown actions and substitutions are left alone, since packages add their own, unless one letter makes a known one
+    of them. Expressions are judged with the defaults of the file's own arguments; one with an unknown part is believed
+    where any value makes it valid.
     """
     yield from hits(file.path, entity_faults(file))
     yield from hits(file.path, expression_faults(file))

@@ -58,6 +58,11 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
 
     ## Why is this bad?
     The launch stops with "launch configuration 'x' does not exist".
+
+    ## When it is quiet
+    Nothing is said of files that can't be evaluated to the end, that set configurations of unknown names, or that
+    include something unknown. A file that others include may get the argument from them: an info, as where it uses
+    many.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]

@@ -44,10 +44,13 @@ def launch_file_name(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds installed launch files in Python whose names do not end in `launch.py`.
-    Those of tests, and those that others include by their paths, are left alone.
 
     ## Why is this bad?
     `ros2 launch` starts them, but does not complete their names, and readers of the folder do not recognize them.
+
+    ## When it is quiet
+    Launch files of tests, those that others include by their paths, and Python files that start nothing, are left
+    alone.
     """
     for file, better in launch.oddly_named():
         name = file.path.rpartition("/")[2]

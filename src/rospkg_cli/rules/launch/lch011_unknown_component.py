@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.idle_actions import level_at
 from ...checks.launch.loaded_components import LoadedComponents, UnknownComponent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -44,6 +45,10 @@ FILES = {
     "unknown-component",
     over=LoadedComponents,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "the condition of its container is false with the defaults of the arguments",
+        Severity.INFO: "its container is built and never added to the launch description",
+    },
     examples=(
         Example(
             bad=FILES,
@@ -58,23 +63,33 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     ## What it does
     Finds components in launch files that the CMakeLists.txt of their package does not register.
     Composable nodes of this package, or of another one of the workspace, have to be in
-    `rclcpp_components_register_node`. Packages whose components are not all known are left alone. A component of an
-    unknown package is reported where another package registers its class.
+    `rclcpp_components_register_node`. A component of an unknown package is reported where another package registers its
+    class.
 
     ## Why is this bad?
-    The container starts, and says "Could not find requested resource in ament index"; the node is missing.
+    The container starts, and says "Failed to find class with the requested plugin name" (or, of a package that
+    registers none, "Could not find requested resource in ament index"); it goes on without the node.
+
+    ## When it is quiet
+    Packages whose components are not all known are left alone. Where this package's source registers the class and
+    CMake names another, CMK108 reports it there. A component whose container is off by default is a warning, one that
+    is never added an info.
 
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.
     """
     for each in loaded.unknown():
-        yield Hit(loaded.file.path, each.plugin.span, message_for(each), fix=rename(loaded, each))
+        level, why = level_at(loaded.file, each.plugin.span)
+        message = message_for(each, f", {why}" if why else "")
+        yield Hit(
+            loaded.file.path, each.plugin.span, message, Severity(level) if level else None, fix=rename(loaded, each)
+        )
 
 
-def message_for(each: UnknownComponent) -> str:
+def message_for(each: UnknownComponent, why: str) -> str:
     if each.facts is None:
         whose = " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
-        return f"no package `{each.package}` is known, so the container can't load `{each.name}`; there is {whose}"
+        return f"no package `{each.package}` is known, so the container can't load `{each.name}`{why}; there is {whose}"
     if each.suggestion:
         hint = f"did you mean `{each.suggestion}`?"
     elif each.elsewhere:
@@ -82,7 +97,7 @@ def message_for(each: UnknownComponent) -> str:
     else:
         there = ", ".join(f"`{name}`" for name in sorted(each.facts.components)[:6]) or "no component at all"
         hint = f"it registers {there}"
-    return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it; {hint}"
+    return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it{why}; {hint}"
 
 
 def rename(loaded: LoadedComponents, each: UnknownComponent) -> Fix | None:

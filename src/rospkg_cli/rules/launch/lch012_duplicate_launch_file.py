@@ -30,11 +30,13 @@ def duplicate_launch_file(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch files that are installed under one name in several folders of a share directory.
-    Where all of them are included by their paths, no one has to start them by name, and they are left alone.
 
     ## Why is this bad?
     `ros2 launch my_pkg robot.launch.xml` looks through all folders and stops with "file 'robot.launch.xml' was found
     more than once in the share directory of package 'my_pkg'".
+
+    ## When it is quiet
+    Where all of the files are included by their paths, no one has to start them by name, and they are left alone.
     """
     for row, name, paths in launch.doubles():
         where = " and ".join(f"`{path}`" for path in paths[:3]) + (" and others" if paths[3:] else "")

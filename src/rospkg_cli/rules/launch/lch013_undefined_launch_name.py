@@ -65,6 +65,10 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     ## Why is this bad?
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
     ImportError at once.
+
+    ## When it is quiet
+    Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
+    ImportError`), are left alone.
     """
     if file.python is None or not file.has_entry_point:
         return

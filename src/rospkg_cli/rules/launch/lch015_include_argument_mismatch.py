@@ -50,6 +50,10 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     ## Why is this bad?
     An unknown argument has no effect, without a warning. A missing one stops the launch: "Included launch description
     missing required argument 'speed'".
+
+    ## When it is quiet
+    Included files that can't be evaluated to the end, or include something unknown, may take any argument. An include
+    whose arguments are not all known lacks none.
     """
     for each in context.mismatches():
         yield Hit(context.scope.file.path, each.span, message(each))

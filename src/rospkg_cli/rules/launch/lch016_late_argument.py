@@ -46,6 +46,10 @@ def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     ## Why is this bad?
     launch visits the actions in order: the launch stops with "launch configuration 'x' does not exist", unless the
     argument is given on the command line. So it works for some, and never with the default.
+
+    ## When it is quiet
+    Nothing is said where the argument has been set by a file that includes this one, or where something of an unknown
+    name may have set it.
     """
     for each in configurations.unset():
         if each.state == "late":

@@ -38,10 +38,13 @@ def unused_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch arguments that a file declares and never uses.
-    Files that include others are left alone, since these see the arguments as well.
 
     ## Why is this bad?
     Setting the argument on the command line has no effect, without a warning.
+
+    ## When it is quiet
+    Files that include others are left alone, since these see the arguments as well, and so are files that can't be
+    evaluated to the end.
     """
     for argument in configurations.unused():
         name = argument.name.literal

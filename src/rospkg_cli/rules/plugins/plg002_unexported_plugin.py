@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.plugins.export_advice import PluginExports
 from ...checks.plugins.exported_classes import ExportedClass
 from ...checks.plugins.plugin_package import DescribedPlugin, PluginPackage
 from ...edits.cmake_commands import add_before
@@ -40,9 +41,12 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 @rule(
     "PLG002",
     "unexported-plugin",
-    over=PluginPackage,
+    over=PluginExports,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a source exports a class, and no description has it"},
+    levels={
+        Severity.WARNING: "a source exports a class, and no description has it",
+        Severity.INFO: "the class is the base of another one that is exported",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -76,42 +80,41 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
         ),
     ),
 )
-def unexported_plugin(package: PluginPackage) -> Iterator[Hit]:
+def unexported_plugin(exports: PluginExports) -> Iterator[Hit]:
     """
     ## What it does
     Finds plugins that are exported in C++ and not described, or described and not exported.
     It compares the descriptions (`<class type="…">`) with PLUGINLIB_EXPORT_CLASS in the sources, and finds descriptions
-    that CMake does not export with `pluginlib_export_plugin_description_file`. Only sources that certainly become part
-    of a library count; what a macro of another package may register, or is compiled conditionally, is left alone.
+    that CMake does not export with `pluginlib_export_plugin_description_file`.
 
     ## Why is this bad?
-    pluginlib finds a plugin by its description, and in the library by exactly the string that the macro was given. A
-    class that has one without the other is not offered, or can't be created; nothing fails at build time.
+    pluginlib finds a plugin by its description, and in the library by exactly the string that the macro was given. With
+    one and not the other it is not offered, or can't be created; nothing fails at build time.
+
+    ## When it is quiet
+    Only sources that certainly become part of a library count. What a macro of another package may register, what is
+    compiled conditionally, libraries that are fetched or prebuilt, and sources that could not be read, are left alone.
+    A class from which another exported class derives may well be there for that alone: an info.
 
     ## Fix safety
     The type of a description is set to what the source exports. A missing export of the description in CMake is added
     only with `--unsafe-fixes`: its package is taken from the base class.
     """
+    package = exports.package
     for entry in package.without_source():
-        yield without_source(package, entry)
+        yield without_source(exports, entry)
     for description, exported in package.unexported():
         yield unexported(package, description, exported)
     for exported in package.undescribed():
-        message = (
-            f"`{exported.type}` is exported here, and no plugin description has it: it can't be loaded by name; add "
-            f'`<class type="{exported.type}" base_class_type="{exported.base}">` to one, or remove the macro'
-        )
-        yield Hit(exported.path, exported.span, message, Severity.WARNING)
+        text, level = exports.undescribed(exported)
+        yield Hit(exported.path, exported.span, text, Severity(level))
 
 
-def without_source(package: PluginPackage, entry: DescribedPlugin) -> Hit:
-    kind, file, meant = entry.plugin.type, entry.description.file, package.suggestion(entry)
+def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:
+    kind, file, meant = entry.plugin.type, entry.description.file, exports.package.suggestion(entry)
     if meant is None:
-        message = (
-            f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails; add "
-            f"`PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})` to its source, or remove it here"
-        )
-        return Hit(file, kind.value_span, message)
+        fails = f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails"
+        return Hit(file, kind.value_span, f"{fails}; {exports.advice(entry)}")
     safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
     message = (
         f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
@@ -124,15 +127,13 @@ def without_source(package: PluginPackage, entry: DescribedPlugin) -> Hit:
 def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
     base = exported.base.lstrip(":").partition("::")[0]
     call = f"pluginlib_export_plugin_description_file({base} {description.file})"
-    message = (
-        f"CMakeLists.txt does not export `{description.file}`: `{exported.type}` is not found at run time; add "
-        f"`{call}` (`{base}`: the package that loads it)"
-    )
+    start = f"CMakeLists.txt does not export `{description.file}`: `{exported.type}` is not found at run time"
+    message = f"{start}; add `{call}` (`{base}`: the package that loads it)"
     where = next(((e.path, e.span) for e in description.exported), (description.file, description.document.root.open))
     before = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None)
     fix = None
     if before is not None and before.path == package.cmake.root.path and not before.function:
         edit = add_before(package.cmake.root, before.command, call)
-        fix = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
-    fix = only_plain_names(fix, description.file, base)
+        added = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
+        fix = only_plain_names(added, description.file, base)
     return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)

@@ -71,6 +71,10 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     A plugin is found by its exact name; `my_pkg/Planner` and `my_pkg::Planner` are two names. The server that should
     load it stops when it starts: "… with base class type … does not exist".
 
+    ## When it is quiet
+    Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
+    so are names of packages that exist but are not here.
+
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """

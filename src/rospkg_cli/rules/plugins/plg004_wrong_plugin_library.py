@@ -83,6 +83,10 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     ## Why is this bad?
     pluginlib looks for `lib<path>.so` below the prefix of the package, and only when the plugin is loaded: "Could not
     find library corresponding to plugin … Make sure the plugin description XML file has the correct name".
+
+    ## When it is quiet
+    Libraries that are fetched, prebuilt or of a name that CMake computes, and those for tests, are left alone; so are
+    classes that no source exports, which PLG002 reports.
     """
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None

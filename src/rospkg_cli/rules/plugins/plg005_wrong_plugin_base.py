@@ -71,6 +71,10 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     The plugin does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
     type … does not exist". A loader for a package that isn't there throws at once.
 
+    ## When it is quiet
+    Plugins of base classes whose loaders are not known are left alone. A package is believed to be a loader's where any
+    loader around is not known.
+
     ## Fix safety
     The base class is written as the loader has it. The package is changed only with `--unsafe-fixes`.
     """

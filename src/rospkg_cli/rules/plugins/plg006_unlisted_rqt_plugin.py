@@ -51,6 +51,9 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     ## Why is this bad?
     rqt reads the package.xml of every installed package to find its plugins in Python: one that is not exported is
     missing from the menu, without a message.
+
+    ## When it is quiet
+    Plugins of tests, packages for ROS 1, and classes that another description of package.xml lists, are left alone.
     """
     for description, tag in plugins.hidden():
         line = export_of(description, tag)

@@ -49,6 +49,10 @@ def unreadable_file(file: Unreadable) -> Iterator[Hit]:
     ## Why is this bad?
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a
     warning, and `ros2 run` doesn't find it.
+
+    ## When it is quiet
+    Files that neither the build nor an installed file reads may be broken. A file of interfaces is reported by its own
+    rules, a file that is too large by RPK007.
     """
     if not (file.grammar or file.skipped):
         yield Hit(file.path, file.span, what_is_wrong(file))

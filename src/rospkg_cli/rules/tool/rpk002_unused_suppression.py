@@ -23,10 +23,13 @@ def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     """
     ## What it does
     Finds ignore comments, and ignores of the config, that suppress nothing.
-    Only rules that ran are considered: with `--select SET`, an unused ignore of XML104 is not reported.
+    An ignore of a rule that did not run is not reported.
 
     ## Why is this bad?
     The problem was fixed and the ignore stayed: it would hide the next problem of that kind.
+
+    ## When it is quiet
+    Only rules that ran are considered: with `--select SET`, an unused ignore of XML104 is not reported.
     """
     fix = None
     if unused.delete:

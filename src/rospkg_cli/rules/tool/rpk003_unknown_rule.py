@@ -29,6 +29,9 @@ def unknown_rule(unknown: UnknownRuleName) -> Iterator[Hit]:
 
     ## Why is this bad?
     The ignore has no effect, without a warning.
+
+    ## When it is quiet
+    Codes and names of rules of plugins count where the config names the plugin.
     """
     hint = f"; did you mean `{unknown.nearest}`?" if unknown.nearest else "; `rospkg rules` lists them"
     yield Hit(unknown.path, unknown.span, f"there is no rule `{unknown.name}`{hint}")

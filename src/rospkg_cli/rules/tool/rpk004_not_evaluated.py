@@ -48,6 +48,9 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
 
     ## Why is this bad?
     It isn't. But what is not known is not checked, and an empty report should not hide that.
+
+    ## When it is quiet
+    What is unknown and would silence no rule is not told.
     """
     for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
         python = not path.endswith(("CMakeLists.txt", ".cmake"))

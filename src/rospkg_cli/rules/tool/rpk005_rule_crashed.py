@@ -20,6 +20,9 @@ def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
     ## Why is this bad?
     That rule did not check the package. This is an internal error of rospkg: please report it with the output of
     `--traceback`.
+
+    ## When it is quiet
+    It has no conditions: a rule that crashes is always told.
     """
     last = crash.error.strip().splitlines()[-1]
     what = f"{crash.what} {crash.code}"

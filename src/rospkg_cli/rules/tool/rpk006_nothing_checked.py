@@ -26,6 +26,9 @@ def nothing_checked(nothing: NoPackagesFound) -> Iterator[Hit]:
 
     ## Why is this bad?
     A run that checked nothing is not a green run. Where that is intended, as in a hook, use `--allow-empty`.
+
+    ## When it is quiet
+    With `--allow-empty` an empty run is green.
     """
     names = ", ".join(f"`{path}`" for path in nothing.paths) or "`.`"
     why = nothing.hidden or "no package.xml was found"

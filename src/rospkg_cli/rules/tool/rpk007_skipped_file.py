@@ -28,6 +28,9 @@ def skipped_file(file: Unreadable) -> Iterator[Hit]:
     ## Why is this bad?
     What is not read is not checked. A link that leads out is never followed, so that a repository can't make its
     linter print or rewrite a file of the machine that lints it.
+
+    ## When it is quiet
+    Files that no reader asks for may be of any size. A link out of the repository is an info.
     """
     if file.skipped:
         yield Hit(file.path, file.span, what_is_wrong(file), Severity.INFO if file.outside else None)

@@ -35,10 +35,12 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages of one workspace that have the same name.
-    Folders below an ignore marker (COLCON_IGNORE) are no packages.
 
     ## Why is this bad?
     colcon refuses to build the whole workspace: "Duplicate package names not supported".
+
+    ## When it is quiet
+    Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages.
     """
     by_name: dict[str, list[tuple[str, str]]] = {}
     for facts in workspace.packages:

@@ -49,6 +49,9 @@ def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
     ## Why is this bad?
     colcon builds nothing of the whole workspace: "Unable to order packages topologically".
 
+    ## When it is quiet
+    `doc_depend` does not count, nor does a dependency whose condition is false for the targets.
+
     ## References
     [REP-149](https://ros.org/reps/rep-0149.html), "Group dependencies"; colcon orders by build, run and test
     dependencies alike.

@@ -39,6 +39,9 @@ def versions_differ(workspace: Workspace) -> Iterator[Hit]:
 
     ## Why is this bad?
     All packages of a repository are released together: bloom stops with "Two packages have different version numbers".
+
+    ## When it is quiet
+    Packages outside of a repository, and repositories with no common version, are left alone.
     """
     for each in version_mismatches(workspace):
         facts, count = each.package, len(each.others)

@@ -49,11 +49,14 @@ def changelog_mismatch(released: ManifestAndChangelog) -> Iterator[Hit]:
     """
     ## What it does
     Compares the version in package.xml with the newest entry of CHANGELOG.rst.
-    Only titles of the form `1.2.3 (2026-01-31)` are entries; `Forthcoming` is none.
 
     ## Why is this bad?
     bloom stops where the changelog has an entry for a newer version than the one that is released. Where it has none
     for that version, the release notes say "no changelog for this version found".
+
+    ## When it is quiet
+    Only titles of the form `1.2.3 (2026-01-31)` are entries; `Forthcoming` is none. A package without a changelog, or
+    with none that has an entry, is left alone.
 
     ## References
     [REP-132](https://ros.org/reps/rep-0132.html)
