@@ -72,4 +72,4 @@ class ShareUses:
             return f"the build is green, and `ros2 launch {self.name} …` does not find it"
         if self.level(folder) == "info":
             return "no other package can open it, and nothing in this one does"
-        return "the build is green, and what opens it in the share directory does not find it"
+        return "what opens it in the share directory does not find it"

@@ -85,8 +85,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         yield Hit(call.path, call.command.span, message, Severity.INFO, fix=fix)
         return
     message = (
-        f"none of the headers in `include/` (`{first}`) is installed, and `{call.name}` exports them: a package that "
-        f"uses `{name}` stops at the first `#include`; add `install(DIRECTORY include/ …)`"
+        f"no header of `include/` (`{first}`) is installed, and `{call.name}` exports them: who uses `{name}` stops at "
+        "the first `#include`; add `install(DIRECTORY include/ …)`"
     )
     fix = Fix("install the headers", (install_headers(package.cmake),))
     yield Hit(call.path, call.command.span, message, fix=fix)

@@ -94,4 +94,4 @@ def stops(reference: TargetReference) -> str:
     if reference.kind == "export":
         return f'"INSTALL(EXPORT) given unknown export"; add `EXPORT {reference.word.text}` to the `install(TARGETS …)`'
     text = STOPS.get(reference.call.name, "which is not built by this project")
-    return f'"{text}"; name a target of this package, or remove it'
+    return f'"{text}"; name an existing target'

@@ -54,9 +54,8 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     names = [f"`{PurePosixPath(path).name}`" for path in paths]
     shown = ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if names[SHOWN:] else "")
     message = (
-        f"nothing generates {shown} in an ament_python package: the build is green, and `from {name}.{kind} import "
-        f"{first.stem}` raises ModuleNotFoundError; move {'them' if paths[1:] else 'it'} to a package of its own: "
-        f"`rospkg new {name}_interfaces --type interfaces`"
+        f"nothing generates {shown} in an ament_python package: `from {name}.{kind} import {first.stem}` raises "
+        f"ModuleNotFoundError; move {'them' if paths[1:] else 'it'}: `rospkg new {name}_interfaces --type interfaces`"
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
     yield Hit(paths[0], Span(0, 0), message, related=related)

@@ -63,8 +63,8 @@ def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
         return
     entry = (home.nodes or package.executables)[0]
     message = (
-        f"there is no setup.cfg: colcon installs `{entry.name}` to bin/, where `ros2 run {package.name} {entry.name}` "
-        f"and launch files don't look; write one that puts scripts into `$base/lib/{package.name}`"
+        f"there is no setup.cfg: `{entry.name}` goes to bin/, where `ros2 run {package.name} {entry.name}` and launch "
+        f"files don't look; write one with `$base/lib/{package.name}`"
     )
     if home.nodes:
         fix = Fix(f"write setup.cfg with `$base/lib/{package.name}`", (new_setup_cfg(package.name),))

@@ -24,7 +24,7 @@ entry_points={
 WHY = {
     "no-equals": "has no `=`",
     "no-attribute": "names no function",
-    "joined": "is two entry points in one, without a comma between them",
+    "joined": "is two entry points without a comma between them",
     "file-name": "names a file",
     "unreadable": "can't be read",
 }
@@ -84,4 +84,4 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
 def consequence(entry: EntryPoint) -> str:
     if entry.fault in ("no-attribute", "file-name"):
         return "the build is green, and the executable fails when it is started"
-    return "setuptools from 60 on stops, and does not name the place"
+    return "setuptools stops, and does not name the place"

@@ -62,7 +62,7 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         yield Hit(wrong.setup_text.path, wrong.setup_text.shown, message, fix=fix)
         return
     message = (
-        f"the marker `resource/{name}` is not installed: colcon still adds it with a warning, and of a Debian package "
+        f"the marker `resource/{name}` is not installed: colcon adds it with a warning, but of a Debian package "
         f"`ros2 run {name}` finds nothing; add it to `data_files`"
     )
     yield Hit(package.setup.path, package.setup.name_span("data_files"), message, fix=fix)

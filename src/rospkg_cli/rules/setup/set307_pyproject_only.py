@@ -39,6 +39,6 @@ def pyproject_only(build: AmentPythonFiles) -> Iterator[Hit]:
         for element in build.types:
             message = (
                 "there is a pyproject.toml and no setup.py: colcon can't build an ament_python package from it yet; "
-                "write a setup.py, pyproject.toml may stay for the settings of tools"
+                "write a setup.py too"
             )
             yield Hit(build.manifest.path, build.manifest.span(element), message)
