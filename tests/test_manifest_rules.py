@@ -315,8 +315,20 @@ def test_export_for_ros_1_may_name_what_is_not_there() -> None:
 
 def test_thousands_of_misplaced_elements_are_placed_by_halving(clean) -> None:
     """Each finding offers the one fix of all, so only the first hundred do."""
-    pairs = "  <license>MIT</license>\n  <depend>std_msgs</depend>\n" * 3_000
-    text = clean["package.xml"].replace("  <license>Apache-2.0</license>\n", pairs)
+    pairs = "  <url>https://example.org</url>\n  <author>Ada</author>\n  <depend>std_msgs</depend>\n" * 2_000
+    text = clean["package.xml"].replace("  <license>Apache-2.0</license>\n", f"  <license>MIT</license>\n{pairs}")
     findings = lint_files({**clean, "package.xml": text}, ["XML002"]).findings
-    assert len(findings) == 2_001
+    assert len(findings) > 2_000
     assert sum(finding.fix is not None for finding in findings) == 100
+
+
+def test_a_depend_that_nothing_uses_is_to_be_removed_and_not_changed(clean) -> None:
+    text = clean["package.xml"].replace(
+        "  <export>", "  <depend>nav_msgs</depend>\n  <depend>std_msgs</depend>\n  <export>"
+    )
+    files = {**clean, "package.xml": text, "my_pkg/node.py": "import std_msgs.msg\n"}
+    found = lint_files(files, ["XML209", "DEP202"]).findings
+    assert [(finding.code, finding.message.split("`")[1]) for finding in found] == [
+        ("DEP202", "nav_msgs"),
+        ("XML209", "std_msgs"),
+    ]

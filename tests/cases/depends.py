@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from .others import cmake, python
+from .others import cmake, interfaces, python
 
 TESTS_ONLY = "  <test_depend>launch_ros</test_depend>\n"
 LAUNCH = "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n    return Node\n"
 BUILD_ONLY = "  <build_depend>std_msgs</build_depend>\n"
 
 CASES = {
+    "DEP203": (
+        interfaces("float32 x\n", "  <build_depend>message_generation</build_depend>\n"),
+        python(
+            "  <build_depend>message_generation</build_depend>\n"
+            '  <exec_depend condition="$ROS_VERSION == 1">message_generation</exec_depend>\n'
+        ),
+    ),
     "DEP201": (
         python(TESTS_ONLY, launch__a_DOT_launch_DOT_py=LAUNCH),
         python(BUILD_ONLY + "  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),

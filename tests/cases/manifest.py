@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.rules.manifest import xml305_missing_interface_group as xml305
 
 PLAIN = manifest()
 
@@ -30,6 +31,37 @@ BELOW = """\
 """
 PROSE = "You may use, change and pass on this software for whatever you like, as long as you share"
 
+AUTHOR, URL = "  <author>Bob</author>\n", "  <url>https://example.org</url>\n"
+LICENSE, DEPEND = "  <license>Apache-2.0</license>\n", "  <depend>rclpy</depend>\n"
+OWN_VARIABLE = '  <depend condition="$ACME_ROBOT == one">rclpy</depend>\n'
+
+
+def with_text(text: str) -> Example:
+    """A manifest with other lines in the place of its license."""
+    return Example(bad={"package.xml": PLAIN.replace(LICENSE, text)}, good={})
+
+
+def without_schema(example: Example) -> Example:
+    text = example.bad["package.xml"] or ""
+    lines = [line for line in text.splitlines(keepends=True) if "xml-model" not in line]
+    return Example(bad={"package.xml": "".join(lines)}, good={})
+
+
+def gathering(name: str) -> Example:
+    """A metapackage of a name."""
+    text = manifest("  <exec_depend>rclpy</exec_depend>\n", "ament_cmake", name)
+    files = {"package.xml": text, "CMakeLists.txt": CMAKE.replace("my_pkg", name)}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
+def generating(*dependencies: str) -> Example:
+    """A package that generates interfaces."""
+    body = "".join(f"  {each}\n" for each in dependencies)
+    group = "  <member_of_group>rosidl_interface_packages</member_of_group>\n"
+    files = {"CMakeLists.txt": xml305.CMAKE, "msg/Battery.msg": "float32 level\n"}
+    return Example(bad={"package.xml": manifest(body + group, "ament_cmake"), **files}, good={}, on="ament_cmake")
+
+
 CASES = {
     "XML001": (
         with_line("<version>1.0.1</version>"),
@@ -42,9 +74,17 @@ CASES = {
         Example(bad={"package.xml": manifest("  <depend>rclpy</depend>\n").replace('"3"', '"1"')}, good={}),
         instead("<license>", '<license file="LICENSE" colour="red">'),
     ),
-    "XML002": (instead(VERSION + BELOW, BELOW + VERSION),),
+    "XML002": (
+        instead(VERSION + BELOW, BELOW + VERSION),
+        without_schema(with_text(2 * AUTHOR + "  <license>Apache-2.0</license>\n")),
+        with_text("  <buildtool_depend>cmake</buildtool_depend>\n" + LICENSE + DEPEND + URL + AUTHOR + DEPEND),
+    ),
     "XML003": (instead('format="3"', 'format=" 3 "'), instead('format="3"', 'format="4"')),
-    "XML101": tuple(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
+    "XML101": (
+        *(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
+        gathering("my-pkgs"),
+        gathering("My_pkgs"),
+    ),
     "XML103": (
         instead("1.0.0", "1.02.0"),
         instead("<version>", '<version compatibility="one">'),
@@ -56,6 +96,7 @@ CASES = {
         instead("Drives my robot", "The my_pkg package."),
         instead(">Ada<", ">TODO<"),
         instead("Apache-2.0", "TODO"),
+        Example(bad={"package.xml": PLAIN.replace("Apache-2.0", "TODO"), "LICENSE": None}, good={}),
     ),
     "XML106": tuple(instead("Apache-2.0", PROSE[-length:]) for length in (59, 60, 90)),
     "XML107": (instead("<license>", '<license file="">'), instead("<license>", '<license file="../LICENSE">'),
@@ -66,8 +107,15 @@ CASES = {
         depend('condition="$ROS_VERSION == 10"'),
         depend('condition="ROS_DISTRO == humble"'),
         depend('condition="$ROS_DISTR == humble"'),
+        Example(bad={"package.xml": manifest(2 * OWN_VARIABLE)}, good={}),
         depend('condition=""'),
         depend('condition="$ROS_DISTRO &amp;&amp; humble"'),
+    ),
+    "XML305": (
+        generating("<exec_depend>rosidl_default_generators</exec_depend>"),
+        generating("<depend>rosidl_default_generators</depend>"),
+        generating("<buildtool_depend>rosidl_default_generators</buildtool_depend>",
+                   "<exec_depend>rosidl_default_generators</exec_depend>"),
     ),
     "XML205": (
         depend('version_gte="1.0" version_gt="1.0" version_lt="2.0"'),

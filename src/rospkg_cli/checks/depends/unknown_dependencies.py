@@ -63,6 +63,11 @@ class DependencyNames:
                 seen.add(each.name)
                 yield each
 
+    @property
+    def has_interfaces(self) -> bool:
+        facts = self.declared.facts
+        return bool(facts.interfaces) or not facts.knows("interfaces")
+
     def repeated(self, first: Dependency) -> list[Dependency]:
         """Return the dependencies of the same name that come later."""
         return [each for each in self.by_name[first.name] if each is not first]

@@ -7,9 +7,11 @@ from functools import cached_property
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.manifest import Manifest
+from ...package.manifest import Dependency, Manifest
 from ...ros.interfaces import GROUP
+from ...ros.manifest import RUNS
 
+GENERATORS = "rosidl_default_generators"
 GENERATE = "rosidl_generate_interfaces"
 SKIP_INSTALL, SKIP_CHECK = "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"
 """Options of the call (rosidl_cmake/cmake/rosidl_generate_interfaces.cmake)."""
@@ -35,6 +37,12 @@ class InterfacePackage:
     def checks_group(self) -> bool:
         """Whether rosidl looks for the group."""
         return any(SKIP_CHECK not in call.texts for call in self.installed)
+
+    @property
+    def generators_to_run(self) -> Dependency | None:
+        """The generators where they are declared for running, which brings the runtime as well."""
+        found = (each for each in self.manifest.dependencies if each.name == GENERATORS and each.tag in RUNS)
+        return next(found, None)
 
     @property
     def is_member(self) -> bool:

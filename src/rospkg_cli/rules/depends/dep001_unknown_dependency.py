@@ -52,6 +52,11 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
 
+    ## When it is quiet
+    Packages of the workspace, of an installed prefix (AMENT_PREFIX_PATH, /opt/ros) and of any distribution are known.
+    Where a `.repos` file or an empty submodule says that more packages belong to the workspace, only names that are
+    wrong in any case are reported. Dependencies whose condition excludes the targets, and doc_depend, are left alone.
+
     ## Fix safety
     The name is replaced by the suggested one; where only a letter differs, another one may be right.
     """

@@ -32,6 +32,10 @@ def pip_key(names: DependencyNames) -> Iterator[Hit]:
     A package with such a dependency can't be released into a ROS distribution: the build farm makes Debian packages,
     and these depend on Debian packages alone.
 
+    ## When it is quiet
+    It runs with `--release` alone: a package that is built from source may take libraries from PyPI. Keys that Ubuntu
+    serves on every target are left alone, and so are names of packages of the workspace.
+
     ## References
     - rosdistro, REVIEW_GUIDELINES.md
     """

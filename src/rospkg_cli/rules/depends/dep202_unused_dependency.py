@@ -58,6 +58,12 @@ def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
     ## Why is this bad?
     All users of the package install it too, and `colcon build` waits for it.
 
+    ## When it is quiet
+    Whatever names the package anywhere, in code, launch files, parameters, robots or documents, counts as a use.
+    Packages without code gather dependencies on purpose, and where a part can't be read nothing is said.
+    `<exec_depend>` is left alone, but for interfaces and Python libraries of ament_python packages: it may be a node
+    that is started by name.
+
     ## Fix safety
     Something outside of the package may rely on the dependency being installed.
     """

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.depends.unknown_dependencies import DependencyNames
+from ...edits.manifest import remove_element
 from ...example import Example, manifest
-from ...finding import Hit, Related, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...package.manifest import Manifest
 from ...ros.aliases import successors
 from ...rule import rule
+
+OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
 
 
 @rule(
@@ -27,6 +31,11 @@ from ...rule import rule
                 "package.xml": manifest('  <exec_depend condition="$ROS_VERSION == 1">rospy</exec_depend>\n'),
             },
         ),
+        Example(
+            bad={"package.xml": manifest("  <build_depend>«message_generation»</build_depend>\n")},
+            good={"package.xml": manifest()},
+            fix=Safety.UNSAFE,
+        ),
     ),
 )
 def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
@@ -37,17 +46,40 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [rospy]".
+
+    ## When it is quiet
+    A dependency whose condition excludes ROS 2 (`$ROS_VERSION == 1`) is left alone, and so is a package of that name in
+    the workspace.
+
+    ## Fix safety
+    A line for interfaces is removed where the package has none, or declares what makes them in ROS 2 already; a build
+    for ROS 1 may still need it.
     """
+    manifest = names.declared.manifest
     for each in names.active():
         taken = successors(each.name)
         if taken is None or names.declared.workspace.named(each.name) is not None:
             continue
+        needless = each.name in OF_INTERFACES and (not names.has_interfaces or has_any(manifest, taken))
         instead = " or ".join(f"`{name}`" for name in taken)
-        todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 has no replacement: remove the line"
+        todo = (
+            f"in ROS 2 it is {instead}"
+            if taken and not needless
+            else "ROS 2 needs nothing for it here: remove the line"
+        )
         message = (
             f'`{each.name}` is a package of ROS 1: `rosdep install` ends with "Cannot locate rosdep definition for '
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
         )
-        path = names.declared.manifest.path
-        related = tuple(Related(path, other.span, "and here") for other in names.repeated(each))
-        yield Hit(path, each.span, message, related=related)
+        others = names.repeated(each)
+        related = tuple(Related(manifest.path, other.span, "and here") for other in others)
+        edits = tuple(
+            remove_element(manifest, found.element)
+            for found in (each, *(other for other in others if other.condition is None))
+        )
+        fix = Fix(f"remove `{each.name}`", edits, Safety.UNSAFE) if needless else None
+        yield Hit(manifest.path, each.span, message, related=related, fix=fix)
+
+
+def has_any(manifest: Manifest, names: Iterable[str]) -> bool:
+    return any(manifest.depends_on(name) for name in names)

@@ -50,6 +50,11 @@ def test_only_dependency(used: TestOnlyDependencies) -> Iterator[Hit]:
     ## Why is this bad?
     All users of the package install it too, and builds without tests wait for it.
 
+    ## When it is quiet
+    Whatever else may use the package keeps the finding back: an import or an include outside of tests, a word in a
+    launch or parameter file or in a document, a CMake command outside of tests. An `<exec_depend>` of a CMake package
+    is only judged where it is a tool for tests.
+
     ## Fix safety
     Something outside of the package may rely on the dependency being installed.
     """

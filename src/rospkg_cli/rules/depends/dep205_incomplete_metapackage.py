@@ -54,6 +54,10 @@ def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     Users who install the metapackage to have everything lack a package; mostly it was forgotten when that package was
     added.
 
+    ## When it is quiet
+    Packages that another named package needs come with it. Tests, examples, demos and other metapackages are left out
+    on purpose, and so are packages that need the metapackage. More than a few that are missing are a choice.
+
     ## Fix safety
     The package may be left out on purpose.
     """

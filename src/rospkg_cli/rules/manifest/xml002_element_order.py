@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Iterator
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from ...edits.reorder import reorder, schema_order
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.schema import misplaced
 from ...ros.manifest import place_of
 from ...rule import rule
+from ...source import Span
 
 MAX_OFFERS = 100
 """Each finding offers the one fix of them all; of more findings than these, only the first do."""
+
+MAX_RELATED = 3
 
 GOOD = manifest().replace(
     "</license>\n", "</license>\n  <url>https://example.org</url>\n  <!-- she began it -->\n  <author>Bob</author>\n"
@@ -32,6 +36,7 @@ BAD = (
     "element-order",
     over=Manifest,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where the file names no schema (`<?xml-model …?>`), so that no tool checks it"},
     examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
 )
 def element_order(manifest: Manifest) -> Iterator[Hit]:
@@ -45,6 +50,10 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     colcon does not mind. `ament_xmllint`, which the tests of every package made by `ros2 pkg create` run, fails on it,
     and so does every editor that checks against the schema.
 
+    ## When it is quiet
+    The order is an info where no `<?xml-model …?>` line names the schema: then `ament_xmllint` checks no order. What
+    stands wrong in a row under one tag is one finding.
+
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
     """
@@ -56,15 +65,30 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-    for number, element in enumerate(moving):
-        where = neighbour(staying, bisect_right(places, place_of(element.tag)), element)
-        message = f"`<{element.tag}>` must be {where}; `colcon test` fails on it where ament_xmllint is run"
-        span = element.open if element.children else element.span
-        yield Hit(manifest.path, span, message, fix=fix if number < MAX_OFFERS else None)
+    ends = "`colcon test` fails on it where ament_xmllint is run"
+    if manifest.xml_model is None:
+        ends = "no tool checks it, for no `<?xml-model …?>` line names the schema"
+    for number, (element, *others) in enumerate(in_groups(moving)):
+        message = f"`<{element.tag}>` must be {neighbour(staying, places, element)}: {ends}"
+        same = tuple(Related(manifest.path, span_of(each), "and here") for each in others[:MAX_RELATED])
+        level = None if manifest.xml_model else Severity.INFO
+        yield Hit(manifest.path, span_of(element), message, level, same, fix if number < MAX_OFFERS else None)
 
 
-def neighbour(staying: list[Element], at: int, element: Element) -> str:
-    """Return where an element belongs: before `staying[at]`, said by the one that it should come after or before."""
-    if at and (at == len(staying) or staying[at - 1].span.start > element.span.start):
-        return f"after `<{staying[at - 1].tag}>`"
-    return f"before `<{staying[at].tag}>`"
+def in_groups(moving: Iterable[Element]) -> Iterator[list[Element]]:
+    """Yield the elements of one tag together, where they were found one after the other."""
+    return (list(group) for _, group in groupby(moving, key=lambda element: element.tag))
+
+
+def span_of(element: Element) -> Span:
+    return element.open if element.children else element.span
+
+
+def neighbour(staying: list[Element], places: list[int], element: Element) -> str:
+    """Return where an element belongs, said by the nearest that the schema puts before or after it."""
+    place = place_of(element.tag)
+    start = bisect_left(places, place)
+    end = bisect_right(places, place)
+    if start and (end == len(staying) or staying[start - 1].span.start > element.span.start):
+        return f"after `<{staying[start - 1].tag}>`"
+    return f"before `<{staying[end].tag}>`"

@@ -44,6 +44,9 @@ def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
     colcon can't read the manifest: it takes the folder for a plain package, forgets its dependencies, and `ros2 run`
     does not find it.
 
+    ## When it is quiet
+    A manifest without a format that uses only what format 1 has is left alone, and so is `<run_depend>` in it.
+
     ## References
     - [REP-149, package](https://ros.org/reps/rep-0149.html#package-format-3)
     """

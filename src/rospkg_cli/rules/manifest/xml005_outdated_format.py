@@ -47,6 +47,9 @@ def outdated_format(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     It is not wrong: every tool reads the old formats. Conditions, groups and the files of licenses need format 3.
 
+    ## When it is quiet
+    It runs with `--pedantic` alone. Manifests that use features of format 3 already are left to XML004.
+
     ## References
     - [REP-140, Removing run_depend](https://ros.org/reps/rep-0140.html), [REP-149](https://ros.org/reps/rep-0149.html)
     """

@@ -46,6 +46,10 @@ def missing_xml_model(manifest: Manifest) -> Iterator[Hit]:
     Without the line colcon says nothing when it can't read the manifest (with it there is a warning), and
     `ament_xmllint` and editors check nothing. With the schema of another format they complain about what is right.
 
+    ## When it is quiet
+    It runs with `--pedantic` alone. A line that names the schema of the package's format is enough, wherever that
+    schema lies.
+
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
     """

@@ -9,6 +9,7 @@ from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
+from ...package.metapackage import is_metapackage
 from ...ros.manifest import PACKAGE_NAME
 from ...rule import rule
 
@@ -26,7 +27,10 @@ def named(name: str) -> dict[str, str]:
     "invalid-package-name",
     over=ManifestAndFiles,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a hyphen or an uppercase letter, in a package without interfaces"},
+    levels={
+        Severity.WARNING: "a hyphen or an uppercase letter, in a package without interfaces",
+        Severity.INFO: "the same in a metapackage",
+    },
     examples=(
         Example(
             on="ament_cmake", bad=named("my__pkg"), good={"package.xml": GOOD, "CMakeLists.txt": CMAKE.format("my_pkg")}
@@ -48,6 +52,10 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     Debian has no underscores at the end. A name with a hyphen or an uppercase letter builds, but rosidl refuses it: no
     interfaces can be generated. Python can't import a package whose name has a hyphen.
 
+    ## When it is quiet
+    A hyphen or an uppercase letter stops the build only where interfaces are generated; in a metapackage, of which
+    nothing is generated or imported, it is an info.
+
     ## References
     - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)
     """
@@ -65,9 +73,10 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
         what = f"the name `{name}` is one character long, REP-144 requires two or more: it can't be released"
     elif TOLERATED.fullmatch(name) and not re.search(r"__|_$", name):
         level = None if package.interface_files else Severity.WARNING
+        level = Severity.INFO if is_metapackage(package.files, manifest) else level
         odd, harm = "an uppercase letter", "REP-144 allows only lowercase ones"
         if "-" in name:
-            odd, harm = "a hyphen", "Python can't import it"
+            odd, harm = "a hyphen", "REP-144 allows only `_`" if level is Severity.INFO else "Python can't import it"
         if level is None:
             harm = "rosidl refuses it, and the interfaces can't be generated"
         what = f"the name `{name}` has {odd}: {harm}"

@@ -46,6 +46,9 @@ def name_differs_from_folder(package: ManifestInFolder) -> Iterator[Hit]:
     ## Why is this bad?
     It is allowed, but confusing: `ros2 run` and `colcon build --packages-select` take the name, `cd` the folder.
 
+    ## When it is quiet
+    It runs with `--pedantic` alone. The folder that is the root of the run may have any name.
+
     ## References
     - [REP-149, name](https://ros.org/reps/rep-0149.html): "It may differ from the folder name into which it is checked
       out, but that is not recommended."

@@ -46,6 +46,10 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
     colcon refuses a manifest with `1.0` or `1.2.3-rc1`, and builds the folder as a plain package. bloom and
     catkin_prepare_release read nothing else either.
 
+    ## When it is quiet
+    A version that colcon reads is left alone, however it compares with tags or changelogs: XML109 and the rules for
+    setup.py do that.
+
     ## References
     - [REP-149, version](https://ros.org/reps/rep-0149.html)
     """

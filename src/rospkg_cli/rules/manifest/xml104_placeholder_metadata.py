@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
@@ -17,15 +18,19 @@ TODO = regex(
     r"\W*(?i:TODO|TBD|FIXME|XXX|none|description|(a )?package description)\W*|\W*TODO\b.*|(?i:todo:).*", re.DOTALL
 )
 EMAIL = regex(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
+LICENSE = regex(r"(?:LICEN[CS]E|COPYING)[^/]*")
 WANTED = "say in one sentence what the package does"
 
 
 @rule(
     "XML104",
     "placeholder-metadata",
-    over=Manifest,
+    over=ManifestAndFiles,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "the description is empty: colcon refuses the manifest"},
+    levels={
+        Severity.ERROR: "the description is empty: colcon refuses the manifest",
+        Severity.INFO: "the description only repeats the name",
+    },
     examples=(
         Example(
             bad={"package.xml": GOOD.replace("Drives my robot", "«TODO: Package description»")},
@@ -45,7 +50,7 @@ WANTED = "say in one sentence what the package does"
         ),
     ),
 )
-def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
+def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds placeholders that a template left in package.xml.
@@ -55,17 +60,25 @@ def placeholder_metadata(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     The package index and lawyers read these lines. A release with them is refused in review. An empty description is
     refused by colcon itself.
+
+    ## When it is quiet
+    A description that only repeats the name harms nobody: it is an info. Text around a `TODO`, and addresses that are
+    not a template's, are left alone.
     """
+    manifest = package.manifest
     for element in manifest.all("description"):
         shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
         if not shown and not element.children:
             message = "the description is empty: colcon refuses the manifest and builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
         elif TODO.fullmatch(shown) or repeats(manifest.name, shown):
-            yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}")
+            level = None if TODO.fullmatch(shown) else Severity.INFO
+            yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}", level)
     for element in manifest.all("license"):
         if TODO.fullmatch(element.text):
-            message = f"the license is `{element.text}`: no one may use this package; name a license by its SPDX id"
+            text = next((path for path in package.files.paths if LICENSE.fullmatch(path)), "")
+            harm = f"`{text}` says more, and tools read this line" if text else "no one may use this package"
+            message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
             yield Hit(manifest.path, manifest.span(element), message)
     yield from people(manifest)
 

@@ -40,6 +40,9 @@ def invalid_email(manifest: Manifest) -> Iterator[Hit]:
     colcon refuses the manifest and builds the folder as a plain package, without its dependencies; `ros2 run` does not
     find it. (`root@localhost` is refused as well.)
 
+    ## When it is quiet
+    Authors need no address. Addresses of a template, which can be read, are left to XML104.
+
     ## References
     - [REP-149, maintainer](https://ros.org/reps/rep-0149.html)
     """

@@ -43,6 +43,10 @@ def unclear_license(manifest: Manifest) -> Iterator[Hit]:
     Tools that collect licenses read one name for each tag: they do not know this one, and the package counts as
     unlicensed.
 
+    ## When it is quiet
+    Expressions of SPDX that leave a choice or make an exception (`MIT OR Apache-2.0`) are one license, and a name that
+    merely differs from SPDX's is left to XML110.
+
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "only include the license name in this tag. For multiple
       licenses multiple separate tags must be used."

@@ -38,6 +38,10 @@ def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
     ## Why is this bad?
     bloom refuses to release the package: it packs the package's folder, and the license text is not in it.
 
+    ## When it is quiet
+    Only a `file` attribute in format 3 is judged: it may name any file of the package. Packages without the attribute
+    are left to XML111.
+
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "A path relative to the package.xml file"
     """

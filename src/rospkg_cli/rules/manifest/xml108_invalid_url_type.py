@@ -43,6 +43,9 @@ def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     The schema refuses it (`ament_xmllint` fails), and the package index shows no link.
 
+    ## When it is quiet
+    A `<url>` without a type is a website, and is left alone.
+
     ## References
     - [REP-149, url](https://ros.org/reps/rep-0149.html)
     """

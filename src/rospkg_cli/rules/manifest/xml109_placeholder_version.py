@@ -32,6 +32,9 @@ def placeholder_version(manifest: Manifest) -> Iterator[Hit]:
 
     ## Why is this bad?
     It can't be released: catkin_prepare_release and bloom increase the version that is there.
+
+    ## When it is quiet
+    It runs with `--release` alone: before a release any version will do.
     """
     element = manifest.first("version")
     if element is not None and element.text == "0.0.0":

@@ -43,6 +43,9 @@ def license_alias(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     People know what `Apache License 2.0` means. Tools that collect the licenses of a product read `Apache-2.0`.
 
+    ## When it is quiet
+    It runs with `--pedantic` alone. Names that SPDX does not know, and expressions, are left alone.
+
     ## Fix safety
     `GPLv3` may mean "version 3 only" or "or later": that fix is unsafe, and writes `-only`, which grants less.
 

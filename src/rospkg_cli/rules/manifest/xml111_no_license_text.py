@@ -44,6 +44,10 @@ def no_license_text(package: ManifestAndFiles) -> Iterator[Hit]:
     ## Why is this bad?
     Most licenses require their text to be distributed with the software. The review for a ROS distribution asks for it.
 
+    ## When it is quiet
+    It runs with `--release` alone. A text in the package, or in a folder above it, is enough under any usual name; a
+    `file` attribute is left to XML107.
+
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "Many licenses require including the license text"
     """

@@ -18,7 +18,7 @@ CMAKE = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
     "XML201",
     "duplicate-dependency",
     over=Manifest,
-    severity=Severity.WARNING,
+    severity=Severity.INFO,
     levels={Severity.ERROR: "a `<depend>` is declared twice: colcon refuses the manifest"},
     examples=(
         Example(
@@ -46,6 +46,10 @@ def duplicate_dependency(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     One of them is forgotten when the dependency changes. Two equal `<depend>` are refused by colcon, which then builds
     the folder as a plain package, without its dependencies.
+
+    ## When it is quiet
+    The same name under another tag (XML202), condition or version limit is another dependency. Two equal lines are an
+    info, but for `<depend>`, which colcon refuses.
 
     ## References
     - [REP-149, depend](https://ros.org/reps/rep-0149.html)

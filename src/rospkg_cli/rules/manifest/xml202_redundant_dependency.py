@@ -51,6 +51,10 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten when the
     dependency changes.
 
+    ## When it is quiet
+    Lines whose conditions exclude each other are left alone, and so is a test_depend or a buildtool_depend beside
+    `<depend>`.
+
     ## References
     - [REP-149, depend](https://ros.org/reps/rep-0149.html): "cannot be used in combination with any of the three
       equivalent tags for the same package or key name"; [REP-127, test_depend](https://ros.org/reps/rep-0127.html)

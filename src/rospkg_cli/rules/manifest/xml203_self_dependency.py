@@ -43,6 +43,10 @@ def self_dependency(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     colcon refuses the manifest and builds the folder as a plain package, without its dependencies.
 
+    ## When it is quiet
+    Only the package's own name, and a group that it is a member of, count. `<replace>` and `<conflict>` of itself,
+    which Debian knows, are left alone.
+
     ## References
     - [REP-149, Dependencies](https://ros.org/reps/rep-0149.html): "No package may directly or indirectly depend on
       itself."

@@ -55,6 +55,9 @@ def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
     colcon ignores them. The schema refuses the first kind, and a Debian package made by bloom can't be installed where
     no version fits.
 
+    ## When it is quiet
+    Limits that some version can meet are left alone, however narrow.
+
     ## References
     - [REP-149, build_depend](https://ros.org/reps/rep-0149.html): "Two of these attributes can be used together to
       describe a version range."

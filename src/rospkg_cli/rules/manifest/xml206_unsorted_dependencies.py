@@ -32,6 +32,9 @@ def unsorted_dependencies(manifest: Manifest) -> Iterator[Hit]:
 
     ## Why is this bad?
     It is a matter of taste: in a sorted list duplicates are easy to see, and additions rarely conflict.
+
+    ## When it is quiet
+    It runs with `--pedantic` alone. Only lines of one tag are compared.
     """
     for tag in DEPENDENCY_TAGS:
         found = manifest.all(tag)

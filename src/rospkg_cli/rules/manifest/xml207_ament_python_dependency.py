@@ -32,6 +32,9 @@ def ament_python_dependency(manifest: Manifest) -> Iterator[Hit]:
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]", and bloom refuses to release.
+
+    ## When it is quiet
+    A `<build_type>ament_python</build_type>`, which is what is meant, is left alone.
     """
     for each in manifest.dependencies:
         if each.name == "ament_python":

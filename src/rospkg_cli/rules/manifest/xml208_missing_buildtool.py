@@ -44,6 +44,10 @@ def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
     undefined, and on the build farm CMake ends with `Could not find a package configuration file provided by
     "ament_cmake"`.
 
+    ## When it is quiet
+    A build tool of the ament_cmake family under any tag that is there when the package is built is enough. A
+    CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone.
+
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """

@@ -33,6 +33,9 @@ def empty_dependency(manifest: Manifest) -> Iterator[Hit]:
     ## Why is this bad?
     colcon ignores them. `rosdep install` looks up a key without a name and fails, and bloom writes a Debian control
     file that can't be read.
+
+    ## When it is quiet
+    An element that holds other elements is left to XML001.
     """
     for element in [*(each.element for each in manifest.dependencies), *manifest.all(*NEW_IN[3])]:
         if not element.text and not element.children:

@@ -51,6 +51,10 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     Without one the package counts as a catkin package: colcon looks for a CMakeLists.txt with catkin in it, and a
     package of Python fails with "does not appear to contain CMakeLists.txt".
 
+    ## When it is quiet
+    Packages that depend on catkin and on no ament_cmake are for ROS 1. A build type under a condition counts where the
+    condition may hold for a target.
+
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
     """

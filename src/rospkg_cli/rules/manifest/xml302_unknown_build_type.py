@@ -41,6 +41,10 @@ def unknown_build_type(package: ManifestAndFiles) -> Iterator[Hit]:
     ## Why is this bad?
     colcon warns in one line that it doesn't know how to build the package, builds nothing, and ends with success.
 
+    ## When it is quiet
+    Types of known extensions of colcon, and those that the config names (`build-types`), are known. A type that is near
+    to none of them is an info: an extension may know it.
+
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html)
     """

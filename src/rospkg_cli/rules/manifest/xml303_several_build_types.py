@@ -39,6 +39,9 @@ def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
     REP-149 says that the last one counts. colcon does not think so: it warns, builds the folder as a plain package,
     forgets its dependencies, and `ros2 run` does not find it.
 
+    ## When it is quiet
+    Build types whose conditions exclude each other, as of a package for ROS 1 and ROS 2, are left alone.
+
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "Only one build type should be active after conditions
       are evaluated."

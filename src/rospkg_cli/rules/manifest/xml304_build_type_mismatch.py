@@ -46,6 +46,10 @@ def build_type_mismatch(package: ManifestAndFiles) -> Iterator[Hit]:
     ## Why is this bad?
     `colcon build` fails: "setup.py not found", or CMake's "does not appear to contain CMakeLists.txt".
 
+    ## When it is quiet
+    A build type whose condition excludes the targets is left alone, and a pyproject.toml without setup.py is left to
+    SET307.
+
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html)
     """

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.interface_package import InterfacePackage
-from ...edits.manifest import add_dependency, add_element
+from ...edits.manifest import add_dependency, add_element, rename_dependency
 from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Operation, Safety, Severity
+from ...package.manifest import Dependency
 from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES
+from ...ros.manifest import BUILDS
 from ...rule import rule
 
 GOOD = manifest(
@@ -41,7 +43,10 @@ def without(line: str) -> Example:
     "missing-interface-group",
     over=InterfacePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the runtime alone is missing: the package builds, and is broken for its users"},
+    levels={
+        Severity.WARNING: "the runtime alone is missing: the package builds, and is broken for its users",
+        Severity.INFO: "the generators are declared in the place of the runtime, which they bring",
+    },
     examples=(
         without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
         without("  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"),
@@ -60,6 +65,10 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
     package.xml". Without the generators the build fails on a clean machine, without the runtime users of the package
     can't import its messages.
 
+    ## When it is quiet
+    Interfaces that are not installed (SKIP_INSTALL) or built for tests alone need neither the runtime nor the group,
+    and SKIP_GROUP_MEMBERSHIP_CHECK needs no group. Generators that are declared to run bring the runtime: an info.
+
     ## References
     - [Interfaces, package.xml](https://docs.ros.org/en/rolling/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html)
     """
@@ -76,6 +85,20 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
     ):
         if not package.installs or any(manifest.depends_on(name) for name in names):
             continue
+        if names is RUNTIMES and (wrong := package.generators_to_run):
+            yield generators_to_run(package, wrong)
+            continue
         message = f"interfaces are generated and `{names[0]}` is not declared: {harm}; add `<{tag}>{names[0]}</{tag}>`"
         fix = Fix(f"Add `{names[0]}`", (add_dependency(manifest, tag, names[0]),))
         yield Hit(manifest.path, manifest.name_span, message, level, fix=fix)
+
+
+def generators_to_run(package: InterfacePackage, wrong: Dependency) -> Hit:
+    """Ask for the runtime in the place of the generators, which are there to build."""
+    manifest, name = package.manifest, RUNTIMES[0]
+    others = [each for each in manifest.dependencies if each.name == wrong.name and each is not wrong]
+    edit, todo = rename_dependency(manifest, wrong, name), f"write `{name}` in its place"
+    if not any(each.tag in BUILDS for each in others):
+        edit, todo = add_dependency(manifest, "exec_depend", name), f"add <exec_depend>{name}</exec_depend>"
+    message = f"`{wrong.name}` is a <{wrong.tag}>: users install compilers and generators to have the runtime; {todo}"
+    return Hit(manifest.path, wrong.span, message, Severity.INFO, fix=Fix(f"declare `{name}`", (edit,)))

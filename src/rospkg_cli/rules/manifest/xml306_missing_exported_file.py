@@ -26,7 +26,7 @@ CORE = GOOD.replace("rqt_gui", "nav2_core")
     "missing-exported-file",
     over=ManifestAndInstalls,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is not for rqt: pluginlib goes by what CMake exports, and the line is stale"},
+    levels={Severity.INFO: "it is not for rqt: ROS 2 does not read the line"},
     examples=(
         Example(
             on="ament_cmake",
@@ -62,6 +62,10 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
     menu; nothing fails at build time. For others (pluginlib, rviz) ROS 2 uses
     `pluginlib_export_plugin_description_file` in CMakeLists.txt: there the line is stale and misleading.
 
+    ## When it is quiet
+    Entries under a condition that excludes the targets, and paths with other variables, are left alone. Only rqt reads
+    these lines in ROS 2: for all others the finding is an info.
+
     ## References
     - [REP-149, export](https://ros.org/reps/rep-0149.html)
     """
@@ -78,9 +82,11 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         if not package.files.exists(path):
             meant = suggested(package, path)
             hint = f" (did you mean `{meant}`?)" if meant else ""
-            harm = "rqt will not offer the plugin" if rqt else "ROS 2 goes by what CMake exports"
-            message = f"{what} does not exist{hint}: {harm}; add the file or fix the line"
-            yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.WARNING)
+            harm = "rqt will not offer the plugin; add the file or fix the line"
+            if not rqt:
+                harm = "ROS 2 does not read this line, but what CMake exports; remove the line"
+            message = f"{what} does not exist{hint}: {harm}"
+            yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.INFO)
         elif rqt and package.is_installed(path) is False:
             place = f"share/{manifest.name}/{posixpath.dirname(path)}".rstrip("/")
             message = f"{what} is not installed: rqt will not offer the plugin; install it to `{place}`"

@@ -33,6 +33,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     colcon reads one of the two and ignores the other. What the ignored one would install is missing, although the
     package seems to install it.
 
+    ## When it is quiet
+    Packages for ROS 1 and ROS 2 (catkin, conditions) are left alone, and so is a setup.py that CMake installs by
+    `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
+
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
     """
