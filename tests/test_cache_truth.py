@@ -96,7 +96,7 @@ CHANGES: dict[str, Callable[[Path], None]] = {
     "a neighbour goes": lambda ws: shutil.rmtree(ws / "src/other"),
     "a package comes": add("src/third/package.xml", manifest().replace("my_pkg", "third")),
     "a package is marked as ignored": add("src/other/COLCON_IGNORE"),
-    "a list of repositories": add("src/more.repos", "repositories: {}\n"),
+    "a list of repositories": add("src/more.repos", "repositories: {elsewhere: {type: git}}\n"),
     "a config comes": add("rospkg.toml", 'ignore = { XML = "not now" }\n'),
     "a nearer config": add("src/pyproject.toml", "[tool.rospkg]\npedantic = false\nselect = ['SET']\n"),
     "a mark of a repository": lambda ws: (ws / "src/other/.git").mkdir(),

@@ -10,7 +10,7 @@ from in_process import run_here as rospkg
 from small_rosdistro import DISTROS
 
 from rospkg_cli.cli.new.run import new
-from rospkg_cli.engine.discovery.incomplete_workspace import lists_more_packages
+from rospkg_cli.engine.discovery.incomplete_workspace import missing_packages
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Severity
@@ -40,7 +40,9 @@ INDEX = Index(
 
 def lint(body: str, *targets: str, codes: str = "DEP001", complete: bool = True) -> list[Finding]:
     """Lint a package that declares something, where the index is known."""
-    scope = Scope(("",), frozenset({""}), "my_pkg", complete, index=FetchedNames(dump(INDEX)))
+    scope = Scope(
+        ("",), frozenset({""}), "my_pkg", "" if complete else "packages are missing", index=FetchedNames(dump(INDEX))
+    )
     files = existing_files({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
     return list(Session(MemoryTree.of(files), scope, frozenset({codes}), Targets(targets)).run().findings)
 
@@ -132,15 +134,15 @@ def test_keys_from_pypi_are_those_of_the_index() -> None:
 )
 def test_what_says_that_packages_lie_elsewhere(tmp_path: Path, write, files: dict[str, str], incomplete: bool) -> None:
     write(tmp_path, {"a/b/pkg/package.xml": "", **files})
-    assert lists_more_packages(tmp_path, [tmp_path / "a/b/pkg"]) is incomplete
+    assert (missing_packages(tmp_path, [tmp_path / "a/b/pkg"]) != "") is incomplete
 
 
 def test_without_a_workspace_the_folder_of_the_packages_is_asked(tmp_path: Path, write) -> None:
     write(tmp_path, {"pkg/package.xml": "", "ours.repos": ""})
-    assert lists_more_packages(None, [tmp_path / "pkg"])
-    assert not lists_more_packages(None, [])
+    assert missing_packages(None, [tmp_path / "pkg"])
+    assert not missing_packages(None, [])
     write(tmp_path / "deep", {"a/one/package.xml": "", "b/two/package.xml": "", "ours.repos": ""})
-    assert lists_more_packages(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
+    assert missing_packages(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
 
 
 def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean) -> None:

@@ -9,7 +9,7 @@ from in_process import run_here as rospkg
 
 from rospkg_cli.config.file import MAX_TEXT, ConfigError, find_config
 from rospkg_cli.engine.baseline import BaselineError, read_baseline
-from rospkg_cli.engine.discovery.incomplete_workspace import lists_packages
+from rospkg_cli.engine.discovery.incomplete_workspace import missing_below
 
 CONFIGS = {
     "lists": ("x = " + "[" * 100_000, "nested too deeply"),
@@ -84,7 +84,7 @@ def test_a_hostile_baseline_is_one_sentence(tmp_path: Path, text: str) -> None:
 @pytest.mark.parametrize("text", ["\n" * 300_000, "path" + " " * 300_000, " " * 300_000, "path = x\0y\n" * 9])
 def test_lists_of_submodules_are_read_in_steps_that_grow_with_them(tmp_path: Path, text: str) -> None:
     (tmp_path / ".gitmodules").write_text(text)
-    assert lists_packages(tmp_path) == ("\0" in text)
+    assert bool(missing_below(tmp_path, tmp_path)) == ("\0" in text)
 
 
 def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> None:
@@ -94,3 +94,11 @@ def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> Non
     done = rospkg("lint", cwd=package)
     assert done.returncode in (0, 1, 2), done.stderr
     assert "RPK005" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 200_000, "a: &a [" * 50_000, "- " * 100_000, "repositories:\n" + "  ? [" * 90_000]
+)
+def test_a_hostile_list_of_repositories_may_name_anything(tmp_path: Path, text: str) -> None:
+    (tmp_path / "a.repos").write_text(text)
+    assert missing_below(tmp_path, tmp_path) == "`a.repos` lists repositories and can't be read"

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config.file import Config
+from rospkg_cli.config.hierarchy import ConfigTree
 from rospkg_cli.engine.discovery.locate import LocateError, locate
 
 
@@ -68,9 +69,9 @@ def test_siblings_are_known_not_given(workspace: Path) -> None:
 
 
 def test_a_repos_file_says_that_more_belongs_here(workspace: Path) -> None:
-    assert locate([workspace / "src/a"]).scope.is_complete
+    assert not locate([workspace / "src/a"]).scope.incomplete
     (workspace / "all.repos").touch()
-    assert not locate([workspace / "src/a"]).scope.is_complete
+    assert locate([workspace / "src/a"]).scope.incomplete
 
 
 def test_the_outermost_workspace(workspace: Path) -> None:
@@ -80,8 +81,8 @@ def test_the_outermost_workspace(workspace: Path) -> None:
 
 def test_exclude(workspace: Path) -> None:
     config = Config(workspace / "rospkg.toml", exclude=("src/group",))
-    assert given(workspace, config=config) == ["a"]
-    assert given(workspace, config=replace(config, exclude=("src/*",))) == []
+    assert given(workspace, configs=ConfigTree(config, is_only=True)) == ["a"]
+    assert given(workspace, configs=ConfigTree(replace(config, exclude=("src/*",)), is_only=True)) == []
 
 
 def test_a_lone_package_is_its_own_workspace(tmp_path: Path) -> None:

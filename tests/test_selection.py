@@ -7,7 +7,10 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.config.file import find_config
+from rospkg_cli.config.hierarchy import ConfigTree
 from rospkg_cli.engine.config_filter import ConfigFilter
+from rospkg_cli.engine.discovery.exclusions import Exclusions
+from rospkg_cli.engine.run.session import Scope
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.engine.suppression.config_rule_names import rule_name_events
 from rospkg_cli.finding import Finding, Severity
@@ -39,9 +42,14 @@ def test_a_rule_named_in_full_is_ignored_first_and_selected_next(select: str, ig
     assert ("XML104" in codes) is runs
 
 
+def config_filter(folder: Path) -> ConfigFilter:
+    configs = ConfigTree(find_config(folder))
+    return ConfigFilter(configs, folder, Scope(("",), frozenset({""})), Exclusions(configs))
+
+
 def level(finding: Finding, folder: Path, *sections: str) -> Severity:
     (folder / "rospkg.toml").write_text("".join(f"[{each}]\nXML104 = {value}\n" for each, value in pairs(sections)))
-    return ConfigFilter(find_config(folder), folder).apply(finding).severity
+    return config_filter(folder).apply(finding).severity
 
 
 def pairs(sections: tuple[str, ...]) -> list[tuple[str, str]]:
@@ -56,11 +64,11 @@ def test_of_two_severities_for_a_path_the_later_holds(finding: Finding, tmp_path
 
 def test_what_is_off_is_set_aside_with_a_reason(finding: Finding, tmp_path: Path) -> None:
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\n')
-    judged = ConfigFilter(find_config(tmp_path), tmp_path).apply(finding)
+    judged = config_filter(tmp_path).apply(finding)
     assert judged.suppressed == "severity is off in the config"
     assert judged.external
     (tmp_path / "rospkg.toml").write_text('[severity]\nXML = "off"\nXML104 = "error"\n')
-    judged = ConfigFilter(find_config(tmp_path), tmp_path).apply(finding)
+    judged = config_filter(tmp_path).apply(finding)
     assert (judged.severity, judged.suppressed) == (Severity.ERROR, None)
 
 

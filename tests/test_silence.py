@@ -81,3 +81,38 @@ def test_a_comment_that_is_removed_takes_its_blanks_along_and_its_line_where_it_
     at = text.index("#")
     span = removal(Source("a.py", text), Span(at, at + 3), alone)
     assert text[: span.start] + text[span.end :] == left
+
+
+def test_a_comment_without_a_reason_silences_and_is_told(clean) -> None:
+    comment = "<!-- rospkg: ignore[XML104, SET101] -->"
+    results = lint_files(with_comment(clean, comment), ["XML104", "RPK009"])
+    assert [(f.code, f.message) for f in results.findings] == [
+        ("RPK009", "the ignore of `XML104, SET101` gives no reason; write it behind the bracket")
+    ]
+    assert [f.code for f in results.suppressed] == ["XML104"]
+    assert lint_files(with_comment(clean, comment.replace("]", "] soon")), ["XML104", "RPK009"]).findings == ()
+    unused = {**clean, "setup.py": "# rospkg: ignore[XML104]\n" + clean["setup.py"]}
+    assert [f.code for f in lint_files(unused, ["RPK002", "RPK009", "XML104"]).findings] == ["RPK002"]
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# rospkg: ignore",
+        "# rospkg: ignore the line below",
+        "# rospkg: ignore[] no code",
+        "# rospkg: ignore-file",
+        "#rospkg:ignore SET101 brackets are missing",
+    ],
+)
+def test_a_comment_that_names_no_rule_is_told(clean, comment: str) -> None:
+    (finding,) = lint_files({**clean, "setup.py": f"{comment}\n{clean['setup.py']}"}, ["RPK003"]).findings
+    assert finding.message.startswith("this comment names no rule and ignores nothing; write `rospkg: ignore[CODE]")
+    assert (finding.location.line, finding.location.column, finding.location.end_column) == (1, 1, len(comment) + 1)
+
+
+@pytest.mark.parametrize(
+    "text", ["# rospkg: ignored", "# rospkg: ignore-files", "# rospkg: ignore[SET", "# rospkg ignore"]
+)
+def test_what_is_no_ignore_comment_is_none(clean, text: str) -> None:
+    assert lint_files({**clean, "setup.py": f"{text}\n{clean['setup.py']}"}, ["RPK003"]).findings == ()

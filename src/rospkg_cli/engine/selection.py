@@ -32,7 +32,8 @@ class Selection:
             return False
         if own.intersection(self.select + self.extend):
             return True
-        if named_by(rule, self.ignore) or rule.profile not in self.profiles or (rule.preview and not self.preview):
+        in_profile = rule.profile in self.profiles or any(map(is_everything, self.select + self.extend))
+        if named_by(rule, self.ignore) or not in_profile or (rule.preview and not self.preview):
             return False
         return not self.select or named_by(rule, self.select + self.extend)
 
@@ -41,8 +42,15 @@ EVERYTHING = Selection(profiles=frozenset(Profile), preview=True)
 
 
 def named_by(rule: RuleEntry, names: Iterable[str]) -> bool:
-    """Return whether a code, a name or a prefix of the code is among the names."""
-    return any(rule.name == name or (name and rule.code.startswith(name.upper())) for name in names)
+    """Return whether a code, a name, a prefix of the code or ALL is among the names."""
+    return any(
+        rule.name == name or is_everything(name) or (name and rule.code.startswith(name.upper())) for name in names
+    )
+
+
+def is_everything(name: str) -> bool:
+    """Return whether a name means every rule, of all profiles."""
+    return name.upper() == "ALL"
 
 
 @cache

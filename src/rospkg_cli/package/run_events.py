@@ -15,16 +15,39 @@ class UnusedSuppression:
     code: str
     delete: Span | None
     """What to delete so that the ignore is gone; None where that is not known."""
+    is_pattern: bool = False
+    """Whether it is a pattern of the config's `exclude`, which fits nothing."""
 
 
 @dataclass(frozen=True, slots=True)
 class UnknownRuleName:
-    """A suppression that names no rule."""
+    """A suppression that names no rule; its name is "" where it names nothing at all."""
 
     path: str
     span: Span
     name: str
     nearest: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class ReasonlessIgnore:
+    """An ignore comment that suppresses something and gives no reason."""
+
+    path: str
+    span: Span
+    codes: str
+    """As they are written, joined by commas."""
+
+
+@dataclass(frozen=True, slots=True)
+class CheckSwitchedOff:
+    """Dependencies whose names are not judged; at the first of them."""
+
+    path: str
+    span: Span
+    names: tuple[str, ...]
+    why: str
+    """A clause that names what switches the check off."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,5 +71,7 @@ class NoPackagesFound:
     """Why packages that are there were left out, where that is known."""
 
 
-RUN_EVENTS: frozenset[type] = frozenset({UnusedSuppression, UnknownRuleName, RuleCrash, NoPackagesFound})
+RUN_EVENTS: frozenset[type] = frozenset(
+    {UnusedSuppression, UnknownRuleName, ReasonlessIgnore, CheckSwitchedOff, RuleCrash, NoPackagesFound}
+)
 """Rule inputs that the run makes, after the packages have been checked."""

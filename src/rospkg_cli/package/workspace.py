@@ -32,6 +32,9 @@ class Workspace:
     index: Names = BUILT_IN
     """The names of rosdistro and rosdep."""
 
+    incomplete: str = ""
+    """Why it is not complete, in a sentence that names the file."""
+
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
         return {facts.name: facts for facts in reversed(self.packages)}

@@ -7,6 +7,7 @@ from itertools import groupby
 from typing import IO
 
 from ..finding import Finding, Severity
+from ..light_dataclasses import replace
 from .color import SEVERITY_COLORS
 from .excerpt import excerpt
 from .package_groups import badness, by_package, by_rule
@@ -25,15 +26,19 @@ NOTES = "RPK008"
 
 
 def render(report: Report, stream: IO[str]) -> None:
+    notes = [f for f in report.results.findings if f.code == NOTES]
     findings = [f for f in report.results.findings if f.code != NOTES]
+    report = replace(report, results=replace(report.results, findings=tuple(findings)))
     shown = [f for f in findings if f.severity is not Severity.INFO or report.shows_info]
     is_long = len(shown) > LONG and not report.shows_all
     for package, found in by_package(shown):
-        lines = [] if report.results.packages < 2 else [heading(report, package, findings)]
-        lines += short_blocks(report, found) if is_long else full_blocks(report, found)
-        stream.write("".join(f"{line}\n" for line in lines))
+        block = [] if report.results.packages < 2 else [heading(report, package, findings)]
+        block += short_blocks(report, found) if is_long else full_blocks(report, found)
+        stream.writelines(f"{line}\n" for line in block)
     for line in ending(report, findings, len(findings) - len(shown), is_long):
         stream.write(f"{line}\n")
+    for note in notes:
+        stream.writelines(f"{line}\n" for line in lines(report, words(f"note: {note.message}"), "", "  "))
 
 
 def heading(report: Report, package: str, findings: Sequence[Finding]) -> str:

@@ -24,7 +24,7 @@ def lint_written(answers: Answers, files: Iterable[RenderedFile], there: Workspa
     scope = Scope(
         tuple(sorted({answers.name, *written})),
         frozenset({answers.name}),
-        is_complete=there.complete,
+        incomplete="" if there.complete else "packages are missing around it",
         prefix_names=there.installed | frozenset(there.trees),
         index=there.index,
     )

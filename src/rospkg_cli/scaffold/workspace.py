@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..disk import DiskTree
 from ..engine.discovery.discover import packages_below
-from ..engine.discovery.incomplete_workspace import lists_more_packages
+from ..engine.discovery.incomplete_workspace import missing_packages
 from ..engine.discovery.installed_packages import installed_package_names
 from ..files import PackageFiles
 from ..index import NamesError
@@ -92,7 +92,7 @@ def workspace_packages(into: Path) -> WorkspacePackages:
         tree = DiskTree(folder)
         manifest = Package(PackageFiles(tree, folder.name)).parts(Manifest).only
         trees.setdefault((manifest.name if manifest else "") or folder.name, tree)
-    complete = not lists_more_packages(None, [*folders, into.absolute()])
+    complete = not missing_packages(None, [*folders, into.absolute()])
     return WorkspacePackages(trees, installed_package_names(os.environ), complete, fetched_names(os.environ))
 
 

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
 from ...checks.read_sentences import what_is_wrong
-from ...config.file import find_config
 from ...control_characters import visible
-from ...current_folder import common_folder, current_folder
+from ...current_folder import current_folder
 from ...disk import DiskTree
 from ...edits.format_manifest import format_edits
+from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import locate
 from ...engine.fixing.apply import Changes, edited
 from ...engine.fixing.write import write_changes
@@ -30,7 +30,7 @@ def format_manifests(paths: Sequence[Path], check: bool = False, diff: bool = Fa
     Raises UsageError where no package is found; LocateError, ConfigError, WriteError.
     """
     paths = paths or (Path(),)
-    located = locate(paths, None, find_config(common_folder(paths)))
+    located = locate(paths, None, choose_configs(paths))
     if not located.scope.selected:
         names = ", ".join(f"`{path}`" for path in paths)
         why = f": {located.hidden}" if located.hidden else ""

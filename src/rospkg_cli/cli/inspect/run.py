@@ -8,10 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
-from ...config.file import find_config
-from ...current_folder import common_folder
 from ...current_folder import current_folder as stands
 from ...disk import DiskTree
+from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import locate
 from ...files import PackageFiles
 from ...package.inspection import Inspection, inspect_package
@@ -38,7 +37,7 @@ def inspect(
     """
     stream = stream or sys.stdout
     paths = tuple(paths) or (Path(),)
-    located = locate(paths, None, find_config(common_folder(paths)))
+    located = locate(paths, None, choose_configs(paths))
     if not located.scope.selected:
         why = f": {located.hidden}" if located.hidden else ""
         names = ", ".join(f"`{path}`" for path in paths)

@@ -67,6 +67,10 @@ class LintOptions:
     fail_on: str | None = None
     """The least severity that fails; None where the config decides."""
     exit_zero: bool = False
+    config: Path | None = None
+    """The only config that counts."""
+    isolated: bool = False
+    show_settings: bool = False
     rules: RuleOptions = field(default_factory=RuleOptions)
     fixing: FixOptions = field(default_factory=FixOptions)
     suppression: SuppressionOptions = field(default_factory=SuppressionOptions)

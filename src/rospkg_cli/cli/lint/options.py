@@ -13,6 +13,7 @@ from ..arguments import one_of, split
 
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
 CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", "Fixes", "Output"
+CONFIG = "Configuration"
 FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
 
 SHOWN = ("info", "all")
@@ -104,6 +105,13 @@ def lint(
     traceback: Annotated[
         bool, Option("--traceback", help="Show the traceback of an internal error.", rich_help_panel=OUTPUT)
     ] = False,
+    config: Annotated[
+        Path | None, Option(metavar="FILE", help="Use this config, and no other.", rich_help_panel=CONFIG)
+    ] = None,
+    isolated: Annotated[bool, Option("--isolated", help="Use no config at all.", rich_help_panel=CONFIG)] = False,
+    show_settings: Annotated[
+        bool, Option("--show-settings", help="Show which config holds for which packages.", rich_help_panel=CONFIG)
+    ] = False,
     workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
     allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
@@ -111,7 +119,7 @@ def lint(
 ) -> int:
     """Find mistakes in packages; --fix corrects them."""
     typed: dict[str, Any] = dict(locals())
-    from ...disk_trace import is_folder
+    from ...disk_trace import is_file, is_folder
     from ...report import FORMATS
     from .lint_options import LintOptions
     from .run import lint as run_lint
@@ -121,6 +129,10 @@ def lint(
     for option, level in (("--fail-on", fail_on), ("--fix-level", fix_level)):
         if level is not None:
             one_of(option, level, ("error", "warning", "info"))
+    if config is not None and not is_file(config):
+        raise UsageError(f"--config: there is no file `{config}`")
+    if config is not None and isolated:
+        raise UsageError("--config and --isolated contradict each other; give one of them")
     if workspace is not None and not is_folder(workspace):
         raise UsageError(f"--workspace: `{workspace}` is not a folder")
     typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target", "show")}

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from ...config.file import Config
+from ...config.hierarchy import ConfigTree
 from ...current_folder import absolute
 from ...engine.config_filter import ConfigFilter
 from ...engine.discovery.locate import Located
@@ -15,9 +15,11 @@ from ...report import Report
 from ..streams import say
 
 
-def result_filter(baseline: Path | None, config: Config, located: Located) -> Callable[[Session, Results], Results]:
+def result_filter(
+    baseline: Path | None, configs: ConfigTree, located: Located
+) -> Callable[[Session, Results], Results]:
     """Return the filter of a session's results; raises BaselineError."""
-    by_config = ConfigFilter(config, located.root, located.scope.selected == frozenset(located.scope.folders))
+    by_config = ConfigFilter(configs, located.root, located.scope, located.exclusions)
     if baseline is None:
         return by_config
     from ...engine.baseline import apply_baseline, read_baseline

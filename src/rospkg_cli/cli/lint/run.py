@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import IO
 
 from ...cache.kept_run import run_to_keep
-from ...config.file import Config, find_config
-from ...current_folder import common_folder, current_folder
-from ...disk_trace import stop_trace
+from ...config.file import Config
+from ...config.hierarchy import ConfigTree
+from ...current_folder import current_folder
+from ...disk_trace import exists, stop_trace
+from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix_results import FixResults
 from ...engine.run.session import Results, Session
-from ...engine.selection import rule_names
+from ...engine.selection import codes_named, rule_names
 from ...fence import Fence
 from ...finding import Safety, Severity
 from ...report import Report
 from ...report.color import wants_color
 from ...report.summary import counted
 from ...report.wrap import terminal_width
+from .. import UsageError
 from ..index.age import warn_of_age
 from ..progress import progress
 from ..streams import said, say
@@ -50,10 +54,14 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     fixing, suppression = options.fixing, options.suppression
     files = report_files(options.report.output)
     paths = options.paths or (Path(),)
-    config = find_config(common_folder(paths))
-    located = locate(paths, options.workspace, config)
+    configs = choose_configs(paths, options.config, options.isolated)
+    config, located = configs.root, located_packages(paths, options, configs)
+    if options.show_settings:
+        from .show_settings import show_settings
+
+        return show_settings(options, configs, located, stream)
     with progress(not options.report.quiet) as show_progress:
-        session = make_session(options, config, located, show_progress)
+        session = make_session(options, configs, located, show_progress)
         found = (
             run_session(session, fixing, least_fixed(options, config))
             if located.scope.selected
@@ -78,6 +86,14 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     warn_of_age(session.scope.index, found.results.findings)
     changed = bool(found.changes) and fixing.exit_non_zero_on_fix and not options.exit_zero
     return exit_status(found.results, least_failing(options, config), changed)
+
+
+def located_packages(paths: Sequence[Path], options: LintOptions, configs: ConfigTree) -> Located:
+    """Find the packages; raises LocateError, and UsageError for a rule that stands where a path belongs."""
+    for path in paths:
+        if not exists(path) and codes_named(str(path)):
+            raise UsageError(f"`{path}` is a rule, and stands where a path belongs; join rules by commas: --select A,B")
+    return locate(paths, options.workspace, configs)
 
 
 def make_report(options: LintOptions, config: Config, located: Located, found: FixResults, stream: IO[str]) -> Report:
@@ -159,5 +175,6 @@ def exit_status(results: Results, fail_on: Severity | None, changed: bool) -> in
         return 3
     if any(finding.code == "RPK006" for finding in results.findings):
         return 2
-    fails = fail_on and any(finding.severity.rank >= fail_on.rank for finding in results.findings)
+    judged = (finding for finding in results.findings if finding.code != "RPK008")
+    fails = fail_on and any(finding.severity.rank >= fail_on.rank for finding in judged)
     return 1 if changed or fails else 0

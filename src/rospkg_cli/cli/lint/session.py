@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from ... import __version__
 from ...config.file import Config
+from ...config.hierarchy import ConfigTree
 from ...config.required_version import satisfies
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
+from ...engine.run.codes_of_packages import CodesOfPackages
 from ...engine.run.session import Pool, Scope, Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
@@ -32,24 +34,47 @@ SERIAL_BELOW = 40
 
 
 def make_session(
-    options: LintOptions, config: Config, located: Located, show_progress: Callable[[str], None]
+    options: LintOptions, configs: ConfigTree, located: Located, show_progress: Callable[[str], None]
 ) -> Session:
-    """Return the run that the options and the config ask for; raises UsageError, PluginError and BaselineError."""
+    """Return the run that the options and the configs ask for.
+
+    Raises UsageError, ConfigError, PluginError and BaselineError.
+    """
+    config = configs.root
     require_version(config)
     if config.plugins:
         from ...engine.run.rule_plugins import load_plugins
 
         load_plugins(config.plugins, located.root, config.folder)
+    present = {folder: configs.at(located.root / folder) for folder in located.scope.folders}
+    chosen = codes_of_packages(options.rules, config, present)
     return Session(
         DiskTree(located.root, located.scope.folders),
         replace(located.scope, index=known_names()),
-        selected_codes(options.rules, config),
+        chosen.codes.union(*chosen.special.values()),
         targets(options.rules.target, config),
-        RuleSettings(frozenset(config.build_types), config.plugins),
+        RuleSettings(
+            frozenset(name for each in [config, *present.values()] for name in each.build_types), config.plugins
+        ),
         pool_for(options.jobs, len(located.scope.folders)),
-        result_filter(options.suppression.baseline, config, located),
+        result_filter(options.suppression.baseline, configs, located),
         show_progress,
+        chosen if chosen.special else None,
+        tells_switched_off=True,
     )
+
+
+def codes_of_packages(options: RuleOptions, root: Config, present: Mapping[str, Config]) -> CodesOfPackages:
+    """Return the codes of the rules that run, and those of the packages (by folder) whose config has others."""
+    of_root = selected_codes(options, root)
+    by_config = {root.path: of_root}
+    special = {}
+    for folder, config in present.items():
+        if config.path not in by_config:
+            by_config[config.path] = selected_codes(options, config)
+        if by_config[config.path] != of_root:
+            special[folder] = by_config[config.path]
+    return CodesOfPackages(of_root, special)
 
 
 def selected_codes(options: RuleOptions, config: Config) -> frozenset[str]:

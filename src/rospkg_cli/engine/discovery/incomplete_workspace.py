@@ -9,22 +9,29 @@ from pathlib import Path
 from ...absent_paths import MAX_SUBMODULES, SUBMODULE
 from ...disk_trace import is_file, is_folder, names_in, read_limited, scan
 from ...leftovers import is_never_source
+from ...unreadable import UnreadableError
+from .listed_repositories import listed_repositories
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
-"""The largest .gitmodules that is read."""
+"""The largest .gitmodules or list that is read."""
+
+MAX_NAMED = 3
+"""Repositories that a sentence names."""
 
 
-def lists_more_packages(around: Path | None, packages: Sequence[Path]) -> bool:
-    """Return whether something in a workspace, in a folder right below it or above one of the packages says so.
+def missing_packages(around: Path | None, packages: Sequence[Path]) -> str:
+    """Return what says that packages are not here, in a sentence that names the file; "" where nothing does.
 
-    Where there is no workspace around, the folder that holds the packages is taken for it.
+    Asked are a workspace, the folders right below it, and those above the packages. Where there is no workspace around,
+    the folder that holds the packages is taken for it.
     """
     if around is None and not packages:
-        return False
+        return ""
     top = around or Path(os.path.commonpath([package.parent for package in packages]))
     above = {folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(top)}
-    return any(lists_packages(folder) for folder in {top, *above, *(children(top) if around else ())})
+    folders = sorted({top, *above, *(children(top) if around else ())})
+    return next((why for folder in folders if (why := missing_below(folder, top))), "")
 
 
 def children(folder: Path) -> Iterator[Path]:
@@ -35,15 +42,37 @@ def children(folder: Path) -> Iterator[Path]:
         return
 
 
-def lists_packages(folder: Path) -> bool:
+def missing_below(folder: Path, top: Path) -> str:
+    """Return what a folder's lists and submodules say of packages that are not here."""
     try:
         names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
-        if any(name.endswith(LISTS) for name in names):
-            return True
+        for name in names:
+            if name.endswith(LISTS) and (why := missing_of_list(folder / name, top)):
+                return why
         paths = submodules(folder / ".gitmodules") if ".gitmodules" in names else []
     except OSError:
-        return False
-    return any(is_empty(folder / path) for path in paths[:MAX_SUBMODULES])
+        return ""
+    empty = next((path for path in paths[:MAX_SUBMODULES] if is_empty(folder / path)), None)
+    return "" if empty is None else f"the submodule `{empty}` is empty"
+
+
+def missing_of_list(path: Path, top: Path) -> str:
+    """Return what a list for vcs or wstool says of repositories that are not checked out."""
+    shown = path.relative_to(top).as_posix()
+    try:
+        data = read_limited(path)[1]
+        listed = listed_repositories(data) if data is not None and len(data) <= MAX_BYTES else None
+    except (OSError, UnreadableError, ValueError):
+        listed = None
+    if listed is None:
+        return f"`{shown}` lists repositories and can't be read"
+    above = [folder for folder in (path.parent, *path.parent.parents) if folder.is_relative_to(top)]
+    places = [place for folder in above for place in (folder, folder / "src")]
+    missing = [each for each in listed if all(is_empty(place / each) for place in places)]
+    if not missing:
+        return ""
+    others = f" and {len(missing) - MAX_NAMED} others" if len(missing) > MAX_NAMED else ""
+    return f"`{shown}` lists repositories that are not here ({', '.join(missing[:MAX_NAMED])}{others})"
 
 
 def submodules(path: Path) -> list[str]:
@@ -53,7 +82,7 @@ def submodules(path: Path) -> list[str]:
 
 
 def is_empty(folder: Path) -> bool:
-    """Return whether a submodule is not checked out: its folder is missing, or holds nothing."""
+    """Return whether a repository is not checked out: its folder is missing, or holds nothing."""
     try:
         return not is_folder(folder) or not names_in(folder)
     except OSError:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from fnmatch import fnmatch
 from pathlib import Path
 
-from ...config.file import Config
+from ...config.hierarchy import NO_CONFIGS, ConfigTree
 from ...current_folder import absolute, current_folder
 from ...disk_trace import exists, is_file, is_folder, real_path, scan
 from ...fence import is_shared
@@ -17,11 +16,10 @@ from ...light_dataclasses import dataclass
 from ...user_error import UserError
 from ..run.session import Scope
 from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
+from .exclusions import Exclusions
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden
-from .incomplete_workspace import lists_more_packages
+from .incomplete_workspace import missing_packages
 from .installed_packages import installed_package_names
-
-NO_CONFIG = Config()
 
 
 class LocateError(UserError):
@@ -33,33 +31,35 @@ class Located:
     root: Path
     """Everything lies below it."""
     scope: Scope
+    exclusions: Exclusions
     hidden: str = ""
     """Why packages were left out, where all were."""
 
 
-def locate(paths: Sequence[Path], workspace: Path | None = None, config: Config = NO_CONFIG) -> Located:
-    """Find the packages; raises LocateError for a path that is not there. The config's `exclude` leaves some out."""
-    exclude = [(config.folder, pattern) for pattern in config.exclude]
+def locate(paths: Sequence[Path], workspace: Path | None = None, configs: ConfigTree = NO_CONFIGS) -> Located:
+    """Find the packages; raises LocateError for a path that is not there. `exclude` of the configs leaves some out."""
+    exclusions, config = Exclusions(configs), configs.root
     given: list[Path] = []
     for path in paths:
         if not exists(path):
             raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
         given += packages_at(absolute(path))
-    kept = [p for p in each_once(given) if not is_excluded(p, exclude)]
+    kept = [p for p in each_once(given) if not exclusions.leave_out(p)]
     around = absolute(workspace) if workspace else workspace_of(kept)
     others = packages_below(around) if around else siblings(kept)
-    every = sorted(each_once([*kept, *(p for p in others if not is_excluded(p, exclude))]))
-    anchors = [*every, *([around] if around else []), *([config.folder] if config.path else [])]
+    every = sorted(each_once([*kept, *(p for p in others if not exclusions.leave_out(p))]))
+    anchors = [*every, *([around] if around else []), *([config.folder] if config.path and not configs.is_only else [])]
     root = Path(os.path.commonpath(anchors)) if every else current_folder()
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
         selected=frozenset(relative(p, root) for p in kept),
         name=root.name,
-        is_complete=not lists_more_packages(around, kept),
+        incomplete=missing_packages(around, kept),
         prefix_names=installed_package_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )
-    return Located(root, scope, "" if kept else "the config excludes them" if given else describe_hidden(paths))
+    hidden = "" if kept else "the config excludes them" if given else describe_hidden(paths)
+    return Located(root, scope, exclusions, hidden)
 
 
 def each_once(packages: Iterable[Path]) -> list[Path]:
@@ -89,15 +89,6 @@ def packages_at(path: Path) -> list[Path]:
     if around:
         return [around]
     return [p for p in packages_below(path) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
-
-
-def is_excluded(path: Path, exclude: Iterable[tuple[Path, str]]) -> bool:
-    for base, pattern in exclude:
-        if path.is_relative_to(base):
-            parts = path.relative_to(base).parts
-            if any(fnmatch("/".join(parts[:n]), pattern.rstrip("/")) for n in range(1, len(parts) + 1)):
-                return True
-    return False
 
 
 def relative(path: Path, root: Path) -> str:

@@ -17,10 +17,15 @@ from ...ros.names import BUILT_IN, Names
 from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
 from ..suppression.suppression_index import SuppressionIndex
+from .codes_of_packages import CodesOfPackages
 from .crashes import one_each
 from .finding_builder import FindingBuilder, RootFindingBuilder
 from .run_rules import run_rules
+from .switched_off import switched_off
 from .worker import PackageResults, Worker
+
+ALWAYS = frozenset({"RPK005", "RPK006"})
+"""The rules on a run that failed, which no choice leaves out."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +38,10 @@ class Scope:
     """The packages to report on, as in Workspace."""
     name: str = "package"
     """The name of the root folder."""
-    is_complete: bool = True
-    """As in Workspace; so are the following."""
+    incomplete: str = ""
+    """What says that packages of the workspace are not here; "" where nothing does."""
     prefix_names: frozenset[str] = frozenset()
+    """As in Workspace; so are the following."""
     index: Names = BUILT_IN
     repositories: tuple[frozenset[str], ...] = ()
 
@@ -92,6 +98,14 @@ class Session:
     """Sets aside what the config or a baseline ignores."""
     show_progress: Callable[[str], None] = no_progress
     """Called with a line for the user at the start of each phase."""
+    codes_by_package: CodesOfPackages | None = None
+    """Which of the rules run on which package, where not all run on all."""
+    tells_switched_off: bool = False
+    """Whether it says which checks something around the packages switches off."""
+
+    def codes_at(self, path: str) -> frozenset[str]:
+        """Return the codes of the rules that run on the package around a path of the run, or in that folder."""
+        return self.codes if self.codes_by_package is None else self.codes_by_package.at(path)
 
     def run(self) -> Results:
         """Lint the given packages; never raises for what a package holds."""
@@ -109,17 +123,18 @@ class Session:
 
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope
-        around = (scope.selected, scope.is_complete, scope.prefix_names, scope.repositories)
-        return Workspace(tuple(facts), *around, scope.index)
+        around = (scope.selected, not scope.incomplete, scope.prefix_names, scope.repositories)
+        return Workspace(tuple(facts), *around, scope.index, scope.incomplete)
 
     def collect(self, workspace: Workspace, checked: Sequence[PackageResults]) -> Results:
         of_workspace = list(self.run_workspace_rules(workspace))
         findings = [f for each in checked for f in each.findings] + [r for r in of_workspace if isinstance(r, Finding)]
         crashes = [c for each in checked for c in each.crashes] + [r for r in of_workspace if isinstance(r, RuleCrash)]
-        index = SuppressionIndex([s for each in checked for s in each.suppressions], self.codes)
-        findings = index.apply(findings)
+        index = SuppressionIndex([s for each in checked for s in each.suppressions], self.codes_at)
+        findings = index.apply(self.asked_for(findings))
         crashes = one_each(crashes)
-        events: list[Any] = [*index.unused(), *index.unknown(), *crashes]
+        events: list[Any] = [*index.unused(), *index.unknown(), *index.without_reason(), *crashes]
+        events += switched_off(workspace) if self.tells_switched_off else ()
         findings += index.apply(self.report(workspace, events))
         findings.sort(key=lambda f: f.sort_key)
         return Results(
@@ -138,16 +153,23 @@ class Session:
 
     def report(self, workspace: Workspace | None, events: Sequence[object]) -> list[Finding]:
         """Turn events of the run itself (a crash, an unused ignore) into findings, by the RPK rules."""
-        made, codes = {type(each).__name__ for each in events}, sorted(self.codes | {"RPK005", "RPK006"})
+        made, codes = {type(each).__name__ for each in events}, sorted(self.codes | ALWAYS)
         rules = [rule_by_code(code) for code in codes if rule_entries()[code].over in made]
         builder = self.finding_builder(workspace or Workspace())
-        return [
+        found = [
             builder.build(rule, hit)
             for rule in rules
             for each in events
             if isinstance(each, rule.over)
             for hit in rule.check(each)
         ]
+        return self.asked_for(found)
+
+    def asked_for(self, findings: list[Finding]) -> list[Finding]:
+        """Return the findings of the rules that run on their packages, and those of a run that failed."""
+        if self.codes_by_package is None:
+            return findings
+        return [f for f in findings if f.code in ALWAYS or f.code in self.codes_at(f.location.path)]
 
     def with_crashes(self, results: Results, crashes: Sequence[RuleCrash]) -> Results:
         """Return the results with crashes of what came after the rules (fixes, say), each cause once."""

@@ -16,7 +16,8 @@ from ...unreadable import UnreadableError
 from .file_head import FileHead
 
 COMMENT = regex(
-    r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)\[(?P<codes>[^\]\n]{0,1000})\](?P<reason>[^\n]*)"
+    r"(?P<open>#|//|<!--)[ \t]*rospkg:[ \t]*(?P<kind>ignore(?:-file)?)"
+    r"(?:\[(?P<codes>[^\]\n]{0,1000})\]|(?![\w\[-]))(?P<reason>[^\n]*)"
 )
 MAX_REASON = 4_000
 """A comment of XML may go on for so many characters."""
@@ -67,7 +68,7 @@ def in_source(source: Source, path: str) -> Iterator[Suppression]:
         lines: tuple[int, ...] = (line, line + 1) if alone else (line,)
         if match.group("kind") == "ignore-file" and head.holds(match.start()):
             lines = ()
-        names = list(NAME.finditer(source.text, *match.span("codes")))
+        names = list(NAME.finditer(source.text, *match.span("codes"))) if match["codes"] else []
         yield Suppression(
             path,
             lines,
@@ -81,12 +82,13 @@ def in_source(source: Source, path: str) -> Iterator[Suppression]:
 
 def extent(source: Source, match: re.Match[str]) -> tuple[Span, str]:
     """Return the span of the whole comment, and its reason."""
+    start = match.start("reason")
     if match.group("open") != "<!--":
         return Span(*match.span()), match.group("reason").strip()
-    end = source.text.find("-->", match.end("codes"), match.end("codes") + MAX_REASON)
+    end = source.text.find("-->", start, start + MAX_REASON)
     if end < 0:
         return Span(*match.span()), match.group("reason").strip()
-    return Span(match.start(), end + 3), source.text[match.end("codes") + 1 : end].strip()
+    return Span(match.start(), end + 3), source.text[start:end].strip()
 
 
 def removal(source: Source, span: Span, alone: bool) -> Span:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field, replace
-from ...package.run_events import UnknownRuleName, UnusedSuppression
+from ...package.run_events import ReasonlessIgnore, UnknownRuleName, UnusedSuppression
 from ...source import Span
 from ...suggest import nearest
 from ..selection import codes_named, rule_names
@@ -20,10 +20,10 @@ MAX_GUESSES = 100
 
 @dataclass
 class SuppressionIndex:
-    """All ignore comments of a run; `ran` are the codes of the rules that ran."""
+    """All ignore comments of a run; `ran_at` returns the codes of the rules that ran on the package of a path."""
 
     comments: Sequence[Suppression]
-    ran: frozenset[str]
+    ran_at: Callable[[str], frozenset[str]]
     used: set[tuple[int, int]] = field(default_factory=set)
     """The codes of comments that suppressed something: index of the comment, index of the code."""
 
@@ -67,8 +67,9 @@ class SuppressionIndex:
             if not codes_named(name)
         ]
         different = dict.fromkeys(name for _, _, name in found)
+        bare = [UnknownRuleName(each.path, each.span, "", None) for each in self.comments if not each.codes]
         suggestions = {name: nearest(name, names) for name in islice(different, MAX_GUESSES)}
-        return [UnknownRuleName(path, span, name, suggestions.get(name)) for path, span, name in found]
+        return [*bare, *(UnknownRuleName(path, span, name, suggestions.get(name)) for path, span, name in found)]
 
     def unused(self) -> list[UnusedSuppression]:
         """Return the codes in comments that ignored nothing although all of their rules ran."""
@@ -83,7 +84,18 @@ class SuppressionIndex:
 
     def is_unused(self, index: int, at: int, name: str) -> bool:
         codes = codes_named(name)
-        return (index, at) not in self.used and bool(codes) and codes <= self.ran
+        return (index, at) not in self.used and bool(codes) and codes <= self.ran_at(self.comments[index].path)
+
+    def without_reason(self) -> list[ReasonlessIgnore]:
+        """Return the comments that give no reason, without those that are unused altogether."""
+        found = []
+        for index, comment in enumerate(self.comments):
+            is_needed = any(
+                codes_named(name) and not self.is_unused(index, at, name) for at, name in enumerate(comment.codes)
+            )
+            if is_needed and not comment.reason:
+                found.append(ReasonlessIgnore(comment.path, comment.code_spans[0], ", ".join(comment.codes)))
+        return found
 
 
 def code_removal(comment: Suppression, at: int) -> Span:

@@ -23,7 +23,8 @@ def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     """
     ## What it does
     Finds ignore comments, and ignores of the config, that suppress nothing.
-    An ignore of a rule that did not run is not reported.
+    An ignore of a rule that did not run is not reported. A pattern of the config's `exclude` that fits nothing is, in a
+    run over the whole workspace.
 
     ## Why is this bad?
     The problem was fixed and the ignore stayed: it would hide the next problem of that kind.
@@ -35,4 +36,6 @@ def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     if unused.delete:
         fix = Fix(f"Remove the ignore of {unused.code}", (Edit(unused.path, unused.delete, ""),))
     message = f"`{unused.code}` is ignored here, but not reported here; remove the ignore"
+    if unused.is_pattern:
+        message = f"`{unused.code}` fits no folder and no file: it excludes nothing; correct or remove it"
     yield Hit(unused.path, unused.span, message, fix=fix)
