@@ -57,7 +57,7 @@ def touch(a: Span, b: Span) -> bool:
     """Return whether two edits get in each other's way; two insertions at one place do not."""
     if a.start == a.end and b.start == b.end:
         return False
-    return (a.start < b.end and b.start < a.end) or a.start == b.start or a.end == b.start or b.end == a.start
+    return a.start <= b.end and b.start <= a.end
 
 
 def apply_round(tree: Tree, round_: Round) -> Changes:
