@@ -37,8 +37,13 @@ class PackageFiles:
 
     @cached_property
     def paths(self) -> tuple[str, ...]:
-        """Every file of the package, sorted; files of nested packages do not belong to it."""
-        inner = tuple(p[: -len("package.xml")] for p in self.every if p.endswith("/package.xml"))
+        """Every file of the package, sorted; files of nested packages do not belong to it.
+
+        A package.xml in the folder of a Python module makes no package of it: colcon does not look there, and
+        setuptools installs the module.
+        """
+        below = (p[: -len("package.xml")] for p in self.every if p.endswith("/package.xml"))
+        inner = tuple(folder for folder in below if f"{folder}__init__.py" not in self._every)
         return tuple(p for p in self.every if not p.startswith(inner)) if inner else self.every
 
     @cached_property

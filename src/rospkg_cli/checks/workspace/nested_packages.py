@@ -1,0 +1,50 @@
+"""Rule input: packages inside a package, below which colcon does not look. (colcon-recursive-crawl)"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...files import PackageFiles
+from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
+from ...package.install_table import InstallTable
+from ...package.package_facts import PackageFacts
+from ...unreadable import UnreadableError
+
+MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+COPIES = frozenset({"fixtures", "resource", "resources", "example", "examples"})
+"""Folders of packages that are there to be read or copied."""
+
+
+@dataclass(frozen=True)
+class NestedPackages:
+    package: PackageFacts
+    files: PackageFiles
+    table: InstallTable | None
+
+    def manifests(self) -> Iterator[str]:
+        """Yield the package.xml of the packages inside, the outermost of each folder, that are meant to be built."""
+        outer: list[str] = []
+        every = (path for path in self.files.every if path.endswith("/package.xml"))
+        for path in sorted(every, key=posixpath.dirname) if self.package.build_type != "catkin" else ():
+            folder = posixpath.dirname(path)
+            if folder.startswith(tuple(outer)):
+                continue
+            outer.append(f"{folder}/")
+            if role_of(path) not in ("test", "aside") and not self.is_set_aside(folder) and self.is_manifest(path):
+                yield path
+
+    def is_set_aside(self, folder: str) -> bool:
+        """Return whether a marker, .gitignore or the folder's name says that it is not to be built, or it is data."""
+        parts = folder.split("/")
+        above = ("/".join(parts[:end]) for end in range(1, len(parts) + 1))
+        marked = any(self.files.has_file(f"{each}/{marker}") for each in above for marker in MARKERS)
+        installed = self.table is not None and any(row.source == f"{folder}/package.xml" for row in self.table.rows)
+        return marked or installed or not COPIES.isdisjoint(parts) or self.files.absent.is_ignored(folder)
+
+    def is_manifest(self, path: str) -> bool:
+        try:
+            return "<package" in self.files.source(path).text
+        except UnreadableError:
+            return False
