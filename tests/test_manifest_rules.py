@@ -323,9 +323,8 @@ def test_thousands_of_misplaced_elements_are_placed_by_halving(clean) -> None:
 
 
 def test_a_depend_that_nothing_uses_is_to_be_removed_and_not_changed(clean) -> None:
-    text = clean["package.xml"].replace(
-        "  <export>", "  <depend>nav_msgs</depend>\n  <depend>std_msgs</depend>\n  <export>"
-    )
+    lines = "  <depend>nav_msgs</depend>\n  <depend>std_msgs</depend>\n"
+    text = clean["package.xml"].replace("  <export>", f"{lines}  <export>")
     files = {**clean, "package.xml": text, "my_pkg/node.py": "import std_msgs.msg\n"}
     found = lint_files(files, ["XML209", "DEP202"]).findings
     assert [(finding.code, finding.message.split("`")[1]) for finding in found] == [

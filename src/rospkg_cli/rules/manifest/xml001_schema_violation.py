@@ -51,16 +51,14 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     """
     ## What it does
     Finds what the schema of the manifest's own format (1, 2 or 3) forbids.
-    Forbidden are unknown tags and attributes, children where only text is allowed, required tags that are missing, and
-    tags that occur too often.
+    Such are unknown tags and attributes, elements inside of text, tags that are missing or occur too often.
 
     ## Why is this bad?
     colcon, rosdep and bloom refuse such a package.xml. colcon does not stop at it: it takes the folder for a plain
     Python or CMake package, forgets the dependencies, builds in any order, and `ros2 run` does not find the package.
 
     ## When it is quiet
-    What only the schema forbids, and colcon ignores, is a warning. What other rules know better (order, versions,
-    e-mail addresses, features of format 3) is left to them; anything may stand inside `<export>`.
+    What colcon ignores is a warning; what other rules tell (order, versions, addresses, features of format 3) is theirs.
 
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
