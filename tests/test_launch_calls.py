@@ -6,10 +6,10 @@ import pytest
 
 from rospkg_cli.checks.launch.call_errors import call_faults
 from rospkg_cli.checks.launch.robot_description import robot_parameters
-from rospkg_cli.checks.launch.undefined_names import undefined_names
 from rospkg_cli.checks.launch.wrong_imports import wrong_imports
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
+from rospkg_cli.languages.python.undefined_names import undefined_names
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.package import Package
 from rospkg_cli.rule import all_rules

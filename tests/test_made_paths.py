@@ -102,3 +102,9 @@ def test_interfaces_that_a_build_makes_need_not_be_there() -> None:
     assert missing(**{"msg__.gitignore": "Zone.msg\n"}) == 0
     made = listed.replace("rosidl_gen", f"execute_process(COMMAND make -C {HERE}/msg)\nrosidl_gen")
     assert missing(**{"CMakeLists.txt": made}) == 0
+
+
+def test_a_source_that_is_marked_as_generated_need_not_be_there() -> None:
+    marked = "set_source_files_properties(src/other.cpp PROPERTIES {} TRUE)\n"
+    assert levels(marked.format("GENERATED") + OTHER) == []
+    assert levels(marked.format("HEADER_FILE_ONLY") + OTHER) == [Severity.ERROR]

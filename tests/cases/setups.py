@@ -117,6 +117,20 @@ CASES = {
         python({"setup.py": LISTED}),
         python({"setup.py": LISTED, ".gitignore": "my_pkg/speech\n"}),
     ),
+    "SET308": tuple(
+        python({"setup.py": start + SETUP_PY.replace("    name=package_name,\n", f"    name=package_name,\n{lines}")})
+        for start, lines in (
+            ("", "    py_modules=glob.glob('a/*.py'),\n"),
+            ("", "    py_modules=[os.path.join('a', 'b')],\n"),
+            ("import sys\n\n", "    py_modules=[os.path.join('a', 'b')],\n"),
+            ("import ast\n\n", "    py_modules=[os.path.join('a', 'b')],\n"),
+            ("def found():\n    return os.listdir('a')\n\n\n", ""),
+            ("found = lambda: listed('a')\n", ""),
+            ("from a import *\n", "    py_modules=[os.path.join('a', 'b')],\n"),
+            ("", "    py_modules=[os],\n"),
+            ("", "    py_modules=[json.loads('[]'), json.loads('[]')],\n"),
+        )
+    ),
     "SET401": (
         python({"setup.py": SETUP_PY.replace("name=package_name", "name='your_pkg'")}),
         python({"setup.py": OTHER_NAME}),

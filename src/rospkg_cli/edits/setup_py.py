@@ -8,6 +8,7 @@ from ..lazy_regex import regex
 from ..package.setup.find_packages import PackageSearch
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
+from ..ros.imports import STANDARD
 from ..source import Span
 from . import python_list as commas
 
@@ -150,3 +151,15 @@ def move_tests_require(setup: SetupPy) -> tuple[Edit, ...]:
     if not all(extras.span.start < span.start < span.end < extras.span.end for span in spans):
         return ()
     return (*removed, *commas.append(setup.source, extras.span, spans, f"{key}: {code}"))
+
+
+def import_module(setup: SetupPy, line: str) -> tuple[Edit, ...]:
+    """Add an import of the standard library: among those that are there, or in a group of its own before the others."""
+    module = line.split()[1]
+    found = [(text.split()[1].partition(".")[0], span) for text, span in import_lines(setup)]
+    later = next((span for name, span in found if name not in STANDARD or name > module), None)
+    if later is None:
+        at = setup.source.line_starts[setup.source.position(found[-1][1].end)[0]] if found else 0
+        return (Edit(setup.path, Span(at, at), f"{line}\n"),)
+    alone = not any(name in STANDARD for name, _ in found)
+    return (Edit(setup.path, Span(later.start, later.start), f"{line}\n\n" if alone else f"{line}\n"),)

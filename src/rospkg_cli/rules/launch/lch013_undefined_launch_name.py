@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.undefined_names import UndefinedName, undefined_names
 from ...checks.launch.wrong_imports import wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...languages.python.undefined_names import UndefinedName, undefined_names
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_exports import exporting_module
 from ...rule import rule

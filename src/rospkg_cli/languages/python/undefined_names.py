@@ -6,9 +6,9 @@ import ast
 import builtins
 from collections.abc import Iterable, Iterator
 
-from ...languages.python.file import PythonFile, bindings
 from ...light_dataclasses import dataclass
 from ...source import Span
+from .file import PythonFile, bindings
 
 GIVEN = frozenset(dir(builtins)) | frozenset(
     "__file__ __name__ __doc__ __package__ __loader__ __spec__ __builtins__ __path__ __cached__ __annotations__".split()

@@ -1,0 +1,77 @@
+"""SET308 undefined-setup-name."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ...edits.setup_py import import_module
+from ...example import SETUP_PY, Example
+from ...finding import Fix, Hit, Safety, Severity
+from ...languages.python.undefined_names import UndefinedName, undefined_names
+from ...package.setup.setup_py import SetupPy
+from ...rule import rule
+from ...suggest import nearest
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+GLOB = "        ('share/' + package_name + '/launch', «glob»('launch/*launch.[pxy][yma]*')),\n"
+BAD = SETUP_PY.replace(ENTRY, ENTRY + GLOB)
+GOOD = BAD.replace("«", "").replace("»", "")
+LAUNCH = {"launch/robot.launch.xml": "<launch>\n</launch>\n"}
+LIBRARY = ("os", "sys", "glob", "pathlib")
+
+
+@rule(
+    "SET308",
+    "undefined-setup-name",
+    over=SetupPy,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is used in a function, which may not be called"},
+    examples=(
+        Example(
+            bad={**LAUNCH, "setup.py": BAD},
+            good={"setup.py": f"from glob import glob\n\n{GOOD}"},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"setup.py": SETUP_PY.replace("name=package_name", "name=«pakage_name»")},
+            good={"setup.py": SETUP_PY},
+        ),
+    ),
+)
+def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that setup.py uses and that it neither defines nor imports.
+
+    ## Why is this bad?
+    The build stops with a NameError. A `glob(…)` that was copied without its import is the usual case.
+
+    ## When it is quiet
+    Where setup.py imports `*`, runs strings as code or looks names up in `globals()`, and where a NameError is caught.
+    """
+    reported: set[str] = set()
+    for found in undefined_names(setup.file):
+        if found.name in reported:
+            continue
+        reported.add(found.name)
+        line = import_of(setup, found)
+        near = nearest(found.name, found.known)
+        advice = f"add `{line}`" if line else f"did you mean `{near}`?" if near else "define or import it"
+        message = f"`{found.name}` is neither defined nor imported: setup.py stops with NameError; {advice}"
+        fix = Fix(f"add `{line}`", import_module(setup, line)) if line else None
+        yield Hit(setup.path, found.span, message, Severity.WARNING if is_in_function(setup, found) else None, fix=fix)
+
+
+def import_of(setup: SetupPy, found: UndefinedName) -> str:
+    """Return the line that imports a module of the standard library; "" for other names."""
+    is_module = setup.source.text.startswith(".", found.span.end)
+    if found.name == "glob" and not is_module:
+        return "from glob import glob"
+    return f"import {found.name}" if found.name in LIBRARY and is_module else ""
+
+
+def is_in_function(setup: SetupPy, found: UndefinedName) -> bool:
+    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+    spans = (setup.file.span(node) for node in ast.walk(setup.file.tree) if isinstance(node, functions))
+    return any(span.start <= found.span.start < span.end for span in spans)
