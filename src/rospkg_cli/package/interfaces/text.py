@@ -31,8 +31,8 @@ def parse_interface(source: Source, kind: str) -> InterfaceFile:
     raw = source.text.splitlines(keepends=True)
     lines = list(numbered(raw))
     marks = [
-        SeparatorLine(index, Span(line.at, line.at + len(line.text)), raw[index].splitlines()[0] == "---")
-        for index, line in enumerate(lines)
+        SeparatorLine(index, Span(line.at, line.at + len(written)), written == "---")
+        for index, (line, written) in enumerate(zip(lines, source.text.splitlines(), strict=True))
         if NEARLY.fullmatch(line.text)
     ]
     exact = [mark for mark in marks if mark.exact]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from ...checks.interfaces.member_names import is_valid, language_of, repeated, suggestion
@@ -79,15 +80,16 @@ def invalid_field_name(scope: InterfaceInPackage) -> Iterator[Hit]:
     if not scope.generation.may_read(path):
         return
     level = None if scope.generation.surely_reads(path) else Severity.WARNING
-    for member in interface.members:
-        language = language_of(member)
-        if not is_valid(member):
-            yield Hit(path, member.name_span, refusal(member), level, fix=rename(path, member))
-        elif language:
-            advice = "" if language == "OMG IDL" else "; rename it"
-            message = f"`{member.name}` is a keyword of {language}: {HARM[language]}{advice}"
-            yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else level)
     for section in interface.sections:
+        names = Counter(map(suggestion, section.members))
+        for member in section.members:
+            language = language_of(member)
+            if not is_valid(member):
+                yield Hit(path, member.name_span, refusal(member), level, fix=rename(path, member, names))
+            elif language:
+                advice = "" if language == "OMG IDL" else "; rename it"
+                message = f"`{member.name}` is a keyword of {language}: {HARM[language]}{advice}"
+                yield Hit(path, member.name_span, message, Severity.INFO if language == "OMG IDL" else level)
         for member, first in repeated(section):
             what = "constant" if member.is_constant else "field"
             message = f"the {what} `{member.name}` is here twice: rosidl stops the build; rename one"
@@ -102,8 +104,9 @@ def refusal(member: Member) -> str:
     return f"{message}; a default value is written without `=`: `{member.type.text} {member.name.lower()} …`"
 
 
-def rename(path: str, member: Member) -> Fix | None:
+def rename(path: str, member: Member, names: Counter[str | None]) -> Fix | None:
+    """Return the fix; None where another member has that name, or would get it."""
     better = suggestion(member)
-    if better is None:
+    if better is None or names[better] > 1:
         return None
     return Fix(f"rename it to `{better}`", (Edit(path, member.name_span, better),), Safety.UNSAFE)
