@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import PurePosixPath
 from typing import Literal
 
 from ..lazy_regex import regex
@@ -13,15 +12,15 @@ Role = Literal["run", "launch", "test", "aside"]
 TESTS = frozenset("test tests unit_test unit_tests integration_test integration_tests".split())
 ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored external templates template".split())
 LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
+ASIDE_ANYWHERE = frozenset({"third_party", "vendor", "templates", "template"})
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 
 
 def role_of(path: str) -> Role:
     """Return the role of a file by its path."""
-    where = PurePosixPath(path)
-    folders = set(where.parts[:-1])
-    if folders & TESTS or where.name == "conftest.py":
+    *folders, name = path.split("/")
+    if not TESTS.isdisjoint(folders) or name == "conftest.py":
         return "test"
-    if where.parts[0] in ASIDE or path in NOT_INSTALLED or folders & {"third_party", "vendor", "templates", "template"}:
+    if (folders or [name])[0] in ASIDE or path in NOT_INSTALLED or not ASIDE_ANYWHERE.isdisjoint(folders):
         return "aside"
     return "launch" if LAUNCH.search(path) else "run"

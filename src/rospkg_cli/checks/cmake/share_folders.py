@@ -59,8 +59,13 @@ class RuntimeFolders:
 
     def is_named(self, folder: str) -> bool:
         """Return whether another command names the folder: then it serves another purpose."""
+        return folder in self.named
+
+    @cached_property
+    def named(self) -> frozenset[str]:
+        """The first folder of each path that a command names which installs nothing."""
         calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
-        return any(path == folder or path.startswith(f"{folder}/") for call in calls for path in paths_of(call))
+        return frozenset(path.partition("/")[0] for call in calls for path in paths_of(call))
 
     @property
     def insertion_call(self) -> EvaluatedCommand | None:

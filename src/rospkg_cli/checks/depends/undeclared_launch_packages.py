@@ -13,7 +13,7 @@ from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
 from ...package.launch.default_conditions import off_by_default
 from ...package.launch.launch_file import LaunchFile
-from ...package.python.python_imports import OwnModules, PackageImports
+from ...package.python.python_imports import PackageImports, own_modules
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
@@ -129,7 +129,7 @@ class LaunchDependencies:
         """
         if role_of(file.path) == "run":
             return
-        own = OwnModules(self.files)
+        own = own_modules(self.files)
         for each in file.imports:
             if each.level or each.is_optional or each.is_for_typing or own.has(each.module, file.path):
                 continue

@@ -32,21 +32,19 @@ class WordIndex:
     cmake: CMake | None
 
     @cached_property
-    def by_purpose(self) -> dict[Purpose, frozenset[str]]:
-        """The words of what is compiled, of tests, of README and its like, and of the rest; not of package.xml."""
-        found: dict[Purpose, set[str]] = {"build": set(), "run": set(), "test": set(), "docs": set()}
+    def by_purpose(self) -> dict[Purpose, list[str]]:
+        """The texts of what is compiled, of tests, of README and its like, and of the rest; not of package.xml."""
+        found: dict[Purpose, list[str]] = {"build": [], "run": [], "test": [], "docs": []}
         for path in self.files.paths:
             purpose = self.purpose(path)
             if purpose is not None:
                 try:
-                    found[purpose].update(WORD.findall(self.files.source(path).text))
+                    found[purpose].append(self.files.source(path).text)
                 except UnreadableError:
                     continue
         for call in (*self.cmake.calls, *self.cmake.unreachable) if self.cmake else ():
-            for word in call.words:
-                found["test" if call.testing else "build"].update(WORD.findall(word.text))
-        found["run"].update(element.tag for element in self.manifest.exports)
-        return {purpose: frozenset(words) for purpose, words in found.items()}
+            found["test" if call.testing else "build"] += (word.text for word in call.words)
+        return found
 
     def purpose(self, path: str) -> Purpose | None:
         """Return the purpose of a file; None for what is no text, or is read as calls of CMake."""
@@ -65,4 +63,18 @@ class WordIndex:
 
     def has(self, name: str, *purposes: Purpose) -> bool:
         """Return whether files of one of some purposes (default: of all) have a name."""
-        return any(name in self.by_purpose[purpose] for purpose in purposes or self.by_purpose)
+        if (not purposes or "run" in purposes) and any(element.tag == name for element in self.manifest.exports):
+            return True
+        texts = (text for each in purposes or self.by_purpose for text in self.by_purpose[each])
+        return bool(WORD.fullmatch(name)) and any(has_word(text, name) for text in texts)
+
+
+def has_word(text: str, name: str) -> bool:
+    """Return whether a name is a word of a text, with neither a letter nor a hyphen around it."""
+    at = text.find(name)
+    while at >= 0:
+        end = at + len(name)
+        if not (at and WORD.match(text, at - 1)) and not WORD.match(text, end):
+            return True
+        at = text.find(name, at + 1)
+    return False

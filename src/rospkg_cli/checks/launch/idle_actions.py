@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Call
 from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
 from ...lazy_regex import regex
 from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_classes import class_of
@@ -41,9 +42,9 @@ def contains(around: Span, span: Span) -> bool:
 
 def never_added(file: PythonFile) -> Iterator[Span]:
     """Yield the calls in functions whose result nothing names: bound to a local that is never read, or to nothing."""
-    read = {node.id for node in ast.walk(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
-    for function in ast.walk(file.tree):
-        for node in ast.walk(function) if isinstance(function, ast.FunctionDef) and "locals" not in read else ():
+    read = {node.id for node in nodes_of(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
+    for function in nodes_of(file.tree):
+        for node in nodes_of(function) if isinstance(function, ast.FunctionDef) and "locals" not in read else ():
             if isinstance(node, ast.Assign) and all(isinstance(t, ast.Name) and t.id not in read for t in node.targets):
                 yield file.span(node.value)
 

@@ -8,6 +8,7 @@ import math
 import warnings
 from collections.abc import Iterator, Mapping
 
+from ...languages.python.nodes import nodes_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span
@@ -82,7 +83,7 @@ def parsed(text: str) -> ast.Expression | None:
 
 def unknown_names(tree: ast.Expression) -> Iterator[str]:
     """Yield the names that are no builtin, none of `math` and not bound in the expression, each once."""
-    bound = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
-    bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
-    used = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
+    bound = {node.id for node in nodes_of(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    bound |= {node.arg for node in nodes_of(tree) if isinstance(node, ast.arg)}
+    used = (node.id for node in nodes_of(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
     yield from (name for name in dict.fromkeys(used) if name not in bound | KNOWN)

@@ -8,6 +8,7 @@ from typing import Literal
 
 from ...languages.python.evaluate.values import Call, Constant, PartialText, Text, Value
 from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import is_condition, is_resolved_at_run_time, type_name
@@ -82,7 +83,7 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
     file = launch.file
     made = {call.span: call for call in launch.calls if is_resolved_at_run_time(call)}
     bound = bindings_of(file, made)
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file.tree):
         for test in operands(node.test) if isinstance(node, ast.If | ast.IfExp | ast.While) else ():
             call = bound.get(test.id) if isinstance(test, ast.Name) else made.get(file.span(test))
             if call is not None:
@@ -95,8 +96,8 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
 def bindings_of(file: PythonFile, made: Mapping[Span, Call]) -> Mapping[str, Call | None]:
     """Return what each name of a file holds wherever it is bound; None where it may hold something else."""
     found: dict[str, Call | None] = {}
-    values = {id(node.targets[0]): node.value for node in ast.walk(file.tree) if isinstance(node, ast.Assign)}
-    for node in ast.walk(file.tree):
+    values = {id(node.targets[0]): node.value for node in nodes_of(file.tree) if isinstance(node, ast.Assign)}
+    for node in nodes_of(file.tree):
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
             value = values.get(id(node))
             call = made.get(file.span(value)) if value is not None else None

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
 from ...light_dataclasses import dataclass
 from ...ros.launch_exports import EXPORTS, exporting_module
 from ...source import Span
@@ -30,7 +31,7 @@ def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
     """Yield imports of names that another module of launch has, or that are misspelt."""
     meant: dict[tuple[str, str], tuple[str, str]] = {}
     optional = {each.module for each in file.imports if each.is_optional}
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file.tree):
         if not isinstance(node, ast.ImportFrom) or node.level or not node.module:
             continue
         module = node.module

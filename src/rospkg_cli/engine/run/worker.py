@@ -73,7 +73,7 @@ class Worker:
         for folder in self.folders:
             if folder not in workspace.selected:
                 continue
-            package = self.packages[folder]
+            package = self.packages.pop(folder)  # what was read of it is given back when it is checked
             builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
             rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
             results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings).of, rules, builder))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from typing import cast
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -65,7 +66,14 @@ class CppFile:
 
 
 def read_cpp(source: Source) -> CppFile:
-    """Read one file; what is not C++ is skipped."""
+    """Read one file, once for each Source; what is not C++ is skipped."""
+    known = vars(source)
+    if "cpp_file" not in known:
+        known["cpp_file"] = read_anew(source)
+    return cast(CppFile, known["cpp_file"])
+
+
+def read_anew(source: Source) -> CppFile:
     includes: list[IncludeDirective] = []
     defines: list[MacroDefinition] = []
     calls: list[CppCall] = []
@@ -82,7 +90,7 @@ def read_cpp(source: Source) -> CppFile:
                 closed = bool(found) and all(call.arguments is not None for call in found)
                 room -= sum(call.span.end - call.span.start for call in found) if closed else MAX_LENGTH
                 calls += found
-        elif "::" in source.text[token.start : token.end]:
+        else:
             calls += initializer_call(source, token)
     return CppFile(source, tuple(includes), tuple(defines), tuple(calls))
 

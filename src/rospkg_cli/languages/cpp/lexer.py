@@ -1,12 +1,11 @@
-"""Tokens of a C++ text: preprocessor lines, strings, and names that may be a call of interest.
+"""Tokens of a C++ text: preprocessor lines, strings with `::`, and names that may be a call of interest.
 
-Comments and code between `#if 0` and its end are left out. One pass of one pattern, as a text has
-thousands of tokens that are not needed.
+Comments and code between `#if 0` and its end are left out. One pass of one pattern, as a text has thousands of tokens
+that are not needed; names are found by their words and put between the others.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Literal
 
@@ -17,15 +16,25 @@ Kind = Literal["directive", "string", "name"]
 
 REST = r"(?:[^\n\\/]|/(?![/*])|\\[\s\S])*"
 TOKEN = regex(
-    r"""(?P<comment>//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?(?:\*/|\Z))"""
-    r"""|(?P<raw>R"(?P<tag>[^()\\\s"]{0,16})\([\s\S]*?\)(?P=tag)")"""
-    r"""|(?P<string>"(?:[^"\\\n]|\\[\s\S])*")"""
-    r"""|(?P<char>(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.)+')"""
-    rf"""|(?P<directive>\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|define)\b{REST})"""
-    r"""|(?P<name>\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)(?=\s*(?P<opening>[<(])))"""
+    r"""//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?(?:\*/|\Z)"""
+    r"""|R"([^()\\\s"]{0,16})\([\s\S]*?\)\1\""""
+    r"""|"(?:[^"\\\n]|\\[\s\S])*\""""
+    r"""|'(?<![0-9A-Za-z_]')(?:[^'\\\n]|\\.)+'"""
+    rf"""|\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|define)\b{REST}"""
 )
+"""A comment, a raw string, a string, a character, a directive. Each begins with a literal, so that `re` skips ahead."""
+
+NAME = regex(
+    r"(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)"
+    r"(?=\s*([<(]))"
+)
+WORDS = ("REGISTER", "EXPORT", "ClassLoader", "declare_parameter", "declare_or_get_parameter", "get_parameter")
+"""Each name of interest has one of them."""
+
 DIRECTIVE = regex(r"#[ \t]*(\w+)[ \t]*")
 NEVER = regex(r"0\b|false\b")
+DEFINE = regex(r"\s*#[ \t]*define[ \t]+")
+EDGE = regex(r"\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,23 +90,46 @@ class ConditionalStack:
 
 def guards(text: str, start: int, end: int) -> bool:
     """Return whether the name behind `#ifndef` is defined in the next directive."""
-    name = text[start:end].strip()
-    return re.compile(rf"\s*#[ \t]*define[ \t]+{re.escape(name)}\b").match(text, end) is not None
+    name, found = text[start:end].strip(), DEFINE.match(text, end)
+    return found is not None and text.startswith(name, found.end()) and bool(EDGE.match(text, found.end() + len(name)))
+
+
+def names(text: str, at: int) -> list[tuple[int, int, int]]:
+    """Return where each name of interest begins and ends, and the bracket behind it, in order, also in comments."""
+    found = {}
+    for word in WORDS:
+        place = text.find(word, at)
+        while place >= 0:
+            start = place
+            while start > at and (text[start - 1].isalnum() or text[start - 1] == "_"):
+                start -= 1
+            if start not in found and (match := NAME.match(text, start)):
+                found[start] = (start, match.end(), match.start(1))
+            place = text.find(word, place + len(word))
+    return [found[start] for start in sorted(found)]
 
 
 def tokens(text: str, at: int = 0) -> Iterator[CppToken]:
     """Yield the tokens from an offset on, in order."""
-    conditions = ConditionalStack()
+    conditions, dead, waiting = ConditionalStack(), False, names(text, at)[::-1]
     for match in TOKEN.finditer(text, at):
-        kind = match.lastgroup
-        if kind == "directive":
-            found = DIRECTIVE.match(text, match.start())
+        start, end = match.span()
+        while waiting and waiting[-1][0] < start:
+            begin, close, opening = waiting.pop()
+            if not dead:
+                yield CppToken("name", begin, close, conditions.conditional, at=opening)
+        while waiting and waiting[-1][0] < end:
+            waiting.pop()
+        if text[start] == "#":
+            found = DIRECTIVE.match(text, start)
             assert found is not None
-            word, start = found.group(1), found.end()
-            if not conditions.dead and word in ("include", "define"):
-                yield CppToken("directive", match.start(), match.end(), conditions.conditional, word, start)
-            conditions.step(word, text, start, match.end())
-        elif kind == "string" and not conditions.dead:
-            yield CppToken("string", match.start(), match.end(), conditions.conditional)
-        elif kind == "name" and not conditions.dead:
-            yield CppToken("name", match.start(), match.end(), conditions.conditional, at=match.start("opening"))
+            word, behind = found[1], found.end()
+            if not dead and word in ("include", "define"):
+                yield CppToken("directive", start, end, conditions.conditional, word, behind)
+            conditions.step(word, text, behind, end)
+            dead = conditions.dead
+        elif text[start] == '"' and not dead and "::" in match[0]:
+            yield CppToken("string", start, end, conditions.conditional)
+    for begin, close, opening in reversed(waiting):
+        if not dead:
+            yield CppToken("name", begin, close, conditions.conditional, at=opening)

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
+from .nodes import children_of, nodes_of
 from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
@@ -66,7 +67,7 @@ class PythonFile(PythonSyntax):
                     )
                 case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
                     inner = Import("", (), 0, under.span, under.is_optional, under.is_for_typing, True)
-                    yield from self.imports_in(ast.iter_child_nodes(node), inner)
+                    yield from self.imports_in(children_of(node), inner)
                 case ast.Try():
                     survives = under.is_optional or any(handles_import_error(handler) for handler in node.handlers)
                     inner = Import("", (), 0, under.span, survives, under.is_for_typing, under.is_local)
@@ -86,7 +87,7 @@ class PythonFile(PythonSyntax):
                     inner = Import("", (), 0, under.span, True, under.is_for_typing, under.is_local)
                     yield from self.imports_in(node.body, inner)
                 case ast.stmt() | ast.ExceptHandler() | ast.match_case():
-                    yield from self.imports_in(ast.iter_child_nodes(node), under)
+                    yield from self.imports_in(children_of(node), under)
 
     def module_span(self, node: ast.ImportFrom) -> Span:
         whole = self.span(node)
@@ -134,7 +135,7 @@ class PythonFile(PythonSyntax):
         return any(
             (isinstance(node, ast.Name) and node.id in touched)
             or (isinstance(node, ast.Attribute) and node.attr == "__dict__")
-            for node in ast.walk(self.tree)
+            for node in nodes_of(self.tree)
         )
 
 
@@ -162,7 +163,7 @@ def parse_python(source: Source) -> PythonFile:
 def handles_import_error(handler: ast.ExceptHandler) -> bool:
     if handler.type is None:
         return True
-    return any(isinstance(node, ast.Name) and node.id in IMPORT_ERRORS for node in ast.walk(handler.type))
+    return any(isinstance(node, ast.Name) and node.id in IMPORT_ERRORS for node in nodes_of(handler.type))
 
 
 def suppresses_import_error(manager: ast.expr) -> bool:
@@ -179,8 +180,8 @@ def depends_on_platform(test: ast.expr) -> bool:
 
 def names_in(node: ast.expr) -> set[str]:
     """Return the names and attributes in an expression."""
-    names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
-    return names | {each.attr for each in ast.walk(node) if isinstance(each, ast.Attribute)}
+    names = {each.id for each in nodes_of(node) if isinstance(each, ast.Name)}
+    return names | {each.attr for each in nodes_of(node) if isinstance(each, ast.Attribute)}
 
 
 def constant_truth(test: ast.expr) -> bool | None:
@@ -200,9 +201,9 @@ def constant_truth(test: ast.expr) -> bool | None:
 
 def asked(test: ast.expr) -> frozenset[str]:
     """Return the strings that a condition asks for by a comparison or a call: `'cv2' in installed()`."""
-    if not any(isinstance(node, ast.Compare | ast.Call) for node in ast.walk(test)):
+    if not any(isinstance(node, ast.Compare | ast.Call) for node in nodes_of(test)):
         return frozenset()
-    values = (node.value for node in ast.walk(test) if isinstance(node, ast.Constant))
+    values = (node.value for node in nodes_of(test) if isinstance(node, ast.Constant))
     return frozenset(value for value in values if isinstance(value, str))
 
 
@@ -228,8 +229,8 @@ def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr
             case ast.Lambda() | ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
                 continue
             case _:
-                yield from bindings(ast.iter_child_nodes(node))
+                yield from bindings(children_of(node))
 
 
 def global_names(function: ast.AST) -> set[str]:
-    return {name for node in ast.walk(function) if isinstance(node, ast.Global) for name in node.names}
+    return {name for node in nodes_of(function) if isinstance(node, ast.Global) for name in node.names}

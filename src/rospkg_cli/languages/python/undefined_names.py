@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .file import PythonFile, bindings
+from .nodes import children_of, nodes_of
 
 GIVEN = frozenset(dir(builtins)) | frozenset(
     "__file__ __name__ __doc__ __package__ __loader__ __spec__ __builtins__ __path__ __cached__ __annotations__".split()
@@ -33,7 +34,7 @@ def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
     if file.star_imports or file.has_dynamic_names or any("*" in each.names for each in file.imports):
         return
     top = set(file.definitions)
-    if any(isinstance(node, ast.Name) and node.id in ("exec", "eval", "locals") for node in ast.walk(file.tree)):
+    if any(isinstance(node, ast.Name) and node.id in ("exec", "eval", "locals") for node in nodes_of(file.tree)):
         return
     for name in NameVisitor(frozenset(top)).in_body(file.tree.body, frozenset(top)):
         yield UndefinedName(name[0].id, file.span(name[0]), name[1])
@@ -65,7 +66,7 @@ class NameVisitor:
                 yield from self.class_body(node, seen)
             case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
                 inner = seen | {name for each in node.generators for name, _ in bindings([each.target])}
-                yield from self.in_body(ast.iter_child_nodes(node), inner)
+                yield from self.in_body(children_of(node), inner)
             case ast.AnnAssign():
                 yield from self.in_body([node.target, node.value], seen)
             case ast.Try() if any(map(catches, node.handlers)):
@@ -73,9 +74,9 @@ class NameVisitor:
             case ast.ExceptHandler(name=str(name)):
                 yield from self.in_body([node.type, *node.body], seen | {name})
             case ast.Match():
-                yield from self.in_body(ast.iter_child_nodes(node), seen | set(captured(node)))
+                yield from self.in_body(children_of(node), seen | set(captured(node)))
             case _:
-                yield from self.in_body(ast.iter_child_nodes(node), seen)
+                yield from self.in_body(children_of(node), seen)
 
     def function(self, node: FunctionNode, seen: frozenset[str]) -> Iterator[Found]:
         arguments = node.args
@@ -100,7 +101,7 @@ def bound_in(body: Iterable[ast.AST]) -> frozenset[str]:
     body = list(body)
     names = {name for name, _ in bindings(body)}
     for each in body:
-        for node in ast.walk(each):
+        for node in nodes_of(each):
             if isinstance(node, ast.Global | ast.Nonlocal):
                 names |= set(node.names)
             elif isinstance(node, ast.NamedExpr):
@@ -113,7 +114,7 @@ def bound_in(body: Iterable[ast.AST]) -> frozenset[str]:
 
 
 def captured(node: ast.Match) -> Iterator[str]:
-    for each in ast.walk(node):
+    for each in nodes_of(node):
         if isinstance(each, ast.MatchAs | ast.MatchStar) and each.name:
             yield each.name
         elif isinstance(each, ast.MatchMapping) and each.rest:
@@ -123,5 +124,5 @@ def captured(node: ast.Match) -> Iterator[str]:
 def catches(handler: ast.ExceptHandler) -> bool:
     """Return whether an undefined name would be caught."""
     return handler.type is None or any(
-        isinstance(node, ast.Name) and node.id in CATCHES for node in ast.walk(handler.type)
+        isinstance(node, ast.Name) and node.id in CATCHES for node in nodes_of(handler.type)
     )

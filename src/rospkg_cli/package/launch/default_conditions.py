@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Call, Sequence, Value
+from ...languages.python.nodes import nodes_of
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .argument_defaults import literal_defaults
@@ -116,7 +117,7 @@ def with_defaults(text: LaunchText, defaults: Mapping[str, str]) -> str | None:
 
 def other_value(expression: str, default: str) -> str:
     """Return a string of an expression that is not the default, `…` where there is none."""
-    strings = [n.value for n in ast.walk(ast.parse(expression.strip(), mode="eval")) if isinstance(n, ast.Constant)]
+    strings = [n.value for n in nodes_of(ast.parse(expression.strip(), mode="eval")) if isinstance(n, ast.Constant)]
     return next((each for each in strings if isinstance(each, str) and each and each != default), "…")
 
 

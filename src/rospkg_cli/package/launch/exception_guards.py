@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import PythonFile, asked
+from ...languages.python.nodes import nodes_of
 from ...source import Span
 
 MISSING = frozenset({"PackageNotFoundError", "LookupError", "KeyError", "Exception", "BaseException"})
@@ -17,7 +18,7 @@ ABSENT = frozenset({"FileNotFoundError", "OSError", "IOError", "EnvironmentError
 
 def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[Span]:
     """Yield the bodies of `try` whose handlers take one of some errors."""
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file.tree):
         if isinstance(node, ast.Try) and any(catches(handler, errors) for handler in node.handlers):
             yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
 
@@ -28,7 +29,7 @@ def asked_in(file: PythonFile) -> Iterator[tuple[Span, frozenset[str]]]:
     A condition may be assigned to a name first; one whose body leaves (`return`, `raise`) holds for what follows.
     """
     named = dict(named_conditions(file))
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file.tree):
         if isinstance(node, ast.If | ast.IfExp) and (names := asked_by(node.test, named)):
             yield file.span(node), names
         for block in blocks_of(node):
@@ -45,12 +46,12 @@ def blocks_of(node: ast.AST) -> list[list[ast.stmt]]:
 
 def asked_by(test: ast.expr, named: Mapping[str, frozenset[str]]) -> frozenset[str]:
     """Return the strings that a condition asks for, itself or by the name of an earlier one."""
-    names = (node.id for node in ast.walk(test) if isinstance(node, ast.Name))
+    names = (node.id for node in nodes_of(test) if isinstance(node, ast.Name))
     return asked(test).union(*(named.get(name, frozenset()) for name in names))
 
 
 def named_conditions(file: PythonFile) -> Iterator[tuple[str, frozenset[str]]]:
-    for node in ast.walk(file.tree):
+    for node in nodes_of(file.tree):
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Compare) and (names := asked(node.value)):
             yield from ((target.id, names) for target in node.targets if isinstance(target, ast.Name))
 
@@ -62,5 +63,5 @@ def leaves(body: list[ast.stmt]) -> bool:
 def catches(handler: ast.ExceptHandler, errors: frozenset[str]) -> bool:
     return handler.type is None or any(
         (isinstance(each, ast.Name) and each.id in errors) or (isinstance(each, ast.Attribute) and each.attr in errors)
-        for each in ast.walk(handler.type)
+        for each in nodes_of(handler.type)
     )

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.python.nodes import nodes_of
 from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode, documents
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -75,7 +76,7 @@ def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
             yield path, len(call.words) > 2
     modules = reading.parts(PythonModules).only
     setup = modules.at("setup.py") if modules else None
-    for node in ast.walk(setup.tree) if setup else ():
+    for node in nodes_of(setup.tree) if setup else ():
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == COMMANDS[1]:
             words = [each.value if isinstance(each, ast.Constant) else None for each in node.args]
             if len(words) > 1 and isinstance(words[1], str):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import PurePosixPath
+from typing import cast
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import Import, PythonFile, parse_python
@@ -52,30 +53,43 @@ class OwnModules:
     @cached_property
     def everywhere(self) -> frozenset[str]:
         """Packages at any depth (a `src/` or a vendored copy may hold them), and modules in the folder of setup.py."""
-        paths = [PurePosixPath(path) for path in self.files.paths if path.endswith(".py")]
-        packages = {path.parent.name for path in paths if path.name == "__init__.py"}
-        top = {path.parts[0] for path in paths if len(path.parts) > 1} - NO_PACKAGES
-        return frozenset(packages | top | {path.stem for path in paths if len(path.parts) == 1})
+        paths = [path.split("/") for path in self.files.paths if path.endswith(".py")]
+        packages = {"".join(parts[-2:-1]) for parts in paths if parts[-1] == "__init__.py"}
+        top = {parts[0] for parts in paths if len(parts) > 1} - NO_PACKAGES
+        return frozenset(packages | top | {stem_of(parts[0]) for parts in paths if len(parts) == 1})
 
     @cached_property
     def _beside(self) -> dict[str, set[str]]:
         found: dict[str, set[str]] = {}
         for path in self.files.paths:
             if path.endswith((".py", ".so", ".pyi")):
-                where = PurePosixPath(path)
-                found.setdefault(str(where.parent), set()).add(where.name.partition(".")[0])
-                found.setdefault(str(where.parent.parent), set()).add(where.parent.name)
+                folder, _, name = path.rpartition("/")
+                found.setdefault(folder, set()).add(name.partition(".")[0])
+                above, _, name = folder.rpartition("/")
+                found.setdefault(above, set()).add(name)
         return found
 
     def has(self, module: str, importer: str) -> bool:
         """Return whether an import in the file `importer` may refer to one of these."""
         top = module.partition(".")[0]
-        return top in self.everywhere or top in self._beside.get(str(PurePosixPath(importer).parent), ())
+        return top in self.everywhere or top in self._beside.get(importer.rpartition("/")[0], ())
+
+
+def stem_of(name: str) -> str:
+    return PurePosixPath(name).stem
+
+
+def own_modules(files: PackageFiles) -> OwnModules:
+    """Return the modules of a package, the same for all that ask."""
+    known = vars(files)
+    if "own_modules" not in known:
+        known["own_modules"] = OwnModules(files)
+    return cast(OwnModules, known["own_modules"])
 
 
 def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
-    own, installed = OwnModules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
+    own, installed = own_modules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
     modules = reading.parts(PythonModules).only
     assert modules is not None
     reading.parts(LaunchFile)  # those that are skipped are not parsed for their imports, whichever is asked for first

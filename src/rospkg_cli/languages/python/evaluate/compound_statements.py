@@ -6,7 +6,9 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+from ..nodes import nodes_of
 from .conversion import is_equal
+from .endless_loops import rounds_of
 from .iterables import items_of
 from .limits import ITEM, Flow, spend
 from .simple_statements import SimpleStatements
@@ -32,7 +34,7 @@ class CompoundStatements(SimpleStatements):
     def do_unknown(self, node: ast.stmt, scope: Namespace) -> Flow | None:
         """A statement without a method here: the names that it binds are unknown from here on."""
         why = f"{self.quoted(self.span(node))} can't be evaluated"
-        for each in ast.walk(node):
+        for each in nodes_of(node):
             spend(ITEM)
             if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store):
                 scope.bind(each.id, self.unknown(self.span(each), why))
@@ -118,12 +120,12 @@ class CompoundStatements(SimpleStatements):
             self.assign(node.target, item, scope)
             self.branch([node.body], scope, why)
             scope.names = self.join_scopes([scope.names, before], why)
-        return Flow.MAYBE if any(isinstance(each, ast.Return) for each in ast.walk(node)) else Flow.NEXT
+        return Flow.MAYBE if any(isinstance(each, ast.Return) for each in nodes_of(node)) else Flow.NEXT
 
     do_AsyncFor = do_For
 
     def do_While(self, node: ast.While, scope: Namespace) -> Flow | None:
-        while True:
+        for _ in rounds_of(scope):
             verdict = truth(self.evaluate(node.test, scope))
             if verdict is None:
                 self.branch([node.body], scope, f"{self.quoted(self.span(node.test))} can't be evaluated")
@@ -137,6 +139,7 @@ class CompoundStatements(SimpleStatements):
                 return None
             if flow is Flow.MAYBE:
                 return self.do_unknown(node, scope)
+        return None
 
     def do_Try(self, node: ast.Try, scope: Namespace) -> Flow:
         before, doubts = dict(scope.names), self.unknown_count
@@ -177,4 +180,4 @@ class CompoundStatements(SimpleStatements):
 
 
 def has_break(node: ast.For | ast.AsyncFor) -> bool:
-    return any(isinstance(each, ast.Break | ast.Return) for each in ast.walk(node))
+    return any(isinstance(each, ast.Break | ast.Return) for each in nodes_of(node))

@@ -7,6 +7,7 @@ from collections import deque
 from functools import cached_property
 
 from ....source import Span
+from ..nodes import nodes_of
 from .compound_statements import CompoundStatements
 from .conversion import is_equal
 from .dict_methods import set_item
@@ -61,7 +62,7 @@ class Functions(CompoundStatements):
     def is_generator(self, node: ast.AST) -> bool:
         """Return whether a function contains `yield`; the answer is cached."""
         if id(node) not in self.generators:
-            self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in ast.walk(node))
+            self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in nodes_of(node))
         return self.generators[id(node)]
 
     def return_value(self, function: Function, returns: list[Value], span: Span) -> Value:
