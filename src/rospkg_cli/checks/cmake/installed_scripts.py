@@ -19,7 +19,7 @@ from ...unreadable import UnreadableError
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
-STARTS = re.compile(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try)\b)", re.MULTILINE)
+STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
 USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 

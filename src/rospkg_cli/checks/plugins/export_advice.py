@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 
 from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ..fault import Level
 from .exported_classes import ExportedClass, tail
 from .plugin_package import DescribedPlugin, PluginPackage
 
-NAME = re.compile(r"[A-Za-z_]\w{0,200}")
+NAME = regex(r"[A-Za-z_]\w{0,200}")
 
 
 @dataclass(frozen=True)

@@ -145,7 +145,7 @@ def statement_calls(body: Iterable[ast.stmt]) -> Iterator[ast.Call]:
         match node:
             case ast.Expr(value=ast.Call() as call):
                 yield call
-            case ast.If() if any(isinstance(each, ast.Name) and each.id == "__name__" for each in ast.walk(node.test)):
+            case ast.If() if any(isinstance(each, ast.Name) and each.id == "__name__" for each in nodes_of(node.test)):
                 continue
             case ast.If() | ast.While() | ast.For():
                 yield from statement_calls([*node.body, *node.orelse])
