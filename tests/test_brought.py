@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.depends.brought_dependencies import brought_by, brought_by_others
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Safety
+from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts
+from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.testing import lint_files
 
 PYTHON = existing_files(BACKDROPS["ament_python"])
@@ -120,3 +123,35 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     assert finding.fix is not None
     assert finding.fix.safety is Safety.UNSAFE
     assert finding.message.endswith("no released package is called `acme`: clone it, or list it in a .repos file")
+
+
+def test_what_another_missing_one_brings_is_no_warning() -> None:
+    text = "import rclpy\nimport rcl_interfaces.msg\nimport cv2\n"
+    found_levels = {f.message.split("`")[1]: f.severity.value for f in found("DEP101", "", my_pkg__a_DOT_py=text)}
+    assert found_levels == {"rclpy": "warning", "python3-opencv": "warning", "rcl_interfaces": "info"}
+
+
+def test_of_two_that_bring_each_other_one_is_asked_for() -> None:
+    workspace = Workspace((package("a", "b"), package("b", "a"), package("c", "d"), package("d")))
+    assert brought_by_others(["a", "b", "c", "d"], workspace) == {"a": "b", "d": "c"}
+    assert brought_by(["a"], workspace) == {"b": "a", "a": "a"}
+
+
+def package(name: str, *needs: str) -> PackageFacts:
+    return PackageFacts(name, name, dependencies=tuple(ActiveDependency("exec_depend", need) for need in needs))
+
+
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    arm:
+      type: joint_trajectory_controller/JointTrajectoryController
+"""
+
+
+@pytest.mark.parametrize("node, level", [("controller_manager", "warning"), ("robot_state_publisher", "info")])
+def test_plugins_of_parameters_count_where_something_loads_them(node: str, level: str) -> None:
+    launch = f'<launch><node pkg="{node}" exec="x"/></launch>\n'
+    files = {"config__c_DOT_yaml": CONTROLLERS, "launch__a_DOT_launch_DOT_xml": launch}
+    (finding,) = found("DEP106", declared(node), **files)
+    assert finding.severity.value == level

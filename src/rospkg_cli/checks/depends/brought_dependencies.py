@@ -34,6 +34,17 @@ def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
     return found
 
 
+def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, str]:
+    """Return those of some names that come with another one of them; of two that bring each other, the second."""
+    found: dict[str, str] = {}
+    left = sorted(names)
+    for name in left:
+        bringers = (other for other in left if other not in (name, *found) and name in brought_by([other], workspace))
+        if (bringer := next(bringers, "")) and found.get(bringer) != name:
+            found[name] = bringer
+    return found
+
+
 def needs_of(name: str, workspace: Workspace) -> Iterable[str]:
     """Return what a package passes on for certain."""
     facts = workspace.named(name)

@@ -21,6 +21,10 @@ from .declared_dependencies import DeclaredDependencies
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
+LOADS_PLUGINS = regex(
+    r"controller_manager$|gz_ros2_control|ign_ros2_control|gazebo_ros2_control|nav2_|moveit|navigation2$|.*_bringup$"
+)
+"""Packages that load plugins by the names in parameter files, or whose launch files start such."""
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 
@@ -66,12 +70,12 @@ class RobotUses:
         """Yield the packages of plugins that are named, but for those that come with others.
 
         They are optional in RViz configs and robots, which may be used without them, and in parameters of a package
-        that starts nothing, which are for nodes of other packages.
+        that starts nothing that loads plugins, which are for nodes of other packages.
         """
         for use in self.declared.facts.plugin_uses:
             name = self.package_of(use) if self.is_used(use.path) else None
             if name is not None and name not in self.available and name not in TOOLS:
-                is_optional = not use.path.endswith((".yaml", ".yml")) or not self.launch.launch_files
+                is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
@@ -93,10 +97,19 @@ class RobotUses:
         return {plugin.name: facts.name for facts in self.declared.workspace.packages for plugin in facts.plugins}
 
     @cached_property
+    def started(self) -> frozenset[str]:
+        """The packages whose nodes or files the launch files use."""
+        return frozenset(use.name for file in self.launch.launch_files for use in every_reference(file))
+
+    @property
+    def loads_plugins(self) -> bool:
+        """Whether the package starts what loads the plugins of its parameter files, or hands them to a launch file."""
+        return any(LOADS_PLUGINS.match(name) for name in self.started)
+
+    @cached_property
     def available(self) -> frozenset[str]:
         """What comes with the declared packages and those of its launch files at run time, as far as it is known."""
-        started = {use.name for file in self.launch.launch_files for use in every_reference(file)}
-        waiting = list(self.declared.names | started)
+        waiting = list(self.declared.names | self.started)
         found = set(implied_by(waiting, IN_PARAMETERS))
         while waiting:
             facts = self.declared.workspace.named(waiting.pop())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -12,7 +12,7 @@ from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
-from .brought_dependencies import COLCON
+from .brought_dependencies import COLCON, brought_by_others
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 from .name_source import source_of
@@ -65,10 +65,13 @@ class ImportDependencies:
 
     def missing(self) -> list[UndeclaredImport]:
         """Return what installed modules and scripts import undeclared, in the order of the files."""
-        return [self.with_bringer(name, places, runs=True) for name, places in self.undeclared("run").items()]
+        return self.with_bringers(self.undeclared("run"), runs=True)
 
-    def with_bringer(self, name: str, places: list[ImportUse], *, runs: bool) -> UndeclaredImport:
-        return UndeclaredImport(name, tuple(places), (), self.declared.bringer([name], runs=runs))
+    def with_bringers(self, missing: Mapping[str, list[ImportUse]], *, runs: bool) -> list[UndeclaredImport]:
+        """Return what is missing, each with what brings it: a declared dependency, or another that is missing."""
+        certain = {name: found for name in missing if (found := self.declared.bringer([name], runs=runs))}
+        certain |= brought_by_others(missing.keys() - certain.keys(), self.declared.workspace)
+        return [UndeclaredImport(name, tuple(p), (), certain.get(name, "")) for name, p in missing.items()]
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""
@@ -102,7 +105,7 @@ class ImportDependencies:
                 )
                 if name:
                     found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
-        return [self.with_bringer(name, places, runs=False) for name, places in found.items()]
+        return self.with_bringers(found, runs=False)
 
     def uses(self, role: Role) -> Iterator[tuple[ImportUse, tuple[str, ...]]]:
         """Yield the imports of files of a role that are not optional, with their providers."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -18,7 +18,7 @@ from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, impli
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
 from ..launch.package_references import NAME, PackageReference, package_references
-from .brought_dependencies import brought_by
+from .brought_dependencies import brought_by, brought_by_others
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
@@ -97,6 +97,11 @@ class LaunchDependencies:
     def bringer(self, name: str, *, tests: bool) -> str:
         """Return the declared dependency that certainly brings a package, "" where none does."""
         return self.declared.bringer([name], runs=not tests)
+
+    def bringers(self, names: Iterable[str], *, tests: bool) -> Mapping[str, str]:
+        """Return what brings each of some missing packages: a declared dependency, or another one of them."""
+        found = {name: bringer for name in names if (bringer := self.bringer(name, tests=tests))}
+        return found | brought_by_others(set(names) - found.keys(), self.declared.workspace)
 
     def nodes_in_code(self) -> dict[str, list[PackageReference]]:
         """Return the undeclared packages that only installed code describes nodes of, with the places.

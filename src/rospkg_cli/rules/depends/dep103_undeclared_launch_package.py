@@ -86,8 +86,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
         missing = launch.missing(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
+        bringers = launch.bringers(missing, tests=tests)
         for name, uses in missing.items():
-            if bringer := launch.bringer(name, tests=tests):
+            if bringer := bringers.get(name):
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(launch, tag, name, uses)

@@ -58,7 +58,7 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     Python or CMake package, forgets the dependencies, builds in any order, and `ros2 run` does not find the package.
 
     ## When it is quiet
-    What colcon ignores is a warning; what other rules tell (order, versions, addresses, features of format 3) is theirs.
+    What colcon ignores is a warning. Order, versions, addresses and features of format 3 are left to other rules.
 
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
