@@ -53,7 +53,7 @@ def test_a_warning_is_1_unless_only_errors_count(package: Path) -> None:
         (["--jobs", "0"], "(1 or more)"),
         (["--workspace", "nowhere"], "not a folder"),
         (["--fail-on", "errors"], "did you mean `error`?"),
-        (["--frmat"], "No such option"),
+        (["--frmat"], "there is no option `--frmat`"),
     ],
 )
 def test_wrong_use_is_2_and_one_sentence(package: Path, arguments: list[str], says: str) -> None:

@@ -117,12 +117,13 @@ def interrupted(status: int) -> int:
 
 def failed(error: Exception) -> int:
     """Print a sentence on wrong use or on an internal error; return the exit status."""
-    shown = getattr(error, "format_message", None)
-    if shown is not None:  # a click.ClickException: wrong use
-        context = getattr(error, "ctx", None)
-        if message := shown():  # none where the help was shown instead
-            command = context.command_path if context else "rospkg"
-            say(f"{message} `{command} --help` shows how.")
+    if hasattr(error, "format_message"):  # a click.ClickException: wrong use
+        from .wrong_use import wrong_use
+
+        commands = [each.name or getattr(each.callback, "__name__", "") for each in app.registered_commands]
+        verbs = [*commands, *(each.name or "" for each in app.registered_groups)]
+        if sentence := wrong_use(error, sys.argv[1:], verbs):
+            say(sentence)
         return 2
     if "--traceback" in sys.argv:
         import traceback

@@ -69,6 +69,8 @@ class NoPackagesFound:
     paths: tuple[str, ...]
     hidden: str = ""
     """Why packages that are there were left out, where that is known."""
+    place: str = "."
+    """The first path, relative to the root of the run."""
 
 
 RUN_EVENTS: frozenset[type] = frozenset(

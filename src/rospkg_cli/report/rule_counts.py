@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from ..finding import Finding, Safety, Severity
+from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass
 from .color import SEVERITY_COLORS, paint
 
@@ -20,7 +20,11 @@ class RuleCount:
     name: str
     levels: Counter[Severity]
     fixable: int
-    """By safe fixes."""
+    """With --fix alone."""
+
+    @property
+    def total(self) -> int:
+        return sum(self.levels.values())
 
     @property
     def weight(self) -> tuple[int, int, int, str]:
@@ -35,7 +39,7 @@ def rule_counts(findings: Iterable[Finding]) -> list[RuleCount]:
     fixable: Counter[str] = Counter()
     for finding in findings:
         levels.setdefault((finding.code, finding.name), Counter())[finding.severity] += 1
-        fixable[finding.code] += finding.fix is not None and finding.fix.safety is Safety.SAFE
+        fixable[finding.code] += finding.fix_options == "--fix"
     counts = [RuleCount(code, name, found, fixable[code]) for (code, name), found in levels.items()]
     return sorted(counts, key=lambda count: count.weight)
 

@@ -125,6 +125,8 @@ def lint(
     from .run import lint as run_lint
 
     one_of("--format", format, FORMATS)
+    if statistics and format not in ("text", "json"):
+        raise UsageError(f"--statistics is printed as text or json, not as `{format}`; give --format text or json")
     one_of("--color", color, ("auto", "always", "never"))
     for option, level in (("--fail-on", fail_on), ("--fix-level", fix_level)):
         if level is not None:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import io
 import sys
-from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from ...control_characters import visible_lines, without_workflow_commands
-from ...finding import Finding
+from ...finding import Finding, Severity
 from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
+from ...report.dump import dump
+from ...report.rule_counts import RuleCount, rule_counts
 from .. import UsageError
 from .fix_list import fix_list
 from .lint_options import LintOptions
@@ -50,7 +51,9 @@ def print_report(
     elif is_text and fixed and not shown.quiet:
         stream.write("\n")
     is_silent = options.fixing.fix_only or (shown.quiet and is_text)
-    if shown.statistics:
+    if shown.statistics and shown.format == "json":
+        dump(statistics_document(report), stream)
+    elif shown.statistics:
         stream.write(statistics(report))
     elif report.results.findings or not is_silent:
         render(shown.format, report, stream)
@@ -72,11 +75,28 @@ def print_lines(lines: Sequence[str], stream: IO[str]) -> None:
 
 def statistics(report: Report) -> str:
     """Return the number of findings of each rule, the most frequent first."""
-    findings = report.results.findings
-    counts = Counter((finding.code, finding.name) for finding in findings)
-    fixable = Counter(f.code for f in findings if f.fix_options == "--fix")
     lines = [
-        f"{count:>6}  {code}  {name}" + (f"  ({fixable[code]} fixable with --fix)" if fixable[code] else "")
-        for (code, name), count in sorted(counts.items(), key=lambda each: (-each[1], each[0]))
+        f"{count.total:>6}  {count.code}  {count.name}"
+        + (f"  ({count.fixable} fixable with --fix)" if count.fixable else "")
+        for count in most_frequent(report)
     ]
-    return "".join(f"{line}\n" for line in lines) + f"{len(findings):>6}  in {report.results.packages} packages\n"
+    total = f"{len(report.results.findings):>6}  in {report.results.packages} packages\n"
+    return "".join(f"{line}\n" for line in lines) + total
+
+
+def statistics_document(report: Report) -> list[dict[str, Any]]:
+    """Return the same as plain values for JSON, with the counts of each level."""
+    return [
+        {
+            "code": count.code,
+            "name": count.name,
+            "count": count.total,
+            **{f"{level.value}s": count.levels[level] for level in reversed(Severity)},
+            "fixable": count.fixable,
+        }
+        for count in most_frequent(report)
+    ]
+
+
+def most_frequent(report: Report) -> list[RuleCount]:
+    return sorted(rule_counts(report.results.findings), key=lambda count: (-count.total, count.code))

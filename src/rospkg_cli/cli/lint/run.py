@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import IO
 from ...cache.kept_run import run_to_keep
 from ...config.file import Config
 from ...config.hierarchy import ConfigTree
-from ...current_folder import current_folder
+from ...current_folder import absolute, current_folder
 from ...disk_trace import exists, stop_trace
 from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
@@ -156,8 +157,11 @@ def run_session(session: Session, options: FixOptions, level: Severity) -> FixRe
 
 def nothing_found(session: Session, options: LintOptions, located: Located) -> FixResults:
     """Return the results where there is no package to lint."""
-    shown = [str(path) for path in options.paths or (Path(),)]
-    return FixResults(Results() if options.allow_empty else session.no_packages(shown, located.hidden))
+    paths = options.paths or (Path(),)
+    if options.allow_empty:
+        return FixResults(Results())
+    place = Path(os.path.relpath(absolute(paths[0]), located.root)).as_posix()
+    return FixResults(session.no_packages([str(path) for path in paths], located.hidden, place))
 
 
 def write_fixes(session: Session, found: FixResults, located: Located) -> None:

@@ -182,6 +182,6 @@ class Session:
         files = PackageFiles(self.tree)
         return RootFindingBuilder(files, files, "", workspace)
 
-    def no_packages(self, paths: Sequence[str], hidden: str = "") -> Results:
-        """Return the results of a run that found no package."""
-        return Results(tuple(self.report(Workspace(), [NoPackagesFound(tuple(paths), hidden)])))
+    def no_packages(self, paths: Sequence[str], hidden: str = "", place: str = ".") -> Results:
+        """Return the results of a run that found no package; `place` leads from its root to the first of the paths."""
+        return Results(tuple(self.report(Workspace(), [NoPackagesFound(tuple(paths), hidden, place)])))

@@ -33,4 +33,4 @@ def nothing_checked(nothing: NoPackagesFound) -> Iterator[Hit]:
     names = ", ".join(f"`{path}`" for path in nothing.paths) or "`.`"
     why = nothing.hidden or "no package.xml was found"
     message = f"there is no package under {names}: {why}; give the path of a package or a workspace"
-    yield Hit(nothing.paths[0] if nothing.paths else ".", Span(0, 0), message)
+    yield Hit(nothing.place, Span(0, 0), message)
