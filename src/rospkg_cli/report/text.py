@@ -79,7 +79,8 @@ def full(report: Report, finding: Finding, indent: str = "") -> Iterator[str]:
     head = [(f"{report.where(finding)}:", "bold"), *level_and_code(finding), (finding.name, "dim")]
     inner = f"{indent}  "
     yield from lines(report, head, indent, inner)
-    yield from (indent + line for line in excerpt(finding, report.width, report.color))
+    room = None if report.width is None else report.width - len(indent)
+    yield from (indent + line for line in excerpt(finding, room, report.color))
     yield from lines(report, words(without_advice(finding)), inner)
     for why, places in related(report, finding).items():
         listed: list[Word] = [(f"{place}{':' if place == places[-1] else ','}", "") for place in places]
