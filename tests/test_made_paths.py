@@ -31,6 +31,7 @@ MAKERS = [
     f"add_custom_target(net ALL COMMAND make -C {HERE}/models)",
     f"add_custom_command(OUTPUT {HERE}/models/net.onnx COMMAND fetch)",
     f"execute_process(COMMAND fetch {HERE}/models)",
+    f"execute_process(COMMAND /bin/git pull COMMAND fetch WORKING_DIRECTORY {HERE}/models)",
     f"ExternalProject_Add(net URL https://example.org SOURCE_DIR {HERE}/models)",
     f"FetchContent_Declare(net URL https://example.org SOURCE_DIR {HERE}/models)",
 ]

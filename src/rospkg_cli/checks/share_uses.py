@@ -16,6 +16,9 @@ CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".xml", ".yaml", ".yml
         ".rviz", ".launch")  # fmt: skip
 """The files that may open something at run time."""
 
+REACH = 200
+"""The most characters of a path before the name of a folder."""
+
 
 @dataclass(frozen=True)
 class ShareUses:
@@ -36,7 +39,9 @@ class ShareUses:
     def opens_in_source(self, folder: str) -> bool:
         """Return whether the README opens the folder's files where they lie: `src/…/config/a.yaml`."""
         place = re.escape(folder)
-        written = re.compile(rf"\bsrc/[^\s`]*\b{place}/|--params-file[ \t]+(?!\$)[^\s`]*\b{place}/")
+        written = re.compile(
+            rf"\bsrc/[^\s`]{{0,{REACH}}}\b{place}/|--params-file[ \t](?!\$)[^\s`]{{0,{REACH}}}\b{place}/"
+        )
         return any(written.search(text) for text in self.readmes)
 
     @cached_property

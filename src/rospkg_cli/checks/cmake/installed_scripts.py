@@ -19,6 +19,7 @@ from ...unreadable import UnreadableError
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
+IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
 STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
 USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
@@ -92,11 +93,19 @@ class InstalledScripts:
     def is_no_program(self, path: str) -> bool:
         """Return whether another installed script imports a file, or a launch file hands it to Python."""
         name = posixpath.basename(path)
-        module = re.escape(name.removesuffix(".py"))
-        imports = re.compile(rf"^[ \t]*(?:from[ \t]+\.?{module}[ \t]+import|import[ \t]+{module}\b)", re.MULTILINE)
-        if any(imports.search(text) for text in self.texts):
+        if name.removesuffix(".py") in self.imported:
             return True
-        return any("python3" in text and f"{name}'" in text.replace('"', "'") for text in self.launch_texts)
+        return any(f"{name}'" in text for text in self.texts_with_python)
+
+    @cached_property
+    def imported(self) -> frozenset[str]:
+        """The modules that installed scripts import from their own folder, and all others that they import."""
+        return frozenset(name for text in self.texts for name in IMPORTED.findall(text))
+
+    @cached_property
+    def texts_with_python(self) -> tuple[str, ...]:
+        """The launch files that run Python, with single quotes."""
+        return tuple(text.replace('"', "'") for text in self.launch_texts if "python3" in text)
 
     @cached_property
     def launch_texts(self) -> tuple[str, ...]:
