@@ -36,6 +36,12 @@ def test_the_docs_have_their_headings_in_order(rule: Rule) -> None:
 
 
 @pytest.mark.parametrize("rule", RULES)
+def test_the_docs_say_when_the_rule_is_quiet(rule: Rule) -> None:
+    """What elsewhere makes a finding harmless: whoever writes it down has looked for it."""
+    assert "## When it is quiet" in rule.docs
+
+
+@pytest.mark.parametrize("rule", RULES)
 def test_the_first_line_of_the_docs_is_one_whole_sentence(rule: Rule) -> None:
     """It is the summary in `rospkg rules --format json`, and the title of the rule in SARIF."""
     line = summary(rule)

@@ -107,8 +107,7 @@ def undeclared(
     who = "this code" if is_described else "this launch file"
     if meant:
         message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
-        rename = Edit(first.path, first.span, meant)
-        fix = Fix(f"write `{meant}`", (rename,), Safety.UNSAFE)
+        fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
     else:
         ends = ends_with(first, name)

@@ -23,6 +23,9 @@ def check_switched_off(off: CheckSwitchedOff) -> Iterator[Hit]:
 
     ## Why is this bad?
     It isn't. But a misspelt dependency looks like one that is fine, and an empty report should not hide that.
+
+    ## When it is quiet
+    Where every name is known, in the workspace, in the names that are built in or in a fetched index, nothing is said.
     """
     names = ", ".join(f"`{name}`" for name in off.names[:MOST])
     more = f" and {len(off.names) - MOST} others" if len(off.names) > MOST else ""

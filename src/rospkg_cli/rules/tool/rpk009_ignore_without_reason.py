@@ -28,5 +28,8 @@ def ignore_without_reason(ignore: ReasonlessIgnore) -> Iterator[Hit]:
 
     ## Why is this bad?
     Nobody can tell later whether the ignore is still needed, so it stays for ever.
+
+    ## When it is quiet
+    Any text behind the bracket is a reason.
     """
     yield Hit(ignore.path, ignore.span, f"the ignore of `{ignore.codes}` gives no reason; write it behind the bracket")
