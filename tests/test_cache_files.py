@@ -159,12 +159,12 @@ def test_old_files_and_too_many_go(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         (tmp_path / name).write_bytes(b"x" * 100)
         os.utime(tmp_path / name, (time.time() - days * 86_400,) * 2)
 
-    for name, days in {"run-new": 1, "run-old": 29, "run-gone": 31, "facts-new": 2, "mine": 99}.items():
+    for name, days in {"run-new": 1, "run-old": 29, "run-gone": 31, "packages-new": 2, "mine": 99}.items():
         kept(name, days)
     kept("run-half.1.rospkg-tmp", 1)
     kept("run-now.1.rospkg-tmp", 0)
     prune.prune(str(tmp_path))
-    assert names(tmp_path) == {"run-new", "run-old", "facts-new", "run-now.1.rospkg-tmp", "mine"}
+    assert names(tmp_path) == {"run-new", "run-old", "packages-new", "run-now.1.rospkg-tmp", "mine"}
     monkeypatch.setattr(prune, "MAX_TOTAL", 250)
     prune.prune(str(tmp_path))
     assert names(tmp_path) == {"run-new", "run-now.1.rospkg-tmp", "mine"}

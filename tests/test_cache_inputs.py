@@ -18,13 +18,23 @@ from rospkg_cli.cache.run_key import VARIABLES
 from rospkg_cli.cli.lint.kept_output import may_be_kept
 from rospkg_cli.cli.lint.lint_options import FixOptions, LintOptions, ReportOptions, RuleOptions, SuppressionOptions
 
-OUTSIDE = ("cache", "scaffold", "index.", "cli.index.run", "cli.new", "cli.format", "cli.inspect", "cli.explain")
+OUTSIDE = (
+    "cache",
+    "cli.cache",
+    "scaffold",
+    "index.",
+    "cli.index.run",
+    "cli.new",
+    "cli.format",
+    "cli.inspect",
+    "cli.explain",
+)
 """Modules of other verbs, and the cache itself."""
 
 WRITING = ("engine.fixing", "cli.lint.add_ignores")
 """Their runs are never kept."""
 
-OWN = {"ros.read_table", "resources", "search_path", "rule_docs"}
+OWN = {"ros.read_table", "resources", "search_path", "rule_docs", "rule_table"}
 """They read what rospkg is made of, which the key holds as a whole."""
 
 STREAMS = {"cli.streams", "cli.progress"}
@@ -94,7 +104,7 @@ def test_every_option_is_judged() -> None:
         LintOptions: "paths workspace jobs allow_empty fail_on exit_zero config isolated show_settings no_cache "
         "rules fixing suppression report",
         RuleOptions: "select ignore extend_select pedantic release preview target",
-        FixOptions: "fix unsafe_fixes diff fix_only show_fixes exit_non_zero_on_fix",
+        FixOptions: "fix unsafe_fixes diff fix_only fix_level show_fixes exit_non_zero_on_fix",
         SuppressionOptions: "add_ignores baseline write_baseline",
         ReportOptions: "format output statistics color quiet show traceback",
     }

@@ -181,6 +181,20 @@ def read_noted(letter: str, path: AnyPath, limit: int | None) -> tuple[os.stat_r
     return found, data
 
 
+def recall(path: AnyPath, answer: str, known: str) -> bool:
+    """Return whether a file that an earlier run read looks as it did then; if so, this run counts as having read it."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return False
+    if look_of(found) != known:
+        return False
+    if _trace is not None:
+        _trace.note(f"b{os.fspath(path)}", answer)
+        _trace.signatures[f"b{os.fspath(path)}"] = known
+    return True
+
+
 def digest(data: bytes) -> str:
     from hashlib import blake2b
 

@@ -31,6 +31,10 @@ class RunToKeep:
         for folder in search_path():
             self.trace.note(f"p{folder}", installed_in(folder))
 
+    def code_digest(self, folder: str) -> str:
+        """Return the digest of the sources that this process was started with; "" where they changed since."""
+        return self.digest or digest_of(self.code, folder)
+
     def keep(self, status: int) -> None:
         """Keep the run with its exit status, where it ended as it should."""
         is_traced = disk_trace.current_trace() is self.trace
@@ -40,7 +44,7 @@ class RunToKeep:
             return
         if not make_folder(folder):
             return
-        code = self.digest or digest_of(self.code, folder)
+        code = self.code_digest(folder)
         if not code:
             return
         known = self.trace.signatures

@@ -20,7 +20,7 @@ MAX_STRAY_AGE = 600
 EVERY = 3_600
 """Seconds between two looks."""
 
-KINDS = ("run-", "code-", "facts-", "findings-", "pruned")
+KINDS = ("run-", "code-", "packages-", "pruned")
 """How the names of our files begin; no others are removed."""
 
 

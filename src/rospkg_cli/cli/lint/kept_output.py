@@ -30,4 +30,4 @@ def may_be_kept(options: LintOptions) -> bool:
     """Return whether a run does nothing but print: what writes files is done each time."""
     suppression = options.suppression
     writes = suppression.add_ignores is not None or suppression.write_baseline is not None or options.report.output
-    return not (writes or options.no_cache or options.fixing != FixOptions())
+    return not (writes or options.no_cache or options.show_settings or options.fixing != FixOptions())

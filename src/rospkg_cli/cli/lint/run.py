@@ -20,6 +20,7 @@ from ...engine.run.session import Results, Session
 from ...engine.selection import codes_named, rule_names
 from ...fence import Fence
 from ...finding import Safety, Severity
+from ...light_dataclasses import replace
 from ...report import Report
 from ...report.color import wants_color
 from ...report.summary import counted
@@ -29,6 +30,7 @@ from ..index.age import warn_of_age
 from ..progress import progress
 from ..streams import said, say
 from .kept_output import KeptOutput, may_be_kept
+from .kept_packages import kept_packages
 from .lint_options import FixOptions, LintOptions
 from .print_report import print_report, report_files
 from .result_filter import save_baseline
@@ -63,6 +65,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         return show_settings(options, configs, located, stream)
     with progress(not options.report.quiet) as show_progress:
         session = make_session(options, configs, located, show_progress)
+        session = replace(session, kept=kept_packages(options, session))
         found = (
             run_session(session, fixing, least_fixed(options, config))
             if located.scope.selected

@@ -13,7 +13,7 @@ from ...config.required_version import satisfies
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
 from ...engine.run.codes_of_packages import CodesOfPackages
-from ...engine.run.session import Pool, Scope, Session
+from ...engine.run.session import SERIAL_BELOW, Pool, Scope, Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
 from ...index.cache import names
@@ -28,9 +28,6 @@ from .. import UsageError
 from ..streams import say
 from .lint_options import LintOptions, RuleOptions
 from .result_filter import result_filter
-
-SERIAL_BELOW = 40
-"""With fewer packages starting processes costs more than it saves."""
 
 
 def make_session(

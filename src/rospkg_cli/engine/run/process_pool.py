@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
@@ -15,6 +15,7 @@ from ...package.run_events import RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Tree
+from ..reuse.kept_packages import Observed
 from .rule_plugins import load_plugins
 from .session import Pool, Scope
 from .worker import PackageResults, Worker
@@ -52,15 +53,22 @@ class ProcessPool(Pool):
                 found += map(lost, part)
         return found
 
-    def collect_facts(self) -> list[PackageFacts]:
-        return self.everywhere(gather_facts, lambda folder: unknown_facts(folder, self.name))
+    def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
+        found = self.everywhere(gather_facts, lambda folder: unknown_facts(folder, self.name), wanted)
+        return [each for each in found if each.folder in wanted]
 
-    def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
-        found = self.everywhere(check_packages, lambda folder: lost_package(folder, workspace), workspace, codes)
+    def run_rules(self, workspace: Workspace, codes: Sequence[str], wanted: Collection[str]) -> list[PackageResults]:
+        found = self.everywhere(
+            check_packages, lambda folder: lost_package(folder, workspace), workspace, codes, wanted
+        )
         if (trace := current_trace()) is not None:
             for other in self.everywhere(asked_of_the_disk, lambda _: Trace()):
                 trace.add(other)
-        return [each for each in found if each.folder in workspace.selected]
+        return [each for each in found if each.folder in wanted]
+
+    def observed(self) -> dict[str, Observed]:
+        found = self.everywhere(observed_packages, lambda _: None)
+        return {folder: seen for each in found if each for folder, seen in each.items()}
 
     def close(self) -> None:
         for worker in self.workers:
@@ -86,9 +94,9 @@ def start_worker(
     _worker = Worker(tree, folders, targets, settings, name)
 
 
-def gather_facts() -> list[PackageFacts]:
+def gather_facts(wanted: Collection[str]) -> list[PackageFacts]:
     assert _worker is not None
-    return _worker.collect_facts()
+    return _worker.collect_facts(wanted)
 
 
 def asked_of_the_disk() -> list[Trace]:
@@ -96,6 +104,11 @@ def asked_of_the_disk() -> list[Trace]:
     return [] if trace is None else [trace]
 
 
-def check_packages(workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
+def observed_packages() -> list[dict[str, Observed] | None]:
     assert _worker is not None
-    return _worker.run_rules(workspace, codes)
+    return [_worker.observed()]
+
+
+def check_packages(workspace: Workspace, codes: Sequence[str], wanted: Collection[str]) -> list[PackageResults]:
+    assert _worker is not None
+    return _worker.run_rules(workspace, codes, wanted)

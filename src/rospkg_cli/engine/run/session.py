@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from ...files import PackageFiles
@@ -16,6 +16,8 @@ from ...ros.distros import Targets
 from ...ros.names import BUILT_IN, Names
 from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
+from ..reuse.kept_packages import KeptPackages, Observed
+from ..suppression.comments import Suppression
 from ..suppression.suppression_index import SuppressionIndex
 from .codes_of_packages import CodesOfPackages
 from .crashes import one_each
@@ -59,20 +61,40 @@ class Results:
     """Of the files that fixes change, as they were when the rules read them."""
 
 
+SERIAL_BELOW = 40
+"""With fewer packages starting processes costs more than it saves."""
+
+
 class Pool:
     """Runs everything in this process; `engine.run.process_pool` has the one that uses several."""
 
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings) -> None:
         self.worker = Worker(tree, scope.folders, targets, settings, scope.name)
 
-    def collect_facts(self) -> list[PackageFacts]:
-        return self.worker.collect_facts()
+    def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
+        return self.worker.collect_facts(wanted)
 
-    def run_rules(self, workspace: Workspace, codes: Sequence[str]) -> list[PackageResults]:
-        return self.worker.run_rules(workspace, codes)
+    def run_rules(self, workspace: Workspace, codes: Sequence[str], wanted: Collection[str]) -> list[PackageResults]:
+        return self.worker.run_rules(workspace, codes, wanted)
+
+    def observed(self) -> dict[str, Observed]:
+        """Return what was asked while packages were read and checked, where the run is traced."""
+        return self.worker.observed()
 
     def close(self) -> None:
         """Release what the pool holds."""
+
+
+def to_be_kept(results: PackageResults) -> tuple[object, ...]:
+    """Return the results of a package in which nothing crashed, for `KeptPackages`."""
+    return results.findings, results.suppressions, results.files, results.checksums
+
+
+def kept_results(
+    folder: str, findings: tuple[Finding, ...], suppressions: tuple[Suppression, ...], files: int, checksums: Any
+) -> PackageResults:
+    """Return the results again."""
+    return PackageResults(folder, findings, (), suppressions, files, checksums)
 
 
 def no_progress(_: str) -> None:
@@ -103,6 +125,9 @@ class Session:
     tells_switched_off: bool = False
     """Whether it says which checks something around the packages switches off."""
 
+    kept: KeptPackages | None = None
+    """What is known from earlier runs; None where nothing of them is to be used."""
+
     def codes_at(self, path: str) -> frozenset[str]:
         """Return the codes of the rules that run on the package around a path of the run, or in that folder."""
         return self.codes if self.codes_by_package is None else self.codes_by_package.at(path)
@@ -111,15 +136,34 @@ class Session:
         """Lint the given packages; never raises for what a package holds."""
         count = f"{len(self.scope.folders)} packages"
         self.show_progress(f"reading {count}")
-        pool = self.make_pool(self.tree, self.scope, self.targets, self.settings)
+        known = self.kept.known_facts(self.scope.folders) if self.kept else {}
+        unknown = frozenset(self.scope.folders) - known.keys()
+        pool = self.pool_for(unknown | (self.kept.unchecked() & self.scope.selected) if self.kept else unknown)
         try:
-            facts = sorted(pool.collect_facts(), key=lambda f: f.folder)
+            facts = sorted([*known.values(), *pool.collect_facts(unknown)], key=lambda f: f.folder)
             workspace = self.link(facts)
             self.show_progress(f"checking {len(self.scope.selected)} of {count}")
-            checked = pool.run_rules(workspace, sorted(self.codes))
+            checked = self.check(pool, workspace)
         finally:
             pool.close()
         return self.filter_results(self, self.collect(workspace, checked))
+
+    def pool_for(self, folders: Collection[str]) -> Pool:
+        """Return the pool for what is to be done: this process alone where little is left."""
+        make = self.make_pool if self.kept is None or len(folders) >= SERIAL_BELOW else Pool
+        return make(self.tree, self.scope, self.targets, self.settings)
+
+    def check(self, pool: Pool, workspace: Workspace) -> list[PackageResults]:
+        """Return what the rules find in the selected packages; what is kept and still holds is not looked for."""
+        folders = sorted(self.scope.selected)
+        if self.kept is None:
+            return pool.run_rules(workspace, sorted(self.codes), self.scope.selected)
+        kept = self.kept.known_results(workspace, folders)
+        known = {folder: kept_results(folder, *each) for folder, each in kept.items()}
+        checked = pool.run_rules(workspace, sorted(self.codes), self.scope.selected - known.keys())
+        observed, failed = pool.observed(), frozenset(each.folder for each in checked if each.crashes)
+        self.kept.keep(workspace, observed, {each.folder: to_be_kept(each) for each in checked}, failed)
+        return sorted([*known.values(), *checked], key=lambda each: each.folder)
 
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope

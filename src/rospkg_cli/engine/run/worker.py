@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from zlib import crc32
 
+from ...disk import DiskTree
+from ...disk_trace import current_trace
 from ...files import PackageFiles
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
@@ -19,6 +21,9 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
+from ..reuse.kept_packages import Observed
+from ..reuse.recorded_tree import RecordedTree, listing
+from ..reuse.recorded_workspace import Question, RecordedWorkspace
 from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
 from .finding_builder import FindingBuilder
@@ -52,10 +57,26 @@ class Worker:
     packages: dict[str, Package] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.packages = {f: Package(PackageFiles(self.tree.sub(f), f, self.tree)) for f in self.folders}
+        self.is_recorded = current_trace() is not None and isinstance(self.tree, DiskTree)
+        self.checked: dict[str, Observed] = {}
+        """What was asked while packages were read and checked, by folder."""
+        self.packages = {f: Package(self.files(f)) for f in self.folders}
 
-    def collect_facts(self) -> list[PackageFacts]:
-        return [self.facts(folder, package) for folder, package in self.packages.items()]
+    def files(self, folder: str) -> PackageFiles:
+        """Return the files of a package; where the run is traced, they remember which of them were asked for."""
+        if self.is_recorded and isinstance(self.tree, DiskTree):
+            return PackageFiles(RecordedTree(self.tree.sub(folder)), folder, RecordedTree(self.tree))
+        return PackageFiles(self.tree.sub(folder), folder, self.tree)
+
+    def observed(self) -> dict[str, Observed]:
+        """Return what was asked while packages were read and checked, by folder; nothing of those that weren't."""
+        for folder, package in self.packages.items():
+            self.checked |= observed_in(folder, package)
+        return self.checked
+
+    def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
+        """Return the facts of the packages of this worker that are wanted."""
+        return [self.facts(folder, package) for folder, package in self.packages.items() if folder in wanted]
 
     def facts(self, folder: str, package: Package) -> PackageFacts:
         """Return a package's facts; of one that raises an exception, only the folder is known to the others."""
@@ -65,26 +86,36 @@ class Worker:
             package.crashes["PackageFacts"] = traceback.format_exc()
             return unknown_facts(folder, self.name)
 
-    def run_rules(self, workspace: Workspace, codes: Iterable[str]) -> list[PackageResults]:
-        """Run the rules (without those over the whole workspace) over the given packages of this worker."""
+    def run_rules(self, workspace: Workspace, codes: Iterable[str], wanted: Collection[str]) -> list[PackageResults]:
+        """Run the rules (without those over the whole workspace) over the wanted packages of this worker."""
         codes = [code for code in codes if is_over_packages(code)]
-        whole = PackageFiles(self.tree)
-        found = []
-        for folder in self.folders:
-            if folder not in workspace.selected:
-                continue
-            package = self.packages.pop(folder)  # what was read of it is given back when it is checked
-            builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
-            rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
-            results = list(run_rules(InputBuilder(package, workspace, self.targets, self.settings).of, rules, builder))
-            results += reader_crashes(package, builder.package, builder.crash_path)
-            findings = tuple(r for r in results if isinstance(r, Finding))
-            crashes = tuple(r for r in results if isinstance(r, RuleCrash))
-            suppressions = tuple(suppressions_in(package.files))
-            changed = {o.path for f in findings if f.fix for o in f.fix.operations} | {s.path for s in suppressions}
-            checksums = tuple(checksums_of(package.files, changed))
-            found.append(PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums))
-        return found
+        return [self.check(folder, workspace, codes) for folder in self.folders if folder in wanted]
+
+    def check(self, folder: str, workspace: Workspace, codes: Iterable[str]) -> PackageResults:
+        """Run some rules over one package."""
+        package = self.packages.pop(folder)  # what was read of it is given back when it is checked
+        seen = RecordedWorkspace(workspace, folder) if self.is_recorded else workspace
+        whole = PackageFiles(package.files.whole or self.tree)
+        builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
+        rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
+        results = list(run_rules(InputBuilder(package, seen, self.targets, self.settings).of, rules, builder))
+        results += reader_crashes(package, builder.package, builder.crash_path)
+        findings = tuple(r for r in results if isinstance(r, Finding))
+        crashes = tuple(r for r in results if isinstance(r, RuleCrash))
+        suppressions = tuple(suppressions_in(package.files))
+        changed = {o.path for f in findings if f.fix for o in f.fix.operations} | {s.path for s in suppressions}
+        checksums = tuple(checksums_of(package.files, changed))
+        if isinstance(seen, RecordedWorkspace):
+            self.checked |= observed_in(folder, package, frozenset(seen.noted))
+        return PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums)
+
+
+def observed_in(folder: str, package: Package, noted: frozenset[Question] = frozenset()) -> dict[str, Observed]:
+    """Return what was asked of a package's files, by its folder; nothing where none was, or a reader crashed."""
+    own, whole = package.files.tree, package.files.whole
+    if not isinstance(own, RecordedTree) or not isinstance(whole, RecordedTree) or not own.reads or package.crashes:
+        return {}
+    return {folder: Observed(listing(own), own.reads, whole.reads, noted)}
 
 
 def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[str, int]]:

@@ -1,0 +1,174 @@
+"""The workspace as one package sees it: what it asks about the others is remembered, with a digest of each answer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ...light_dataclasses import field_names
+from ...package.package_facts import PackageFacts, Plugin
+from ...package.workspace import Workspace
+from ...ros.distros import Targets
+from ...ros.names import NameKind
+from .plain import digest_of
+
+Question = tuple[str, ...]
+"""What is asked, and of what: `("field", "src/other", "version")`."""
+
+
+class RecordedFacts(PackageFacts):
+    """The facts of another package: each field that is looked at is noted."""
+
+    __slots__ = ("_noted", "_real")
+
+    def __init__(self, real: PackageFacts, noted: set[Question]) -> None:
+        self._real, self._noted = real, noted
+
+
+def recorded_field(name: str) -> property:
+    def get(self: RecordedFacts) -> Any:
+        self._noted.add(("field", self._real.folder, name))
+        return getattr(self._real, name)
+
+    return property(get)
+
+
+for _name in field_names(PackageFacts):
+    setattr(RecordedFacts, _name, recorded_field(_name))
+
+
+GIVEN = ("is_complete", "prefix_names", "repositories", "index", "incomplete")
+"""What is the same for all packages of a run: `rules_key` of KeptPackages holds it."""
+
+
+class RecordedWorkspace(Workspace):
+    """Answers as the workspace does; the facts of the package itself are given as they are.
+
+    What is not overridden here is computed from recorded facts: the methods below only make the questions finer.
+    """
+
+    def __init__(self, real: Workspace, own: str) -> None:
+        self.real, self.own = real, own
+        self.noted: set[Question] = set()
+        vars(self).update({name: getattr(real, name) for name in GIVEN})
+        self._facts: dict[str, PackageFacts] = {}
+
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
+    def recorded(self, facts: PackageFacts) -> PackageFacts:
+        if facts.folder == self.own:
+            return facts
+        if facts.folder not in self._facts:
+            self._facts[facts.folder] = RecordedFacts(facts, self.noted)
+        return self._facts[facts.folder]
+
+    @property
+    def packages(self) -> tuple[PackageFacts, ...]:
+        self.noted.add(("folders",))
+        return tuple(map(self.recorded, self.real.packages))
+
+    @property
+    def selected(self) -> frozenset[str]:
+        self.noted.add(("selected",))
+        return self.real.selected
+
+    @property
+    def names(self) -> frozenset[str]:
+        self.noted.add(("names",))
+        return self.real.names
+
+    def named(self, name: str) -> PackageFacts | None:
+        self.noted.add(("named", name))
+        found = self.real.named(name)
+        return None if found is None else self.recorded(found)
+
+    def at(self, folder: str) -> PackageFacts:
+        if folder != self.own:
+            self.noted.add(("folders",))
+        return self.recorded(self.real.at(folder))
+
+    def package_at(self, path: str) -> str:
+        self.noted.add(("package_at", path))
+        return self.real.package_at(path)
+
+    def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
+        self.noted.add(("is_name", name))
+        return self.real.kind_of(name, targets)
+
+    def is_available(self, name: str) -> bool:
+        self.noted.add(("is_name", name))
+        return self.real.is_available(name)
+
+    def loaders_of(self, base: str) -> frozenset[str]:
+        self.noted.add(("loaders_of", base))
+        return self.real.loaders_of(base)
+
+    def bases_loaded_from(self, package: str) -> frozenset[str]:
+        self.noted.add(("bases_loaded_from", package))
+        return self.real.bases_loaded_from(package)
+
+    def plugins_of(self, base: str) -> list[Plugin]:
+        self.noted.add(("plugins_of", base))
+        return self.real.plugins_of(base)
+
+    def with_header(self, header: str) -> frozenset[str]:
+        self.noted.add(("with_header", header))
+        return self.real.with_header(header)
+
+    def providers_of(self, module: str) -> tuple[str, ...]:
+        self.noted.add(("providers_of", module))
+        return self.real.providers_of(module)
+
+
+class Answers:
+    """The digests of a workspace's answers, each computed once."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.workspace = workspace
+        self.known: dict[Question, str] = {}
+
+    def digest(self, question: Question) -> str:
+        """Return the digest of an answer; "" where the question makes no sense in this workspace."""
+        if question not in self.known:
+            try:
+                self.known[question] = digest_of(self.answer(*question))
+            except (AttributeError, LookupError, TypeError):
+                self.known[question] = ""
+        return self.known[question]
+
+    def answer(self, what: str, *arguments: str) -> object:
+        real = self.workspace
+        if what == "folders":
+            return tuple(facts.folder for facts in real.packages)
+        if what == "all":
+            return tuple(getattr(facts, arguments[0]) for facts in real.packages)
+        if what == "field":
+            return getattr(real.at(arguments[0]), arguments[1])
+        if what == "named":
+            found = real.named(arguments[0])
+            return None if found is None else found.folder
+        if what == "is_name":
+            return arguments[0] in real.names
+        if what in ("selected", "names"):
+            return getattr(real, what)
+        if what not in METHODS:
+            raise LookupError(what)
+        answer = getattr(real, what)(*arguments)
+        return tuple(answer) if isinstance(answer, list) else answer
+
+    def of(self, noted: Iterable[Question]) -> tuple[tuple[Question, str], ...]:
+        """Return the questions with their digests; a field that most packages were asked for counts as asked of all."""
+        noted, counts = set(noted), dict[str, int]()
+        for question in noted:
+            if question[0] == "field":
+                counts[question[2]] = counts.get(question[2], 0) + 1
+        common = {name for name, count in counts.items() if count > 8 and 2 * count > len(self.workspace.packages)}
+        noted = {each for each in noted if each[0] != "field" or each[2] not in common}
+        noted |= {("all", name) for name in common} | ({("folders",)} if common else set())
+        return tuple((each, self.digest(each)) for each in sorted(noted))
+
+
+METHODS = frozenset(
+    "package_at loaders_of bases_loaded_from plugins_of with_header providers_of".split()
+)  # fmt: skip
