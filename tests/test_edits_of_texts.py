@@ -9,8 +9,11 @@ from cmaking import read
 
 from rospkg_cli.edits import cmake_commands
 from rospkg_cli.edits.entry_points import strings
+from rospkg_cli.edits.launch_file import import_name
 from rospkg_cli.edits.toml import find_entry
 from rospkg_cli.finding import Edit
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.source import Source
 
 
 def applied(text: str, edits: Iterable[Edit]) -> str:
@@ -150,3 +153,21 @@ def test_a_key_of_toml_and_the_rest_without_it(text: str, keys: tuple[str, ...],
 )
 def test_strings_that_python_joins(code: str, found: list[str]) -> None:
     assert [code[start:end] for start, end in strings(code)] == found
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("x = 1\n", "from b import c\nx = 1\n"),
+        ("", "from b import c\n"),
+        ("import a\nimport d\n", "import a\nfrom b import c\nimport d\n"),
+        ('"""Docs."""\nimport d\n', '"""Docs."""\nfrom b import c\nimport d\n'),
+        ("from __future__ import x\nfrom b import d\n", "from __future__ import x\nfrom b import c\nfrom b import d\n"),
+        ("import a", "import a\nfrom b import c"),
+        ("import a\r\n", "import a\r\nfrom b import c\r\n"),
+        ("from b import c\n", "from b import c\n"),
+        ("from . import a\n", "from . import a\nfrom b import c\n"),
+    ],
+)
+def test_an_import_is_put_in_order(before: str, after: str) -> None:
+    assert applied(before, import_name(parse_python(Source("a.py", before)), "b", "c")) == after

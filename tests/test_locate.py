@@ -110,10 +110,11 @@ def test_repositories(workspace: Path) -> None:
         (["a/COLCON_IGNORE"], "2 packages below, hidden by `a/COLCON_IGNORE`"),
         (["a/AMENT_IGNORE", "a/one/COLCON_IGNORE"], "2 packages below, hidden by `a/AMENT_IGNORE`"),
         (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE"], "hidden by `a/one/CATKIN_IGNORE` and another marker"),
+        (["a/one/CATKIN_IGNORE", "a/two/COLCON_IGNORE", "a/three/COLCON_IGNORE"], "and 2 other markers"),
     ],
 )
 def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says: str) -> None:
-    for name in ("one", "two"):
+    for name in {"one", "two", *(Path(mark).parent.name for mark in marks)} - {"a"}:
         (tmp_path / "a" / name).mkdir(parents=True)
         (tmp_path / "a" / name / "package.xml").write_text("<package/>")
     for mark in marks:

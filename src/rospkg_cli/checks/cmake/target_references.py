@@ -28,7 +28,7 @@ OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
 class TargetReference:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["target", "export"]
+    kind: Literal["target", "export"] = "target"
 
 
 @dataclass(frozen=True)
@@ -56,17 +56,17 @@ class TargetReferences:
                 halves = ((text[:at], text[at:]) for at in range(2, len(text) - 1))
                 found = next((pair for pair in halves if pair[0] in names and pair[1] in names), None)
                 if word.is_known and text not in names and found is not None:
-                    yield TargetReference(word, call, "target"), *found
+                    yield TargetReference(word, call), *found
 
     def all(self) -> Iterator[TargetReference]:
         for call in self.cmake.named(*FIRST_IS_TARGET):
-            yield from (TargetReference(word, call, "target") for word in call.words[:1])
+            yield from (TargetReference(word, call) for word in call.words[:1])
         for call in self.cmake.named("set_target_properties"):
             end = call.texts.index("PROPERTIES") if "PROPERTIES" in call.texts else 0
-            yield from (TargetReference(word, call, "target") for word in call.words[:end])
+            yield from (TargetReference(word, call) for word in call.words[:end])
         for rule in self.cmake.installs:
             if rule.kind == "TARGETS":
-                yield from (TargetReference(word, rule.call, "target") for word in rule.items)
+                yield from (TargetReference(word, rule.call) for word in rule.items)
         for call in self.cmake.named(*EXPORTS):
             names = [w for w in call.words if w.text not in ("HAS_LIBRARY_TARGET", "NAMESPACE") and "::" not in w.text]
             yield from (TargetReference(word, call, "export") for word in names)
