@@ -298,3 +298,22 @@ def test_what_yaml_can_not_read_of_a_robot(comment: str, level: str) -> None:
     files = {**example.bad_files(), "urdf/robot.urdf.xacro": robot, "urdf/base.xacro": base}
     (finding,) = lint_files(files, ["LCH009"]).findings
     assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(
+    "lines, level",
+    [
+        ("x = missing", "error"),
+        ("if x: y = missing", "warning"),
+        ("if x: pass\n    else: y = missing", "warning"),
+        ("y = missing if x else 1", "warning"),
+        ("y = 1 if missing else 1", "error"),
+        ("if missing: pass", "error"),
+        ("for each in [1]: y = missing", "error"),
+    ],
+)
+def test_a_name_in_a_branch_stops_only_some(lines: str, level: str) -> None:
+    text = f"{HEAD}x = 1\ndef generate_launch_description():\n    {lines}\n    return LaunchDescription([])\n"
+    (finding,) = lint_files({"package.xml": manifest(), "launch/a.launch.py": text}, ["LCH013"]).findings
+    assert finding.severity.value == level
+    assert ("where it gets here" in finding.message) is (level == "warning")

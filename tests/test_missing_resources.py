@@ -16,9 +16,11 @@ def mesh(path: str) -> str:
     return f'<m f="package://robot/{path}"/>'
 
 
-def lint(text: str, codes: tuple[str, ...] = ("URD002",), **more: str | None) -> tuple[Finding, ...]:
+def lint(
+    text: str, codes: tuple[str, ...] = ("URD002",), others: dict[str, str] | None = None, **more: str | None
+) -> tuple[Finding, ...]:
     """Lint a robot beside a package of parts; keyword `a__b_DOT_c` is the file `a/b.c` of the robot's package."""
-    files = {}
+    files = dict(others or {})
     for name in ("robot", "parts"):
         files[f"{name}/package.xml"] = manifest("", "ament_cmake", name)
         files[f"{name}/CMakeLists.txt"] = CMAKE.replace("my_pkg", name).replace("ament_package", INSTALL)
@@ -67,6 +69,19 @@ def test_what_the_build_writes_is_not_missing() -> None:
     cmake = INSTALL.replace("ament_package", "configure_file(a.in leg.stl)\nament_package")
     text = CMAKE.replace("my_pkg", "robot").replace("ament_package", cmake)
     assert lint(mesh("meshes/leg.stl"), CMakeLists_DOT_txt=text, a_DOT_in="") == ()
+
+
+def test_a_robot_that_is_not_installed_is_read_from_the_source_alone() -> None:
+    text = f"{HEAD}{mesh('meshes/leg.stl')}</robot>\n"
+    (finding,) = lint("", batch__robot_DOT_xacro=text)
+    assert finding.severity.value == "warning"
+    assert ", where the robot is read from the source: it is not installed; add it" in finding.message
+
+
+def test_what_git_ignores_of_another_package_is_not_missing() -> None:
+    assert len(lint('<m f="package://parts/meshes/made.stl"/>')) == 1
+    other = {"parts/.gitignore": "made.stl\n"}
+    assert lint('<m f="package://parts/meshes/made.stl"/>', others=other) == ()
 
 
 def test_what_another_package_does_not_install() -> None:

@@ -65,6 +65,10 @@ def test_a_joint_with_one_part_of_urdf_is_one_of_urdf(missing: str) -> None:
         ({"a": '<xacro:property name="x" value="${y" lazy_eval="false"/>'}, "error", "xacro stops here"),
         ({"a": '<xacro:property name="x" value="${y"/><link name="${x}"/>'}, "error", "xacro stops here"),
         ({"a": '<xacro:property name="x" value="${y"/>', "b": "<link name='${2 * x}'/>"}, "error", ""),
+        ({"a": '<xacro:property name="x" value="${arg x}"/>'}, "info", ", as soon as something reads `x`"),
+        ({"a": '<xacro:property name="x" value="${arg x}"/><link name="${x}"/>'}, "error", "xacro stops here"),
+        ({"a": '<xacro:property name="x"><a b="${arg x}"/></xacro:property>'}, "info", "reads `x`"),
+        ({"a": '<xacro:property name="x"><a>${arg x}</a></xacro:property>'}, "info", "reads `x`"),
         ({"a": '<xacro:property name="x"><a b="${y"/></xacro:property>'}, "info", "reads `x`"),
         (
             {"a": '<xacro:property name="x"><a b="${y"/></xacro:property>', "b": '<xacro:insert_block name="x"/>'},

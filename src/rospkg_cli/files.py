@@ -62,6 +62,10 @@ class PackageFiles:
         """What a working tree lacks on purpose."""
         return AbsentPaths(self.tree, self.whole or self.tree, self.folder if self.whole is not None else "")
 
+    def absent_in(self, folder: str) -> AbsentPaths:
+        """Return what the package in another folder of the run lacks on purpose, as its .gitignore files say."""
+        return AbsentPaths(self.tree, self.whole, folder) if self.whole is not None else self.absent
+
     def has_file(self, path: str) -> bool:
         """Return whether there is a file; one of a nested package counts."""
         return path in self._every

@@ -35,6 +35,18 @@ def generate_launch_description():
         composable_node_descriptions=[ComposableNode(package='my_pkg', plugin='my_pkg::Taker')])
     return LaunchDescription([])
 """
+LOST_EXPRESSION = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration, PythonExpression
+
+
+def generate_launch_description():
+    headless = LaunchConfiguration('headless')
+    log = LogInfo(msg='up', condition=IfCondition(PythonExpression(['not ', headless])))
+    return LaunchDescription([DeclareLaunchArgument('headless', default_value='true')])
+"""
 NEVER_ADDED = """\
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -84,6 +96,13 @@ CASES = {
             .replace(ACTION, "return LaunchDescription([])")
         ),
         named(lch003.PYTHON.replace("robot_params.yaml", "robot.rviz")),
+    ),
+    "LCH007": (called(LOST_EXPRESSION),),
+    "LCH013": (
+        called(
+            "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    names = []\n"
+            "    if names:\n        names.append(other)\n    return LaunchDescription([])\n"
+        ),
     ),
     "LCH011": tuple(
         Example(

@@ -91,10 +91,16 @@ class LaunchContext:
         there = named.path in facts.share_files
         if not named.has_slash:
             return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
-        if there or (facts is self.package and self.files.absent.is_expected(named.path)):
+        if there or self.is_brought(facts, named.path):
             return None
         state, better_path = self.state(facts, named.path)
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
+
+    def is_brought(self, facts: PackageFacts, path: str) -> bool:
+        """Return whether a build or a submodule may bring a file of a package."""
+        if facts is self.package:
+            return self.files.absent.is_expected(path)
+        return self.files.absent_in(facts.folder).is_ignored(path)
 
     def state(self, facts: PackageFacts, path: str) -> tuple[State, str | None]:
         if facts is self.package and self.files.is_there(path):

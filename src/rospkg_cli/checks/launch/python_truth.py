@@ -91,6 +91,7 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
                 yield Fault(
                     file.span(test), f"{message}; test it in an OpaqueFunction, or pass a `condition`", "warning"
                 )
+                break
 
 
 def bindings_of(file: PythonFile, made: Mapping[Span, Call]) -> Mapping[str, Call | None]:

@@ -9,6 +9,7 @@ from typing import Literal
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass, replace
+from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace
@@ -54,6 +55,14 @@ class RobotInWorkspace:
     workspace: Workspace
     install: InstallFaults
     calls: XacroCalls
+    table: InstallTable | None
+
+    @property
+    def is_installed(self) -> bool:
+        """Whether the robot itself is installed, or may be: else only who works in the source reads it."""
+        if self.table is None or not self.table.knows("share"):
+            return True
+        return any(row.source == self.robot.path for row in self.table.rows)
 
     def missing(self) -> Iterator[MissingResource]:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""
@@ -84,7 +93,9 @@ class RobotInWorkspace:
 
     def is_expected(self, facts: PackageFacts, path: str) -> bool:
         """Return whether a build or a submodule may bring a file."""
-        return facts.may_write(path) or (facts is self.package and self.is_made(path))
+        if facts is self.package:
+            return facts.may_write(path) or self.is_made(path)
+        return facts.may_write(path) or self.files.absent_in(facts.folder).is_ignored(path)
 
     def is_made(self, path: str) -> bool:
         is_there = self.files.exists(path) or path in self.files.folders

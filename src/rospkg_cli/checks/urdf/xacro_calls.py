@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -38,7 +39,7 @@ class XacroCalls:
                 return softer(fault, "warning", "where the condition around it holds")
             if around.tag == "xacro:macro" and not self.is_called(name):
                 return softer(fault, "warning", f"as soon as something calls the macro `{name}`")
-            if around.tag == "xacro:property" and around.get("lazy_eval") != "false" and name not in self.read:
+            if around.tag == "xacro:property" and around.get("lazy_eval") != "false" and not self.is_read(around):
                 return softer(fault, "info", f"as soon as something reads `{name}`")
         return fault
 
@@ -57,12 +58,21 @@ class XacroCalls:
         found = {match.group(1) for text in self.texts for match in CALL.finditer(text)}
         return frozenset(found | {name.rpartition(".")[2] for name in found})
 
+    def is_read(self, element: Element) -> bool:
+        """Return whether anything but its own value names a property."""
+        name = element.get("name") or ""
+        values = (attribute.value for each in element.walk() for attribute in each.attributes.values())
+        own = sum(read_in(value)[name] for value in values) + sum(read_in(each.text)[name] for each in element.walk())
+        return self.read[name] > own
+
     @cached_property
-    def read(self) -> frozenset[str]:
-        found = {match.group(1) for text in self.texts for match in INSERTED.finditer(text)}
+    def read(self) -> Counter[str]:
+        """How often `${…}` and `<xacro:insert_block>` name a property, for each name."""
+        found: Counter[str] = Counter()
         for text in self.texts:
-            found.update(word for match in EXPRESSION.finditer(text) for word in WORD.findall(match.group(1)))
-        return frozenset(found)
+            found += read_in(text)
+            found.update(match.group(1) for match in INSERTED.finditer(text))
+        return found
 
     @cached_property
     def texts(self) -> tuple[str, ...]:
@@ -75,6 +85,10 @@ class XacroCalls:
                     yield self.files.source(path).text
                 except UnreadableError:
                     continue
+
+
+def read_in(text: str) -> Counter[str]:
+    return Counter(word for match in EXPRESSION.finditer(text) for word in WORD.findall(match.group(1)))
 
 
 def ancestors(root: Element, place: Span) -> Iterator[Element]:

@@ -40,6 +40,19 @@ def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
         yield UndefinedName(name[0].id, file.span(name[0]), name[1])
 
 
+def is_in_branch(file: PythonFile, span: Span) -> bool:
+    """Return whether a place lies in a branch of an `if` that Python may not get to."""
+    for node in ast.walk(file.tree):
+        bodies: list[ast.stmt] | list[ast.expr] = []
+        if isinstance(node, ast.If):
+            bodies = [*node.body, *node.orelse]
+        elif isinstance(node, ast.IfExp):
+            bodies = [node.body, node.orelse]
+        if any(file.span(each).start <= span.start and span.end <= file.span(each).end for each in bodies):
+            return True
+    return False
+
+
 Found = tuple[ast.Name, frozenset[str]]
 
 

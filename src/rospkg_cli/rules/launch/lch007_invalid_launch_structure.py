@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.fault import softer
 from ...checks.launch.entity_schema import entity_faults
+from ...checks.launch.idle_actions import level_at
 from ...checks.launch.python_expressions import expression_faults
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
@@ -37,7 +39,10 @@ def generate_launch_description():
     "invalid-launch-structure",
     over=LaunchFile,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is the default of an argument that makes a Python expression fail"},
+    levels={
+        Severity.WARNING: "the default of an argument makes an expression fail, or the action is off by default",
+        Severity.INFO: "the action with the expression is never added to the launch description",
+    },
     examples=(
         Example(
             bad={"launch/a.launch.xml": BAD},
@@ -79,4 +84,6 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     where any value makes it valid.
     """
     yield from hits(file.path, entity_faults(file))
-    yield from hits(file.path, expression_faults(file))
+    for fault in expression_faults(file):
+        level, why = level_at(file, fault.span)
+        yield from hits(file.path, [softer(fault, level, why) if level else fault])

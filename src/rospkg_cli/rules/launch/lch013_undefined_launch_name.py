@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.launch.wrong_imports import wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...languages.python.undefined_names import UndefinedName, undefined_names
+from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_exports import exporting_module
 from ...rule import rule
@@ -41,6 +41,7 @@ def generate_launch_description():
     "undefined-launch-name",
     over=LaunchFile,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the name is used in one branch of an `if`"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.py": BAD},
@@ -76,8 +77,10 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     for found in undefined_names(file.python):
         if found.name not in reported:
             reported.add(found.name)
-            message = f"`{found.name}` is defined nowhere: the launch stops with NameError{hint(found)}"
-            yield Hit(file.path, found.span, message)
+            some = is_in_branch(file.python, found.span)
+            ends = "the launch stops with NameError" + (" where it gets here" if some else "")
+            message = f"`{found.name}` is defined nowhere: {ends}{hint(found)}"
+            yield Hit(file.path, found.span, message, Severity.WARNING if some else None)
     for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"

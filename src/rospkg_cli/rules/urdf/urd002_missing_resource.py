@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.fault import Fault
+from ...checks.fault import Fault, softer
 from ...checks.urdf.missing_files import MissingResource, RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
@@ -41,7 +41,7 @@ LEVELS = (None, "warning", "info")
     over=RobotInWorkspace,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a condition or a macro that nothing here calls is around the reference",
+        Severity.WARNING: "a condition or a macro that nothing here calls is around it, or the robot is not installed",
         Severity.INFO: "it is in a property that nothing reads",
     },
     examples=(
@@ -98,6 +98,8 @@ def told(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | 
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
     each = [scope.calls.weighed(scope.robot.document.root, replace(fault, span=span)) for span in missing.spans]
     best = min(each, key=lambda one: LEVELS.index(one.level))
+    if best.level is None and not scope.is_installed:
+        best = softer(best, "warning", "where the robot is read from the source: it is not installed")
     return Severity(best.level) if best.level else None, best.message + advice(missing)
 
 
