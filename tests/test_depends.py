@@ -541,3 +541,32 @@ def test_types_of_other_packages() -> None:
     assert built("DEP108", generate, line("geometry_msgs", "depend"), **files) == []
     found = cmake("find_package(geometry_msgs REQUIRED)", 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/A.msg")')
     assert built("DEP104", found, **files) == []
+
+
+def test_of_a_leftover_of_ros_1_that_alone_is_said() -> None:
+    text = "import numpy\nimport rospy\nimport rospy.names\nimport cv2\n"
+    files = {**PYTHON, "my_pkg/old.py": text, "my_pkg/new.py": "import cv2\n"}
+    old, new = sorted(lint_files(files, ["DEP101"]).findings, key=lambda finding: finding.message, reverse=True)
+    assert (old.location.path, old.location.line, old.severity.value) == ("my_pkg/old.py", 2, "warning")
+    assert "port it to rclpy" in old.message
+    assert [place.path for place, _ in new.related] == []
+    assert new.location.path == "my_pkg/new.py"
+
+
+@pytest.mark.parametrize(
+    "text", ["try:\n    import rospy\nexcept ImportError:\n    rospy = None\n", "def old():\n    import rospy\n"]
+)
+def test_an_optional_import_of_ros_1_is_no_leftover(text: str) -> None:
+    assert imports(text + "import cv2\n") == ["python3-opencv"]
+
+
+def test_a_package_is_no_dependency_of_itself_under_its_old_name() -> None:
+    old = {path.replace("my_pkg", "old_name"): text.replace("my_pkg", "old_name") for path, text in PYTHON.items()}
+    text = '<launch><node pkg="old_name" exec="x"/></launch>\n'
+    files = {**old, "package.xml": manifest(LAUNCH, name="new_name"), "launch/a.launch.xml": text}
+    assert lint_files(files, ["DEP103"]).findings == ()
+
+
+def test_a_package_that_declares_rospy_is_for_both_worlds() -> None:
+    body = '  <exec_depend condition="$ROS_VERSION == 1">rospy</exec_depend>\n'
+    assert imports("import rospy\nimport cv2\n", body) == []

@@ -69,12 +69,18 @@ class DeclaredDependencies:
     def is_reported_elsewhere(self, name: str) -> bool:
         """Return whether package.xml names it wrongly, which another rule reports.
 
-        It is the package itself in another spelling, a dependency in an unknown tag, or one with an unknown name
-        that is similar, or that is the name on PyPI.
+        It is the package itself in another spelling or by the name of its own module, a dependency in an unknown tag,
+        or one with an unknown name that is similar, or that is the name on PyPI.
         """
         if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
             return True
+        if name in self.own_modules and self.workspace.named(name) is None:
+            return True
         return name in self.keys_of_pip_names or bool(self.unknown_names and near_names(name, self.unknown_names))
+
+    @cached_property
+    def own_modules(self) -> frozenset[str]:
+        return frozenset(module.partition(".")[0] for module in self.facts.modules)
 
     @cached_property
     def in_unknown_tags(self) -> frozenset[str]:

@@ -57,6 +57,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
 
     ## When it is quiet
+    Of a file that imports `rospy` only that is said, for nothing behind it runs.
     What a declared dependency certainly installs can't be missing: that is one info, which names who brings it. Left
     out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one
     that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files
@@ -78,6 +79,12 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
             else:
                 yield undeclared(imports, missing, kind, ends)
     yield from left_to_others(imports.declared, brought, "imported")
+    for leftover in imports.ros1_leftovers():
+        message = (
+            f"`{leftover.module}` is a module of ROS 1: this file ends with ModuleNotFoundError before anything else; "
+            f"port it to rclpy, or do not install it"
+        )
+        yield Hit(leftover.path, leftover.span, message)
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
