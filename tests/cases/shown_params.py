@@ -78,7 +78,68 @@ def library(text: str) -> Example:
     return Example(bad={**prm009.FILES, "src/parameters.yaml": text}, good={}, on="ament_cmake")
 
 
+TALKER = """\
+class Talker : public rclcpp::Node
+{
+public:
+  Talker() : Node("talker")
+  {
+    declare_parameter("rate", 10.0);
+    declare_parameter("depth", 5);
+    declare_parameter("global_frame", "map");
+    declare_parameter("verbose", false);
+    declare_parameter<std::vector<std::string>>("frames", {"map"});
+    declare_parameter<std::vector<double>>("gains", {1.0});
+    declare_parameter("arm.speed", 1.0);
+MORE  }
+};
+"""
+GIVEN = "    verbose: true\n    global_frame: odom\n    frames: [a]\n    arm.speed: 1.0\n"
+VALUES = (
+    "rate: 5", "rate: [1.0]", "rate: '5'", "rate: 5.0", "rate: 0x10", "rate: -5", "rate: $(var x)", "rate:", "depth: 5.0",
+    "depth: true", "gains: [1, 2]", "gains: [1, 2.5]", "gains: 1", "gains: 1.0", "gains: []", "frames: x", "frames: [1]",
+    "frames: [[x]]", "arm: {speed: 1}", "rate: [1, 0x2]",
+)  # fmt: skip
+
+
+def talker(*lines: str, code: str = "", given: str = GIVEN) -> Example:
+    """A node that declares parameters, and a file that sets some."""
+    text = NODE + given + "".join(f"    {line}\n" for line in lines)
+    files = {"include/my_pkg/talker.hpp": TALKER.replace("MORE", code), "config/robot.yaml": text}
+    return Example(bad=files, good={}, on="config")
+
+
+def gets(*calls: str, more: str = "") -> Example:
+    return talker(code="".join(f"    {call};\n" for call in calls) + more)
+
+
 CASES = {
+    "PRM002": (
+        values("a: 1", "a: 1", "b: {c: 1}", "b: {d: 1}", "e.f: 1", "e: {f: 2}", "g: 1", "g: '1'", "h: [1]", "h: [1]"),
+        config(NODE + "    a: 1\ntalker:\n  ros__parameters:\n    a: 1\n---\n" + NODE + "    a: 2\n"),
+        config(NODE + "    a: 1\n/talker:\n  ros__parameters:\n    a: 2\n/**:\n  ros__parameters:\n    a: 3\n"),
+    ),
+    "PRM006": (
+        *(talker(line) for line in VALUES),
+        talker("verbose: 1", "global_frame: 5", given=""),
+        talker("rate: 5", given=""),
+        talker("rate: 5", given="    x: 1\n    y: 2\n"),
+    ),
+    "PRM007": (
+        *(talker(line) for line in ("ratee: 5.0", "rat: 5", "rate: 5.0\n    ratee: 5.0", "gians: 1.0", "gians: [1.0]",
+                 "nothing: 1",
+                                    "arm.sped: 1.0", "use_sim_time: true", "qos_overrides.x: 1", "depht: x",
+                                    "'depht': 1")),
+        talker("arm: {sped: 1.0}", given="    verbose: true\n    rate: 1.0\n    depth: 1\n"),
+        gets('get_parameter("verbos", verbose_)', 'get_parameter("rate")'),
+        gets('get_parameter("verbos")'),
+        gets('get_parameter("verbos")', more="    try {} catch (...) {}\n"),
+        gets('get_parameter("verbos")', 'has_parameter("verbos")'),
+        gets('get_parameter("nothing")'),
+        gets(*(f'get_parameter("{name}")' for name in ("rate", "depth", "global_frame", "frames", "gains", "arm.speed",
+             "other"))),
+        gets('get_parameter("verbos")', more="    options.allow_undeclared_parameters(true);\n"),
+    ),
     "PRM001": (
         config("talker:\n  ros_parameters:\n    a: 1\n"
                "listener:\n  ros__paramters: {a: 1}\nother:\n  Ros__Parameters:\n"),
