@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import PurePosixPath
-from typing import get_args
+from typing import Any, get_args
 
 from ..files import ReaderInput
 from ..ros.distros import Targets
@@ -18,9 +19,87 @@ from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
 from .params.collect_declared import declared_parameters, given_parameters
 from .params.node_sources import node_code
-from .plugins.plugin_facts import plugin_facts
+from .plugins.plugin_facts import described_plugins, loaded_bases
+from .plugins.plugin_uses import plugin_uses
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
+
+Part = Callable[[ReaderInput, Targets, Manifest], tuple[dict[str, Any], set[UnknownField]]]
+"""Returns some fields of the facts of a package, and which of them are unknown."""
+
+
+def of_manifest(reading: ReaderInput, targets: Targets, manifest: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    return {
+        "build_type": manifest.build_type(targets),
+        "name_span": manifest.name_span,
+        "version": manifest.version,
+        "version_span": manifest.version_span,
+        "dependencies": dependencies(manifest, targets),
+        "groups": groups(manifest, targets),
+        "group_dependencies": group_dependencies(manifest, targets),
+        "is_metapackage": is_metapackage(reading.files, manifest),
+    }, set()
+
+
+def of_interfaces(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    interfaces, complete = interface_names(reading)
+    return {"interfaces": interfaces}, set() if complete else {"interfaces"}
+
+
+def of_install_table(reading: ReaderInput, _: Targets, manifest: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    installed = installed_facts(reading, manifest.name)
+    fields = {
+        name: getattr(installed, name) for name in ("executables", "misplaced_executables", "share_files", "modules")
+    }
+    return fields, set(installed.unknown)
+
+
+def of_components(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    components, complete = registered_components(reading)
+    return {"components": components}, set() if complete else {"components"}
+
+
+def of_loaders(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    loaders, complete = loaded_bases(reading)
+    return {"loaders": loaders}, set() if complete else {"loaders"}
+
+
+def of_plugins(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    plugins, complete = described_plugins(reading)
+    return {"plugins": plugins}, set() if complete else {"plugins"}
+
+
+def of_code(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    declared = declared_parameters(reading)
+    code = node_code(reading) if any(each.required for each in declared) else ()
+    return {"parameters": declared, "node_code": code}, set()
+
+
+def one(name: str, collect: Callable[[ReaderInput], Any]) -> Part:
+    return lambda reading, _, __: ({name: collect(reading)}, set())
+
+
+PARTS: dict[tuple[str, ...], Part] = {
+    ("build_type", "name_span", "version", "version_span", "dependencies", "groups", "group_dependencies",
+     "is_metapackage"): of_manifest,
+    ("interfaces",): of_interfaces,
+    ("executables", "misplaced_executables", "share_files", "modules"): of_install_table,
+    ("components",): of_components,
+    ("loaders",): of_loaders,
+    ("plugins",): of_plugins,
+    ("parameters", "node_code"): of_code,
+    ("started_nodes",): one("started_nodes", started_nodes),
+    ("loaded_components",): one("loaded_components", loaded_components),
+    ("launch_files",): one("launch_files", launch_signatures),
+    ("launch_summaries",): one("launch_summaries", launch_summaries),
+    ("given_parameters",): one("given_parameters", given_parameters),
+    ("uninstalled",): one("uninstalled", uninstalled_files),
+    ("written_files",): one("written_files", made_files),
+    ("cmake_targets",): one("cmake_targets", exported_targets),
+    ("plugin_uses",): one("plugin_uses", plugin_uses),
+    ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
+}  # fmt: skip
+"""What is collected together, by the fields that it yields."""
 
 
 def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback: str) -> PackageFacts:
@@ -28,49 +107,17 @@ def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback:
     manifest = reading.parts(Manifest).only
     if manifest is None:
         return unknown_facts(folder, fallback)
+    fields: dict[str, Any] = {}
     unknown: set[UnknownField] = set()
-    interfaces, complete = interface_names(reading)
-    unknown |= set() if complete else {"interfaces"}
-    installed = installed_facts(reading, manifest.name)
-    unknown |= installed.unknown
-    components, complete = registered_components(reading)
-    unknown |= set() if complete else {"components"}
-    plugins = plugin_facts(reading)
-    unknown |= plugins.unknown
-    declared = declared_parameters(reading)
-    return PackageFacts(
-        name=manifest.name or PurePosixPath(folder).name or fallback,
-        folder=folder,
-        build_type=manifest.build_type(targets),
-        name_span=manifest.name_span,
-        version=manifest.version,
-        version_span=manifest.version_span,
-        dependencies=dependencies(manifest, targets),
-        groups=groups(manifest, targets),
-        group_dependencies=group_dependencies(manifest, targets),
-        executables=installed.executables,
-        misplaced_executables=installed.misplaced_executables,
-        started_nodes=started_nodes(reading),
-        loaded_components=loaded_components(reading),
-        launch_files=launch_signatures(reading),
-        launch_summaries=launch_summaries(reading),
-        interfaces=interfaces,
-        parameters=declared,
-        given_parameters=given_parameters(reading),
-        node_code=node_code(reading) if any(each.required for each in declared) else (),
-        share_files=installed.share_files,
-        uninstalled=uninstalled_files(reading),
-        written_files=made_files(reading),
-        components=components,
-        cmake_targets=exported_targets(reading),
-        modules=installed.modules,
-        plugins=plugins.plugins,
-        plugin_uses=plugins.uses,
-        loaders=plugins.loaders,
-        unknown=frozenset(unknown),
-        is_metapackage=is_metapackage(reading.files, manifest),
-        headers=include_dirs(reading.files),
-    )
+    for part in PARTS.values():
+        found, doubts = part(reading, targets, manifest)
+        fields |= found
+        unknown |= doubts
+    return PackageFacts(name_of(manifest, folder, fallback), folder, unknown=frozenset(unknown), **fields)
+
+
+def name_of(manifest: Manifest, folder: str, fallback: str) -> str:
+    return manifest.name or PurePosixPath(folder).name or fallback
 
 
 def unknown_facts(folder: str, fallback: str) -> PackageFacts:

@@ -53,7 +53,7 @@ def make_session(
         RuleSettings(
             frozenset(name for each in [config, *present.values()] for name in each.build_types), config.plugins
         ),
-        pool_for(options.jobs, len(located.scope.folders)),
+        pool_for(options.jobs, len(located.scope.selected)),
         result_filter(options.suppression.baseline, configs, located),
         show_progress,
         chosen if chosen.special else None,

@@ -69,7 +69,7 @@ class Pool:
     """Runs everything in this process; `engine.run.process_pool` has the one that uses several."""
 
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings) -> None:
-        self.worker = Worker(tree, scope.folders, targets, settings, scope.name)
+        self.worker = Worker(tree, scope.folders, targets, settings, scope.name, scope.selected)
 
     def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
         return self.worker.collect_facts(wanted)

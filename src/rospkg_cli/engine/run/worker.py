@@ -13,6 +13,7 @@ from ...files import PackageFiles
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
 from ...package.collect_facts import collect_facts, unknown_facts
+from ...package.facts_on_demand import facts_on_demand
 from ...package.package import Package
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
@@ -54,6 +55,8 @@ class Worker:
     settings: RuleSettings = NO_SETTINGS
     name: str = "package"
     """What a package in the root is called when its manifest does not say."""
+    selected: frozenset[str] | None = None
+    """The packages that are checked, where the facts of the others may be collected as they are asked for."""
     packages: dict[str, Package] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -81,7 +84,9 @@ class Worker:
     def facts(self, folder: str, package: Package) -> PackageFacts:
         """Return a package's facts; of one that raises an exception, only the folder is known to the others."""
         try:
-            return collect_facts(package, self.targets, folder, self.name)
+            on_demand = self.selected is not None and folder not in self.selected
+            collect = facts_on_demand if on_demand else collect_facts
+            return collect(package, self.targets, folder, self.name)
         except Exception:
             package.crashes["PackageFacts"] = traceback.format_exc()
             return unknown_facts(folder, self.name)

@@ -2,32 +2,24 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from ...files import ReaderInput
 from ..cmake.cmake_project import CMake
-from ..package_facts import Plugin, PluginUse, UnknownField
+from ..package_facts import Plugin
 from .description import PluginDescription
 from .loaders import PluginLoaders
-from .plugin_uses import plugin_uses
 from .read_descriptions import EXPORT, by_cmake
 
 
-class PluginFacts(NamedTuple):
-    plugins: tuple[Plugin, ...]
-    uses: tuple[PluginUse, ...]
-    loaders: frozenset[tuple[str, str]]
-    unknown: frozenset[UnknownField]
-
-
-def plugin_facts(reading: ReaderInput) -> PluginFacts:
-    unknown: set[UnknownField] = set()
+def loaded_bases(reading: ReaderInput) -> tuple[frozenset[tuple[str, str]], bool]:
+    """Return what a package loads, as PackageFacts has it, and whether that is all."""
     loaders = reading.parts(PluginLoaders).only or PluginLoaders()
-    unknown |= set() if loaders.is_complete else {"loaders"}
-    unknown |= set() if are_complete(reading) else {"plugins"}
+    return frozenset(each.names for each in loaders.loaders), loaders.is_complete
+
+
+def described_plugins(reading: ReaderInput) -> tuple[tuple[Plugin, ...], bool]:
+    """Return the plugins that a package describes, and whether these are all."""
     plugins = [plugin for each in reading.parts(PluginDescription).good for plugin in plugins_of(each)]
-    names = frozenset(each.names for each in loaders.loaders)
-    return PluginFacts(tuple(plugins), plugin_uses(reading), names, frozenset(unknown))
+    return tuple(plugins), are_complete(reading)
 
 
 def plugins_of(description: PluginDescription) -> list[Plugin]:

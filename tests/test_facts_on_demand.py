@@ -1,0 +1,96 @@
+"""Facts on demand are those that are collected at once, and only what is asked for is read."""
+
+from __future__ import annotations
+
+import pickle
+from pathlib import Path
+
+import pytest
+
+from rospkg_cli.disk import DiskTree
+from rospkg_cli.engine.run.worker import Worker
+from rospkg_cli.example import Example
+from rospkg_cli.files import PackageFiles
+from rospkg_cli.light_dataclasses import field_names
+from rospkg_cli.package import facts_on_demand
+from rospkg_cli.package.collect_facts import PARTS, collect_facts
+from rospkg_cli.package.facts_on_demand import FactsOnDemand
+from rospkg_cli.package.package import Package
+from rospkg_cli.package.package_facts import PackageFacts
+from rospkg_cli.package.rule_settings import RuleSettings
+from rospkg_cli.ros.distros import Targets
+from rospkg_cli.tree import MemoryTree, Tree
+
+CORPUS = Path(__file__).parent / "corpus"
+TREES: list[Tree] = [
+    *(DiskTree(CORPUS / name) for name in ("my_robot_examples", "my_robot_nav")),
+    *(MemoryTree.of(Example(bad={}, good={}, on=on).bad_files()) for on in ("ament_python", "ament_cmake")),
+]
+
+
+def package_in(tree: Tree) -> Package:
+    return Package(PackageFiles(tree))
+
+
+def on_demand(package: Package) -> PackageFacts:
+    return facts_on_demand.facts_on_demand(package, Targets(), "here", "fallback")
+
+
+@pytest.mark.parametrize("tree", TREES)
+def test_they_are_the_same(tree: Tree) -> None:
+    wanted = collect_facts(package_in(tree), Targets(), "here", "fallback")
+    for name in field_names(PackageFacts):  # each asked for first, of facts of its own
+        assert getattr(on_demand(package_in(tree)), name) == getattr(wanted, name), name
+    for field in (
+        "name",
+        "dependencies",
+        "executables",
+        "interfaces",
+        "share_files",
+        "components",
+        "modules",
+        "loaders",
+    ):
+        assert on_demand(package_in(tree)).knows(field) is wanted.knows(field)
+    sent = pickle.loads(pickle.dumps(on_demand(package_in(tree))))
+    assert type(sent) is PackageFacts
+    assert sent == wanted
+
+
+def test_every_field_is_in_one_part() -> None:
+    names = [name for part in PARTS for name in part]
+    assert sorted([*names, "name", "folder", "unknown"]) == sorted(field_names(PackageFacts))
+
+
+def test_a_name_reads_the_manifest_alone() -> None:
+    package = package_in(TREES[1])
+    facts = on_demand(package)
+    assert isinstance(facts, FactsOnDemand)
+    assert (facts.name, facts.folder, facts.build_type) == ("my_robot_nav", "here", "ament_python")
+    assert [kind.__name__ for kind in package._parts] == ["Manifest"]
+    with pytest.raises(AttributeError):
+        facts.nothing  # type: ignore[attr-defined]  # noqa: B018
+
+
+def test_what_raises_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(PARTS, ("interfaces",), lambda *_: 1 / 0)
+    facts = on_demand(package_in(TREES[1]))
+    assert facts.interfaces == frozenset()
+    assert not facts.knows("interfaces")
+    assert facts.knows("executables")
+    assert facts.unknown == {"interfaces"}
+
+
+def test_a_broken_manifest_leaves_the_folder() -> None:
+    facts = on_demand(package_in(MemoryTree.of({"package.xml": "<package"})))
+    assert (facts.name, facts.knows("name")) == ("here", False)
+
+
+def test_only_the_neighbours_of_what_is_checked_wait() -> None:
+    tree = MemoryTree.of(
+        {f"{name}/{path}": text for name in ("a", "b") for path, text in Example(bad={}, good={}).bad_files().items()}
+    )
+    worker = Worker(tree, ("a", "b"), Targets(), RuleSettings(), selected=frozenset({"a"}))
+    assert [type(facts) for facts in worker.collect_facts()] == [PackageFacts, FactsOnDemand]
+    worker = Worker(tree, ("a", "b"), Targets(), RuleSettings())
+    assert [type(facts) for facts in worker.collect_facts()] == [PackageFacts, PackageFacts]
