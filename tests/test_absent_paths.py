@@ -79,6 +79,12 @@ def test_a_submodule_is_expected_where_it_holds_nothing() -> None:
     assert found.absent.is_expected("third_party/x/a.cpp")
 
 
+def test_submodules_are_bounded() -> None:
+    many = "path = a\n" * 9_999
+    assert files(**{"src__my_pkg__.gitmodules": f"{many}path = x\n"}).absent.submodule_of("x") == "x"
+    assert files(**{"src__my_pkg__.gitmodules": f"{many}path = a\npath = x\n"}).absent.submodule_of("x") is None
+
+
 def test_a_package_alone_is_its_own_top() -> None:
     alone = PackageFiles(MemoryTree.of({".gitmodules": "path = x\n", ".gitignore": b"\xff\xfe\xfa"}), "src/my_pkg")
     assert alone.absent.submodule_of("x/a") == "x"

@@ -82,12 +82,10 @@ def asks_only(call: EvaluatedCommand) -> bool:
 
 
 def files_written_by(call: EvaluatedCommand) -> Iterator[Word]:
-    """Yield the names of the files and folders that a command writes when it configures or builds."""
+    """Yield the names of the files that a command writes when it configures or builds."""
     if call.name in WRITES and WRITES[call.name] >= 0:
         yield from call.words[WRITES[call.name] :][:1]
-    if is_copy(call):
-        yield from values_of(call, ("DESTINATION",))
-    elif call.name == "file" and call.words and call.texts[0] in WRITES_FILES:
+    if call.name == "file" and call.words and call.texts[0] in WRITES_FILES and not is_copy(call):
         yield from call.words[1:]
     if call.name == "set_source_files_properties" and "GENERATED" in call.texts:
         yield from call.words[: call.texts.index("PROPERTIES")] if "PROPERTIES" in call.texts else ()
