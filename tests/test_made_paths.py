@@ -109,3 +109,13 @@ def test_a_source_that_is_marked_as_generated_need_not_be_there() -> None:
     marked = "set_source_files_properties(src/other.cpp PROPERTIES {} TRUE)\n"
     assert levels(marked.format("GENERATED") + OTHER) == []
     assert levels(marked.format("HEADER_FILE_ONLY") + OTHER) == [Severity.ERROR]
+
+
+def test_a_file_of_that_name_may_be_written_anywhere() -> None:
+    assert levels("file(WRITE ${SOMEWHERE}/net.onnx text)\n" + FILE) == []
+    assert levels("configure_file(net.in models/net.onnx)\n" + FILE) == []
+    assert levels("configure_file(net.onnx models/other)\n" + FILE) == [Severity.ERROR]
+
+
+def test_a_destination_below_the_prefix_is_another_folder() -> None:
+    assert levels("install(FILES CMakeLists.txt DESTINATION models)\n" + MODELS) == [Severity.ERROR]
