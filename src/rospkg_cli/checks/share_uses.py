@@ -69,12 +69,15 @@ class ShareUses:
         """Return `error` where the package opens a folder, `info` where nobody seems to; None between them."""
         if self.opens(folder):
             return "error"
-        return None if folder == "launch" or self.is_needed_by_others() else "info"
+        needed = folder == "launch" or self.is_needed_by_others()
+        return None if needed and not self.opens_in_source(folder) else "info"
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""
         if folder == "launch":
             return f"the build is green, and `ros2 launch {self.name} …` does not find it"
-        if self.level(folder) == "info":
-            return "no other package can open it, and nothing in this one does"
-        return "what opens it in the share directory does not find it"
+        if self.level(folder) != "info":
+            return "what opens it in the share directory does not find it"
+        if self.opens_in_source(folder):
+            return "the README opens it in the source folder, which is not there once the package is installed"
+        return "no other package can open it, and nothing in this one does"

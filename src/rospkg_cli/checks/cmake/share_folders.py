@@ -35,9 +35,7 @@ class RuntimeFolders:
         ):
             return
         for folder in FOLDERS:
-            if self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
-                continue
-            if not self.uses.opens_in_source(folder):
+            if not self.is_installed(folder) and not self.is_named(folder) and self.useful(folder):
                 yield folder
 
     def useful(self, folder: str) -> tuple[str, ...]:

@@ -111,10 +111,7 @@ class ShareFiles:
         return tuple(
             folder
             for folder in FOLDERS
-            if folder not in globbed | modules
-            and not self.installs_from(folder)
-            and self.useful(folder)
-            and not self.uses.opens_in_source(folder)
+            if folder not in globbed | modules and not self.installs_from(folder) and self.useful(folder)
         )
 
     @cached_property

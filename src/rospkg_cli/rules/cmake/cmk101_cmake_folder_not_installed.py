@@ -26,7 +26,7 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory",
-        Severity.INFO: "nothing in the package does, nor depends another one of the workspace on it; not for `launch/`",
+        Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder",
     },
     examples=(
         Example(
@@ -55,9 +55,9 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
 
     ## When it is quiet
     Where install rules can't be evaluated, where another command names the folder, and where git ignores its files.
-    Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`). Where nothing in the
-    package looks for the folder in the share directory it is an info, for it may be a leftover; what another
-    package opens there, that one is told of.
+    Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is an info. It is
+    one, too, where neither the package nor one of the workspace that depends on it seems to open the folder: it may
+    be a leftover.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:

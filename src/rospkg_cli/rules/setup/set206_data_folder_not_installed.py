@@ -31,7 +31,7 @@ def good(folder: str, pattern: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory",
-        Severity.INFO: "nothing in the package does, nor depends another one of the workspace on it; not for `launch/`",
+        Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder",
     },
     examples=(
         Example(
@@ -58,9 +58,9 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
-    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`). Where
-    nothing in the package looks for the folder in the share directory, and no package of the workspace depends on
-    it, it is an info: it may be a leftover.
+    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is
+    an info. It is one, too, where neither the package nor one of the workspace that depends on it seems to open the
+    folder: it may be a leftover.
     """
     package = shared.package
     setup = package.setup
