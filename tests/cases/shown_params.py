@@ -96,8 +96,10 @@ MORE  }
 """
 GIVEN = "    verbose: true\n    global_frame: odom\n    frames: [a]\n    arm.speed: 1.0\n"
 VALUES = (
-    "rate: 5", "rate: [1.0]", "rate: '5'", "rate: 5.0", "rate: 0x10", "rate: -5", "rate: $(var x)", "rate:", "depth: 5.0",
-    "depth: true", "gains: [1, 2]", "gains: [1, 2.5]", "gains: 1", "gains: 1.0", "gains: []", "frames: x", "frames: [1]",
+    "rate: 5", "rate: [1.0]", "rate: '5'", "rate: 5.0", "rate: 0x10", "rate: -5", "rate: $(var x)", "rate:",
+    "depth: 5.0",
+    "depth: true", "gains: [1, 2]", "gains: [1, 2.5]", "gains: 1", "gains: 1.0", "gains: []", "frames: x",
+    "frames: [1]",
     "frames: [[x]]", "arm: {speed: 1}", "rate: [1, 0x2]",
 )  # fmt: skip
 
