@@ -70,6 +70,97 @@ def test_in_canonical_order() -> None:
     assert arranged(package(*before), canonical_order) == package(*after)
 
 
+CANONICAL = {
+    "conditions": (
+        ['<depend condition="b">x</depend>', "<depend>x</depend>", '<depend condition="a">x</depend>'],
+        ["<depend>x</depend>", '<depend condition="a">x</depend>', '<depend condition="b">x</depend>'],
+    ),
+    "one line": (
+        ["<name>n</name>", "<exec_depend>b</exec_depend> <depend>a</depend>", "<version>1</version>"],
+        ["<name>n</name>", "<version>1</version>", "<depend>a</depend>", "<exec_depend>b</exec_depend>"],
+    ),
+    "all in one line": (
+        ["<name>n</name> <exec_depend>b</exec_depend> <depend>a</depend> <version>1</version>"],
+        ["<name>n</name>", "<version>1</version>", "<depend>a</depend>", "<exec_depend>b</exec_depend>"],
+    ),
+    "two paragraphs": (
+        [
+            "<name>n</name>",
+            "",
+            "<exec_depend>b</exec_depend>",
+            "",
+            "",
+            "<depend>c</depend>",
+            "<depend>a</depend>",
+            "<export/>",
+        ],
+        [
+            "<name>n</name>",
+            "",
+            "",
+            "<depend>a</depend>",
+            "<depend>c</depend>",
+            "",
+            "<exec_depend>b</exec_depend>",
+            "<export/>",
+        ],
+    ),
+    "text": (
+        ["<name>n</name>", "words", "<exec_depend>b</exec_depend>", "<depend>a</depend>"],
+        ["<name>n</name>", "words", "<exec_depend>b</exec_depend>", "<depend>a</depend>"],
+    ),
+    "comment alone": (
+        ["<exec_depend>b</exec_depend>", "<!-- x -->", "", "<!-- y -->", "<depend>a</depend>", "<!-- end -->"],
+        ["<!-- y -->", "<depend>a</depend>", "<!-- x -->", "", "<exec_depend>b</exec_depend>", "<!-- end -->"],
+    ),
+    "groups": (
+        [
+            "<depend>b</depend>",
+            "<exec_depend>a</exec_depend>",
+            "",
+            "<depend>a</depend>",
+            "<test_depend>z</test_depend>",
+            "<exec_depend>c</exec_depend>",
+        ],
+        [
+            "<depend>a</depend>",
+            "<depend>b</depend>",
+            "<exec_depend>a</exec_depend>",
+            "<exec_depend>c</exec_depend>",
+            "",
+            "<test_depend>z</test_depend>",
+        ],
+    ),
+    "unknown first": (
+        ["<bogus/>", "<version>1</version>", "<name>n</name>"],
+        ["<bogus/>", "<name>n</name>", "<version>1</version>"],
+    ),
+    "heading": (
+        [
+            "<!-- Run -->",
+            "<exec_depend>b</exec_depend>",
+            "<exec_depend>a</exec_depend>",
+            "",
+            "<!-- Build -->",
+            "<depend>c</depend>",
+        ],
+        [
+            "<!-- Build -->",
+            "<depend>c</depend>",
+            "",
+            "<exec_depend>a</exec_depend>",
+            "<!-- Run -->",
+            "<exec_depend>b</exec_depend>",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("before, after", CANONICAL.values(), ids=CANONICAL.keys())
+def test_in_canonical_order_with_lines_and_comments(before: list[str], after: list[str]) -> None:
+    assert arranged(package(*before), canonical_order) == package(*after)
+
+
 @pytest.mark.parametrize("stray", ["words", "\u3000", "<?go on?>"])
 def test_nothing_is_arranged_around_stray_text(stray: str) -> None:
     text = package("<author>A</author>", stray, "<license>L</license>")
