@@ -11,25 +11,16 @@ import pty
 import re
 import subprocess
 import sys
-from functools import cache
 from pathlib import Path
 
 import pytest
-from sample_workspaces import beginner, forty
+from sample_findings import beginner, forty
 
-from rospkg_cli.engine.run.session import Results
-from rospkg_cli.engine.selection import Selection
 from rospkg_cli.report import Report, render
-from rospkg_cli.testing import lint_files
 
 SCREENS = Path(__file__).parent / "screens"
 WORKSPACES = {"beginner": beginner, "forty": forty}
 ESCAPE = re.compile("\x1b\\[[0-9;]*m")
-
-
-@cache
-def results(workspace: str) -> Results:
-    return lint_files(WORKSPACES[workspace](), Selection().codes())
 
 
 def compare(name: str, text: str, pytestconfig: pytest.Config) -> None:
@@ -42,7 +33,7 @@ def compare(name: str, text: str, pytestconfig: pytest.Config) -> None:
 
 def rendered(workspace: str, width: int | None, **how: bool) -> str:
     stream = io.StringIO()
-    render("text", Report(results(workspace), Path("/ws"), Path("/ws"), width=width, **how), stream)
+    render("text", Report(WORKSPACES[workspace](), Path("/ws"), Path("/ws"), width=width, **how), stream)
     return stream.getvalue()
 
 
@@ -92,8 +83,13 @@ def on_a_terminal(folder: Path, **environment: str) -> str:
     return said.decode().replace("\r\n", "\n")
 
 
-def test_a_terminal_a_pipe_and_no_color(tmp_path: Path, write) -> None:
-    folder = write(tmp_path / "my_pkg", beginner())
+def test_a_terminal_a_pipe_and_no_color(tmp_path: Path, write, clean) -> None:
+    text = clean["package.xml"].replace("Drives my robot", "TODO: Package description")
+    setup = (
+        clean["setup.py"].rstrip().removesuffix(")")
+        + "    entry_points={'console_scripts': ['a = my_pkg.b:main']},\n)\n"
+    )
+    folder = write(tmp_path / "my_pkg", {**clean, "package.xml": text, "setup.py": setup})
     coloured = on_a_terminal(folder)
     plain = on_a_terminal(folder, NO_COLOR="1")
     assert ESCAPE.search(coloured)

@@ -84,13 +84,14 @@ def test_a_long_report_is_short_and_has_a_table() -> None:
     assert text.count("some text") == 1  # the error's
     assert "  base/package.xml:1:1: error SET101 name-of-set101\n      1 | some text\n" in text
     assert "  base/package.xml:1:1: warning SET102 `set102` is wrong in `base`; write it anew\n" in text
-    assert text.splitlines()[-7:-2] == [
+    assert text.splitlines()[-8:-3] == [
         "error  warning  info  --fix  rule",
         "                   1         DEP102 name-of-dep102",
         "             1               SET102 name-of-set102",
         "            14               XML104 name-of-xml104",
         "    1                        SET101 name-of-set101",
     ]
+    assert text.splitlines()[-2].startswith("--show all shows each finding in full")
     assert shown(*found, shows_all=True, shows_info=True).count("some text") == LONG + 2
 
 

@@ -25,6 +25,9 @@ NOTES = "RPK008"
 """The rule whose findings are notes on the run, not on a package: they are told behind the counts."""
 
 
+MORE = "--show all shows each finding in full; `rospkg explain CODE` says why."
+
+
 def render(report: Report, stream: IO[str]) -> None:
     notes = [f for f in report.results.findings if f.code == NOTES]
     findings = [f for f in report.results.findings if f.code != NOTES]
@@ -114,8 +117,9 @@ def ending(report: Report, findings: Sequence[Finding], hidden: int, is_long: bo
     """Yield the counts: by rule where the report is long, of the infos that are not shown, and of all."""
     if is_long:
         yield from ("", *table(rule_counts(findings), report.width, report.color), "")
+        yield from lines(report, words(MORE), "", "  ")
     elif hidden:
         infos = rule_counts(f for f in findings if f.severity is Severity.INFO)
-        told = ", ".join(f"{count.code}\xa0{count.name}" for count in infos)
+        told = ", ".join(f"{count.code} {count.name}" for count in infos)
         yield from lines(report, words(f"not shown: {counted(hidden, 'info')} ({told})"), "", "  ")
     yield from lines(report, words(summary(report)), "")
