@@ -4,9 +4,10 @@ Breaks one place at a time in copies of this checkout (never in place): conditio
 constants, levels and safeties changed, texts dropped, results emptied.  First a map is made, once for the same sources
 and tests: which tests run which lines (coverage's contexts); it is kept in the folder for temporary files.  Each mutant
 meets the tests that run its line and little else, at most `--near` of them, then at most `--wider` of the others that
-run it.  Prints killed or survived, and the diff of each survivor.  What runs only in a process that a test starts is
-not in the map.  `--tests` names the files of tests that take part (without `tests/real` where none is named); what
-survives some of the tests may be killed by others.
+run it; one in a line that runs at import alone meets the laws last, which read the sources.  Prints killed or survived,
+and the diff of each survivor.  What runs only in a process that a test starts is not in the map.  `--tests` names the
+files of tests that take part (without `tests/real` where none is named); what survives some of the tests may be killed
+by others.
 """
 
 from __future__ import annotations
@@ -33,6 +34,9 @@ from .mutations import Mutant, draw
 ROOT = Path(__file__).parents[1]
 COPIED = ("src", "tests", "templates", "schemas", "docs", "bench")
 NOT_COPIED = shutil.ignore_patterns("__pycache__", ".*_cache", "*.egg-info", ".hypothesis")
+LAWS = ["tests/test_house.py", "tests/test_rule_habits.py"]
+"""Tests that read the sources, and run no line of them."""
+
 COVERAGE = "[run]\nsource_pkgs = rospkg_cli\nrelative_files = true\ncore = ctrace\n"
 
 
@@ -68,10 +72,19 @@ class TestMap:
             for context in {c for found in self.data.contexts_by_lineno(path).values() for c in found}:
                 self.reach[context] = self.reach.get(context, 0) + 1
 
+    def running(self, mutant: Mutant) -> set[str]:
+        """Return the contexts that run the lines of a mutant; none where they run at import alone."""
+        by_line = self.data.contexts_by_lineno(mutant.path.relative_to(ROOT).as_posix())
+        return {c for line in mutant.lines for c in by_line.get(line, ())} - {""}
+
+    def is_run(self, mutant: Mutant) -> bool:
+        """Return whether a test runs the lines of a mutant."""
+        return bool(self.running(mutant))
+
     def tests(self, mutant: Mutant) -> list[str]:
         """Return the tests that run the lines of a mutant (where none does: that run its file), the narrowest first."""
         by_line = self.data.contexts_by_lineno(mutant.path.relative_to(ROOT).as_posix())
-        found = {c for line in mutant.lines for c in by_line.get(line, ())} - {""}
+        found = self.running(mutant)
         found = found or {c for contexts in by_line.values() for c in contexts} - {""}
         ordered = sorted(found, key=lambda context: (self.reach[context], context))
         return [name for name in dict.fromkeys(c.rpartition("|")[0] for c in ordered) if name not in self.failing]
@@ -122,7 +135,8 @@ class Copies:
         original = target.read_bytes()
         try:
             write(target, mutant.of(original.decode()).encode())
-            for few in (tests[: self.near], tests[self.near : self.near + self.wider]):
+            laws = [] if self.map.is_run(mutant) else LAWS
+            for few in (tests[: self.near], tests[self.near : self.near + self.wider], laws):
                 killer = self.killer(folder, few) if few else ""
                 if killer:
                     return f"killed by {killer}"

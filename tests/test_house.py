@@ -218,6 +218,15 @@ def test_facts_are_frozen_and_pickle() -> None:
     assert {f.name for f in dataclasses.fields(Workspace)} <= known
 
 
+def test_what_rules_are_given_and_what_checks_find_is_frozen() -> None:
+    """The dataclasses of rules, checks and edits: one input serves all rules that ask for it."""
+    for name, tree in modules().items():
+        if name.partition(".")[0] in ("rules", "checks", "edits"):
+            made = [each for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for each in node.decorator_list]
+            for code in map(ast.unparse, made):
+                assert not code.startswith("dataclass") or "frozen=True" in code, name
+
+
 def imported(*arguments: str, cwd: Path) -> set[str]:
     """Return the modules that a run of the command has imported at its end."""
     code = (
