@@ -21,13 +21,15 @@ MAX_OFFERS = 100
 
 MAX_RELATED = 3
 
-GOOD = manifest().replace(
+CHECKERS = ("ament_lint_common", "ament_cmake_xmllint", "ament_xmllint")
+"""What brings ament_xmllint into a package's tests."""
+
+CHECKED = manifest("  <test_depend>ament_lint_common</test_depend>\n")
+GOOD = CHECKED.replace(
     "</license>\n", "</license>\n  <url>https://example.org</url>\n  <!-- she began it -->\n  <author>Bob</author>\n"
 )
-BAD = (
-    manifest()
-    .replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</author>»\n  <license>")
-    .replace("</license>\n", "</license>\n  <url>https://example.org</url>\n")
+BAD = CHECKED.replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</author>»\n  <license>").replace(
+    "</license>\n", "</license>\n  <url>https://example.org</url>\n"
 )
 
 
@@ -36,7 +38,9 @@ BAD = (
     "element-order",
     over=Manifest,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where the file names no schema (`<?xml-model …?>`), so that no tool checks it"},
+    levels={
+        Severity.INFO: "where no test checks it: no schema is named (`<?xml-model …?>`), or no ament_xmllint declared"
+    },
     examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
 )
 def element_order(manifest: Manifest) -> Iterator[Hit]:
@@ -47,12 +51,13 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     group_depend, member_of_group, export.
 
     ## Why is this bad?
-    colcon does not mind. `ament_xmllint`, which the tests of every package made by `ros2 pkg create` run, fails on it,
-    and so does every editor that checks against the schema.
+    colcon does not mind. `ament_xmllint`, which comes with ament_lint_common into the tests of every package made by
+    `ros2 pkg create --build-type ament_cmake`, fails on it, and so does every editor that checks against the schema.
 
     ## When it is quiet
-    The order is an info where no `<?xml-model …?>` line names the schema: then `ament_xmllint` checks no order. What
-    stands wrong in a row under one tag is one finding.
+    The order is an info where no `<?xml-model …?>` line names the schema, since `ament_xmllint` then checks no order,
+    and where the package declares neither ament_lint_common nor ament_xmllint. What stands wrong in a row under one tag
+    is one finding.
 
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
@@ -65,13 +70,16 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-    ends = "`colcon test` fails on it where ament_xmllint is run"
+    checker = next((name for name in CHECKERS if manifest.depends_on(name)), None)
     if manifest.xml_model is None:
-        ends = "no tool checks it, for no `<?xml-model …?>` line names the schema"
+        level, ends = Severity.INFO, "no tool checks it, for no `<?xml-model …?>` line names the schema"
+    elif checker is None:
+        level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
+    else:
+        level, ends = None, f"`colcon test` fails in ament_xmllint, which `{checker}` runs"
     for number, (element, *others) in enumerate(in_groups(moving)):
         message = f"`<{element.tag}>` must be {neighbour(staying, places, element)}: {ends}"
         same = tuple(Related(manifest.path, span_of(each), "and here") for each in others[:MAX_RELATED])
-        level = None if manifest.xml_model else Severity.INFO
         yield Hit(manifest.path, span_of(element), message, level, same, fix if number < MAX_OFFERS else None)
 
 
