@@ -122,4 +122,5 @@ CASES = {
         depend('version_eq="1.0" version_lt="2.0"'),
         depend('version_gte="two"'),
     ),
+    "XML307": (Example(bad={"package.xml": PLAIN, "CMakeLists.txt": CMAKE}, good={}),),
 }  # fmt: skip

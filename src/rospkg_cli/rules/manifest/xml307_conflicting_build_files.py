@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
-from ...example import CMAKE, SETUP_PY, Example, manifest
+from ...example import CMAKE, CONFIG_INSTALL, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
 
+INSTALLING = CMAKE.replace("ament_package()", CONFIG_INSTALL + "ament_package()")
 PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")
 MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<build_type>«ament_cmake»")
 
@@ -18,8 +19,9 @@ MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<
     "conflicting-build-files",
     over=ManifestAndCMake,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where the CMakeLists.txt that is ignored installs nothing"},
     examples=(
-        Example(bad={"package.xml": PYTHON, "CMakeLists.txt": CMAKE}, good={"CMakeLists.txt": None}),
+        Example(bad={"package.xml": PYTHON, "CMakeLists.txt": INSTALLING}, good={"CMakeLists.txt": None}),
         Example(on="ament_cmake", bad={"package.xml": MIXED, "setup.py": SETUP_PY}, good={"setup.py": None}),
     ),
 )
@@ -34,7 +36,8 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     package seems to install it.
 
     ## When it is quiet
-    Packages for ROS 1 and ROS 2 (catkin, conditions) are left alone, and so is a setup.py that CMake installs by
+    A CMakeLists.txt without an install rule, left from ROS 1 often, is an info: nothing of it is missed. Packages for
+    ROS 1 and ROS 2 (catkin, conditions) are left alone, and so is a setup.py that CMake installs by
     `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
 
     ## References
@@ -44,11 +47,13 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     types = list(manifest.build_types(package.targets))
     if len(types) != 1 or manifest.depends_on("catkin") or any("condition" in each.attributes for each in types):
         return
-    used, other = types[0].text, ""
+    used, other, level = types[0].text, "", None
     if used == "ament_python" and files.exists("CMakeLists.txt"):
         other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
+        level = Severity.INFO if package.cmake and not package.cmake.named("install") else None
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
     if other:
-        message = f"the build type is `{used}`, so colcon ignores `{other}` and installs nothing of it; {advice}"
-        yield Hit(manifest.path, manifest.span(types[0]), message)
+        ends = ", which installs nothing" if level else ": what it installs is missing"
+        message = f"the build type is `{used}`, so colcon ignores `{other}`{ends}; {advice}"
+        yield Hit(manifest.path, manifest.span(types[0]), message, level)
