@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...example import CMAKE, CONFIG_INSTALL, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
+
+INSTALL = re.compile(r"install\w*\s*\(", re.I)
+"""A call of `install()` or of a command that is named after it: of an ignored file only the text is looked at."""
 
 INSTALLING = CMAKE.replace("ament_package()", CONFIG_INSTALL + "ament_package()")
 PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")
@@ -50,7 +54,7 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     used, other, level = types[0].text, "", None
     if used == "ament_python" and files.exists("CMakeLists.txt"):
         other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
-        level = Severity.INFO if package.cmake and not package.cmake.named("install") else None
+        level = None if INSTALL.search(files.source("CMakeLists.txt").text) else Severity.INFO
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
     if other:
