@@ -239,3 +239,12 @@ def test_a_field_that_is_asked_of_most_is_asked_of_all() -> None:
     assert len(seen.parameters.by_last) == 0
     questions = [question for question, _ in Answers(seen.real).of(seen.noted)]
     assert questions == [("all", "parameters"), ("folders",)]
+
+
+def test_a_package_that_is_linted_alone_beside_others_is_no_fault(workspace: Path) -> None:
+    """Of the others facts are collected as they are asked for, and can't be kept."""
+    for name in ("cache", "elsewhere"):
+        for _ in range(2):
+            run = run_kept("src/user", *JSON, cwd=workspace, XDG_CACHE_HOME=str(workspace.parent / name))
+            assert (run.status in (0, 1), run.err) == (True, "")
+            add("src/other/notes.md", f"{name}\n")(workspace)

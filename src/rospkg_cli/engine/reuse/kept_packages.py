@@ -133,8 +133,9 @@ class KeptPackages:
             return
         answers = Answers(workspace)
         for folder, seen in observed.items():
-            if folder not in failed:
-                self.kept[folder] = self.package(workspace.at(folder), seen, answers, results.get(folder))
+            facts = workspace.at(folder)
+            if folder not in failed and type(facts) is PackageFacts:  # facts on demand are not all there
+                self.kept[folder] = self.package(facts, seen, answers, results.get(folder))
         data = {
             folder: [p.files, p.reads, p.above, p.facts, p.asked, p.results] for folder, p in sorted(self.kept.items())
         }
