@@ -5,7 +5,6 @@ A baseline counts findings by code, path and message, so that it holds when line
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -35,11 +34,15 @@ def write_baseline(findings: Iterable[Finding], shown: Callable[[str], str]) -> 
         {"code": code, "path": path, "message": message, "count": count}
         for (code, path, message), count in sorted(keys(findings, shown).items())
     ]
+    import json
+
     return json.dumps({"schema": SCHEMA, "findings": entries}, indent=2, ensure_ascii=False) + "\n"
 
 
 def read_baseline(path: Path) -> Counter[Key]:
     """Read a baseline; raises BaselineError."""
+    import json
+
     try:
         data = json.loads(read(path).decode("utf-8"))
         return Counter({(e["code"], e["path"], e["message"]): int(e["count"]) for e in data["findings"]})

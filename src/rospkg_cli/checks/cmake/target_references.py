@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterator
 from functools import cached_property
 from typing import Literal
 
-from ...languages.cmake.commands import COMMANDS
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN, Word
@@ -99,5 +98,7 @@ class TargetReferences:
     @cached_property
     def foreign(self) -> list[EvaluatedCommand]:
         """The calls of unknown commands: each may add a target named by any of its arguments."""
+        from ...languages.cmake.commands import COMMANDS
+
         known = {*COMMANDS, *MAKERS, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]

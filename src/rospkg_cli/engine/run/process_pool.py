@@ -16,6 +16,7 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Tree
 from ..reuse.kept_packages import Observed
+from .parts import parts_of
 from .rule_plugins import load_plugins
 from .session import Pool, Scope
 from .worker import PackageResults, Worker
@@ -30,7 +31,7 @@ class ProcessPool(Pool):
 
     def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings, jobs: int) -> None:
         self.name = scope.name
-        self.parts = parts = [scope.folders[start::jobs] for start in range(min(jobs, len(scope.folders)))]
+        self.parts = parts = parts_of(scope.folders, tree.files(), jobs)
         arguments = (targets, settings, scope.name, current_trace() is not None)
         self.workers = [
             ProcessPoolExecutor(1, initializer=start_worker, initargs=(tree, part, *arguments)) for part in parts

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator
 from functools import cached_property
+from typing import cast
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
@@ -156,8 +157,14 @@ def statement_calls(body: Iterable[ast.stmt]) -> Iterator[ast.Call]:
 
 
 def parse_python(source: Source) -> PythonFile:
-    """Read a Python file; raises UnreadableError, with `grammar` where a newer Python may well understand it."""
-    return PythonFile(source, parse(source))
+    """Read a Python file, once for each Source that can be read.
+
+    Raises UnreadableError, with `grammar` where a newer Python may well understand it.
+    """
+    known = vars(source)
+    if "python_file" not in known:
+        known["python_file"] = PythonFile(source, parse(source))
+    return cast(PythonFile, known["python_file"])
 
 
 def handles_import_error(handler: ast.ExceptHandler) -> bool:

@@ -1,0 +1,74 @@
+"""What one run costs, counted and not timed: each text is parsed once, and only what a package needs is imported."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rospkg_cli.disk import DiskTree
+from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.selection import EVERYTHING
+from rospkg_cli.languages.cmake import file as cmake_file
+from rospkg_cli.languages.cpp import file as cpp_file
+from rospkg_cli.languages.python import syntax
+from rospkg_cli.languages.xml import parser as xml_parser
+from rospkg_cli.languages.yaml import nodes as yaml_nodes
+
+CORPUS = Path(__file__).parent / "corpus"
+PARSERS = (
+    (syntax, "parsed_without_collector"), (cmake_file, "parse"), (cpp_file, "read_anew"), (xml_parser, "XmlParser"),
+    (yaml_nodes, "events"),
+)  # fmt: skip
+
+HEAVY = (
+    "concurrent", "multiprocessing", "importlib.metadata", "tomllib", "socket", "email", "xmlschema", "jinja2",
+    "urllib.request", "watchfiles",
+)  # fmt: skip
+LATER = (
+    "edits.toml", "engine.fixing.apply", "engine.fixing.fix", "engine.fixing.write", "engine.run.process_pool",
+    "engine.run.rule_plugins", "cli.diff", "cli.lint.add_ignores", "languages.cmake.interpreter",
+    "languages.cmake.commands", "package.cmake.cmake_install_table", "rules.cmake", "rules.urdf", "scaffold", "testing",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["my_robot_examples", "my_robot_nav"])
+def test_each_text_is_parsed_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    parsed: Counter[tuple[str, str]] = Counter()
+
+    def counted(kind: str, real: Any) -> Any:
+        def parse(source: Any, *more: Any) -> Any:
+            parsed[kind, source.path] += 1
+            return real(source, *more)
+
+        return parse
+
+    for module, parser in PARSERS:
+        monkeypatch.setattr(module, parser, counted(parser, getattr(module, parser)))
+    Session(DiskTree(CORPUS / name), Scope(("",), frozenset({""}), name), EVERYTHING.codes()).run()
+    assert {kind for kind, _ in parsed} >= {"parsed_without_collector", "XmlParser"}
+    assert {each: count for each, count in parsed.items() if count > 1} == {}
+
+
+@pytest.fixture(scope="module")
+def imported() -> set[str]:
+    """What a lint of one Python package without a fault imports beside what typer does."""
+    code = (
+        "import sys, typer; before = set(sys.modules); sys.argv = ['rospkg', 'lint', '--no-cache', '.']\n"
+        "from rospkg_cli.__main__ import main; main(); print(*(set(sys.modules) - before), sep='\\n', file=sys.stderr)"
+    )
+    folder = CORPUS / "my_robot_nav"
+    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True)
+    return set(done.stderr.split())
+
+
+def test_a_lint_imports_what_its_package_needs(imported: set[str]) -> None:
+    ours = {name.removeprefix("rospkg_cli.") for name in imported if name.startswith("rospkg_cli.")}
+    assert "rules.manifest.xml104_placeholder_metadata" in ours
+    assert {name for name in ours if name.startswith(tuple(f"{each}." for each in LATER)) or name in LATER} == set()
+    assert {name for name in imported if name in HEAVY or name.startswith(tuple(f"{each}." for each in HEAVY))} == set()
+    assert len(ours) < 500
