@@ -18,7 +18,7 @@ def test_the_largest_come_first_and_the_order_stays() -> None:
         for folder, count in zip("abcde", (1, 9, 4, 5, 2), strict=True)
         for number in range(count)
     ]
-    assert parts_of("abcde", files, 2) == [["b", "e"], ["a", "c", "d"]]
-    assert parts_of("abcde", files, 9) == [["b"], ["d"], ["c"], ["e"], ["a"]]
-    assert parts_of("abcd", [], 2) == [["a", "c"], ["b", "d"]]
+    assert parts_of("abcde", files, 2) == [("b", "e"), ("a", "c", "d")]
+    assert parts_of("abcde", files, 9) == [("b",), ("d",), ("c",), ("e",), ("a",)]
+    assert parts_of("abcd", [], 2) == [("a", "c"), ("b", "d")]
     assert parts_of("", [], 2) == []

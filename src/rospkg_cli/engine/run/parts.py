@@ -10,7 +10,7 @@ READ = (
 """Endings of files that are read; how many a package has of them says well enough how long it takes."""
 
 
-def parts_of(folders: Sequence[str], files: Iterable[str], jobs: int) -> list[list[str]]:
+def parts_of(folders: Sequence[str], files: Iterable[str], jobs: int) -> list[tuple[str, ...]]:
     """Return the packages of each process, in their order; at most as many processes as packages."""
     sizes = sizes_of(folders, files)
     parts: list[list[str]] = [[] for _ in range(min(jobs, len(folders)))]
@@ -20,7 +20,7 @@ def parts_of(folders: Sequence[str], files: Iterable[str], jobs: int) -> list[li
         parts[least].append(folder)
         loads[least] += sizes[folder] + 1
     order = {folder: number for number, folder in enumerate(folders)}
-    return [sorted(part, key=order.__getitem__) for part in parts]
+    return [tuple(sorted(part, key=order.__getitem__)) for part in parts]
 
 
 def sizes_of(folders: Sequence[str], files: Iterable[str]) -> Mapping[str, int]:
