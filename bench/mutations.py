@@ -125,7 +125,7 @@ def breaks(node: ast.expr | ast.stmt, inside: bool, source: str) -> Iterator[tup
             yield "text", node, '""'
         case ast.JoinedStr() if inside:
             yield "text", node, '""'
-        case ast.Return(value=value) if value is not None:
+        case ast.Return(value=value) if value is not None and code(value) != "False":  # None is as false
             yield "result", node, "return None"
         case ast.Expr(value=ast.Yield() | ast.YieldFrom()):
             yield "result", node, "yield from ()"
