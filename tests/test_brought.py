@@ -125,6 +125,13 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     assert finding.message.endswith("no released package is called `acme`: clone it, or list it in a .repos file")
 
 
+@pytest.mark.parametrize(("known", "meant"), [("acme_driver", True), ("ocme_drivr", False)])
+def test_what_begins_with_another_letter_is_another_package(known: str, meant: bool) -> None:
+    text = '<launch><node pkg="acme_drivr" exec="x"/></launch>\n'
+    (finding,) = found("DEP103", declared("ros2launch", known), launch__a_DOT_launch_DOT_xml=text)
+    assert ("did you mean" in finding.message) is meant
+
+
 def test_what_another_missing_one_brings_is_no_warning() -> None:
     text = "import rclpy\nimport rcl_interfaces.msg\nimport cv2\n"
     found_levels = {f.message.split("`")[1]: f.severity.value for f in found("DEP101", "", my_pkg__a_DOT_py=text)}

@@ -104,6 +104,8 @@ def undeclared(
     uses = sorted(uses, key=lambda use: bool(use.only_with))
     first = uses[0]
     meant = nearest(name, launch.known_names) if launch.is_unknown_package(name) else None
+    if meant and meant[0] != name[0]:
+        meant = None  # people clone packages that no distribution has; few mistype a first letter
     who = "this code" if is_described else "this launch file"
     if meant:
         message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
