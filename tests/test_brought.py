@@ -162,3 +162,9 @@ def test_plugins_of_parameters_count_where_something_loads_them(node: str, level
     files = {"config__c_DOT_yaml": CONTROLLERS, "launch__a_DOT_launch_DOT_xml": launch}
     (finding,) = found("DEP106", declared(node), **files)
     assert finding.severity.value == level
+
+
+def test_launch_in_tests_is_an_info_and_the_index_is_not() -> None:
+    text = "import launch\nimport ament_index_python\nimport launch_testing\n"
+    (finding,) = found("DEP102", declared("launch_testing_ros", tag="test_depend"), test__test_a_DOT_py=text)
+    assert finding.message.startswith("`launch` is imported by tests and not declared: it comes with")

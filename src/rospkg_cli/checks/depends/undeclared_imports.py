@@ -11,15 +11,15 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports, PythonImports
-from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
+from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
 from .brought_dependencies import COLCON, brought_by_others
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 from .name_source import source_of
 
-RUNNERS = frozenset({"python3-pytest", "launch_testing"})
-"""What runs the tests: it is fine if it comes with a declared dependency."""
+RUNNERS = frozenset({"python3-pytest", "launch_testing", "ament_index_python"})
+"""What runs the tests, and finds files for them: it is fine if it comes with a declared dependency."""
 
 REQUIREMENTS = regex(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
 """Files that pip installs by."""
@@ -91,10 +91,10 @@ class ImportDependencies:
         result = []
         for name, places in found.items():
             found_with = self.bringer_in_tests(name)
-            if name in implied_by(found.keys() - {name}, IN_TESTS):
+            if found_with in ("", COLCON) and name in implied_by(found.keys() - {name}, IN_TESTS):
                 continue
             if found_with:
-                is_fine = name in LAUNCH | RUNNERS and found_with != COLCON
+                is_fine = name in RUNNERS and found_with != COLCON
                 result += [] if is_fine else [UndeclaredImport(name, tuple(places), (), found_with)]
             else:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())
