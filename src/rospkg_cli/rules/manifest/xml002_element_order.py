@@ -70,7 +70,7 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-        if manifest.xml_model is None:
+    if manifest.xml_model is None:
         level, ends = Severity.INFO, "no tool checks it, for no `<?xml-model …?>` line names the schema"
     elif not any(manifest.depends_on(name) for name in CHECKERS):
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
