@@ -119,6 +119,7 @@ def test_text_tells_it_behind_the_counts_and_it_never_fails(workspace: Path) -> 
     summary, note = done.stdout.splitlines()
     assert summary.startswith("No problems found (2 packages")
     assert note.startswith("note: whether `acme_a`")
+    assert rospkg("lint", "--select", "RPK008,XML104", "--quiet", cwd=workspace).stdout == ""
 
 
 def test_an_empty_submodule_is_named(workspace: Path) -> None:

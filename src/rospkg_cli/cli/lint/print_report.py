@@ -6,17 +6,17 @@ import io
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import IO, Any
+from typing import IO
 
 from ...control_characters import visible_lines, without_workflow_commands
-from ...finding import Finding, Severity
+from ...finding import Finding
 from ...light_dataclasses import replace
 from ...report import FORMATS, Report, render
-from ...report.dump import dump
-from ...report.rule_counts import RuleCount, rule_counts
 from .. import UsageError
-from .fix_list import fix_list
 from .lint_options import LintOptions
+
+NOTES = "RPK008"
+"""The rule whose findings are notes on the run."""
 
 FAILURES = frozenset({"RPK005", "RPK006"})
 """The rules that report a run that failed."""
@@ -44,18 +44,20 @@ def print_report(
         text = io.StringIO()
         render(name, replace(report, color=False, width=None), text)
         write_text(path, text.getvalue())
-    if (is_text and not shown.quiet) or options.fixing.show_fixes:
+    if fixed and ((is_text and not shown.quiet) or options.fixing.show_fixes):
+        from .fix_list import fix_list
+
         print_lines(fix_list(report, fixed, options.fixing.show_fixes), stream if is_text else sys.stderr)
     if options.fixing.fix_only:
         report = only_of_the_run(report)
     elif is_text and fixed and not shown.quiet:
         stream.write("\n")
     is_silent = options.fixing.fix_only or (shown.quiet and is_text)
-    if shown.statistics and shown.format == "json":
-        dump(statistics_document(report), stream)
-    elif shown.statistics:
-        stream.write(statistics(report))
-    elif report.results.findings or not is_silent:
+    if shown.statistics:
+        from .statistics import print_statistics
+
+        print_statistics(report, shown.format, stream)
+    elif not is_silent or any(finding.code != NOTES for finding in report.results.findings):
         render(shown.format, report, stream)
     if shown.traceback:
         print_lines(
@@ -71,32 +73,3 @@ def only_of_the_run(report: Report) -> Report:
 
 def print_lines(lines: Sequence[str], stream: IO[str]) -> None:
     stream.writelines(f"{line}\n" for line in lines)
-
-
-def statistics(report: Report) -> str:
-    """Return the number of findings of each rule, the most frequent first."""
-    lines = [
-        f"{count.total:>6}  {count.code}  {count.name}"
-        + (f"  ({count.fixable} fixable with --fix)" if count.fixable else "")
-        for count in most_frequent(report)
-    ]
-    total = f"{len(report.results.findings):>6}  in {report.results.packages} packages\n"
-    return "".join(f"{line}\n" for line in lines) + total
-
-
-def statistics_document(report: Report) -> list[dict[str, Any]]:
-    """Return the same as plain values for JSON, with the counts of each level."""
-    return [
-        {
-            "code": count.code,
-            "name": count.name,
-            "count": count.total,
-            **{f"{level.value}s": count.levels[level] for level in reversed(Severity)},
-            "fixable": count.fixable,
-        }
-        for count in most_frequent(report)
-    ]
-
-
-def most_frequent(report: Report) -> list[RuleCount]:
-    return sorted(rule_counts(report.results.findings), key=lambda count: (-count.total, count.code))

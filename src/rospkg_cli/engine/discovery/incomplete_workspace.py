@@ -10,7 +10,6 @@ from ...absent_paths import MAX_SUBMODULES, SUBMODULE
 from ...disk_trace import is_file, is_folder, names_in, read_limited, scan
 from ...leftovers import is_never_source
 from ...unreadable import UnreadableError
-from .listed_repositories import listed_repositories
 
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
@@ -58,6 +57,8 @@ def missing_below(folder: Path, top: Path) -> str:
 
 def missing_of_list(path: Path, top: Path) -> str:
     """Return what a list for vcs or wstool says of repositories that are not checked out."""
+    from .listed_repositories import listed_repositories
+
     shown = path.relative_to(top).as_posix()
     try:
         data = read_limited(path)[1]
