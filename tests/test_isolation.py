@@ -70,7 +70,9 @@ def test_facts_that_can_t_be_gathered(clean, monkeypatch: pytest.MonkeyPatch) ->
 def put_rules(monkeypatch: pytest.MonkeyPatch, **checks) -> None:
     real = rule_by_code
     monkeypatch.setattr(
-        worker, "rule_by_code", lambda code: replace(real(code), check=checks[code]) if code in checks else real(code)
+        worker,
+        "rule_by_code",
+        lambda code: replace(real(code), over=Manifest, check=checks[code]) if code in checks else real(code),
     )
 
 

@@ -100,7 +100,9 @@ def test_a_fix_that_would_break_a_file_is_taken_back_and_said(clean, monkeypatch
 
     real = rule_by_code
     monkeypatch.setattr(
-        worker, "rule_by_code", lambda code: replace(real(code), check=bad) if code == "XML104" else real(code)
+        worker,
+        "rule_by_code",
+        lambda code: replace(real(code), over=Manifest, check=bad) if code == "XML104" else real(code),
     )
     comment = clean["package.xml"].replace("  <export>", NEEDLESS)
     tree = MemoryTree.of({**clean, "package.xml": comment})
@@ -153,7 +155,9 @@ def test_a_fix_that_never_comes_to_rest_is_left_out_and_the_others_are_made(clea
 
     real = rule_by_code
     monkeypatch.setattr(
-        worker, "rule_by_code", lambda code: replace(real(code), check=grows) if code == "XML104" else real(code)
+        worker,
+        "rule_by_code",
+        lambda code: replace(real(code), over=Manifest, check=grows) if code == "XML104" else real(code),
     )
     tree = MemoryTree.of({**clean, "package.xml": clean["package.xml"].replace("  <export>", NEEDLESS)})
     session = Session(tree, Scope(("",), frozenset({""}), "my_pkg"), frozenset({"RPK001", "RPK002", "XML104"}))

@@ -17,7 +17,7 @@ needs_full = pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is
 VERBS = {
     "lint": (1, "lint my_pkg"),
     "json": (1, "lint my_pkg --format json"),
-    "diff": (1, "lint my_pkg --diff"),
+    "diff": (1, "lint my_pkg --diff --fix-level info"),
     "inspect": (0, "inspect my_pkg"),
     "format": (1, "format my_pkg --diff"),
     "check": (1, "format my_pkg --check"),
