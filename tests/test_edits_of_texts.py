@@ -9,11 +9,13 @@ from cmaking import read
 
 from rospkg_cli.edits import cmake_commands
 from rospkg_cli.edits.entry_points import strings
-from rospkg_cli.edits.launch_file import import_name
+from rospkg_cli.edits.launch_file import import_name, pass_through
+from rospkg_cli.edits.manifest_tags import remove_attribute, set_attribute
 from rospkg_cli.edits.toml import find_entry
 from rospkg_cli.finding import Edit
 from rospkg_cli.languages.python.file import parse_python
-from rospkg_cli.source import Source
+from rospkg_cli.package.manifest import manifest_of
+from rospkg_cli.source import Source, Span
 
 
 def applied(text: str, edits: Iterable[Edit]) -> str:
@@ -171,3 +173,44 @@ def test_strings_that_python_joins(code: str, found: list[str]) -> None:
 )
 def test_an_import_is_put_in_order(before: str, after: str) -> None:
     assert applied(before, import_name(parse_python(Source("a.py", before)), "b", "c")) == after
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize(
+    "width, after",
+    [
+        (40, "    x = call(value, more)\n"),
+        (24, "    x = call(\n        value,\n        more)\n"),
+        (12, "    x = value\n"),
+    ],
+)
+def test_a_call_around_an_expression_keeps_to_the_width(width: int, after: str, end: str) -> None:
+    text = f"def f():{end}    x = value{end}"
+    at = text.index("value")
+    edits = pass_through(parse_python(Source("a.py", text)), Span(at, at + 5), "call", "more", width)
+    assert applied(text, edits) == f"def f():{end}" + after.replace("\n", end)
+
+
+@pytest.mark.parametrize(
+    "before, value, after",
+    [
+        ('<a b="x"/>', "y", '<a b="y"/>'),
+        ("<a b='x'/>", "y", "<a b='y'/>"),
+        ('<a b="x"/>', "\"'<&", '<a b="&quot;\'&lt;&amp;"/>'),
+        ("<a b='x'/>", "\"'", "<a b='\"&apos;'/>"),
+        ("<a c='x'/>", "y", "<a b=\"y\" c='x'/>"),
+        ("<a/>", 'y"', "<a b='y\"'/>"),
+        ("<a/>", "\"'", '<a b="&quot;\'"/>'),
+    ],
+)
+def test_an_attribute_keeps_its_quotes(before: str, value: str, after: str) -> None:
+    manifest = manifest_of(Source("package.xml", f"<package>{before}</package>"))
+    assert (
+        applied(manifest.source.text, [set_attribute(manifest, manifest.root.children[0], "b", value)])[9:-10] == after
+    )
+
+
+def test_an_attribute_is_removed_with_the_blanks_before_it() -> None:
+    manifest = manifest_of(Source("package.xml", "<package><a  b='x'\n c='y'/></package>"))
+    edits = [remove_attribute(manifest, manifest.root.children[0], name) for name in "bc"]
+    assert applied(manifest.source.text, edits) == "<package><a/></package>"

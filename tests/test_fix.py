@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rospkg_cli.engine.fixing.apply import Changes, Round, apply_fixes, touch
-from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move
+from rospkg_cli.finding import Chmod, Create, Delete, Edit, Fix, Move, Operation
 from rospkg_cli.source import Span
 from rospkg_cli.tree import MemoryTree, TreeEntry
 
@@ -40,6 +40,16 @@ def test_what_touches_waits(other: Edit | Delete) -> None:
     changes, taken = apply_fixes(tree, [Fix("first", (edit(3, 4, "-"),)), Fix("second", (other,))])
     assert [fix.title for fix in taken] == ["first"]
     assert texts(changes) == {"a.txt": "012-456789"}
+
+
+@pytest.mark.parametrize(
+    "first", [Delete("a.txt"), Create("a.txt", "x"), Move("a.txt", "b.txt"), Move("b.txt", "a.txt")]
+)
+@pytest.mark.parametrize("other", [edit(2, 5, "x"), Chmod("a.txt", True), Create("a.txt", "y"), Move("c.txt", "a.txt")])
+def test_a_file_that_is_claimed_whole_is_left_to_one_fix(first: Operation, other: Operation) -> None:
+    tree = MemoryTree.of({"a.txt": "0123456789", "b.txt": "b", "c.txt": "c"})
+    _, taken = apply_fixes(tree, [Fix("first", (first,)), Fix("second", (other,))])
+    assert [fix.title for fix in taken] == ["first"]
 
 
 def test_a_fix_is_applied_whole_or_not_at_all() -> None:

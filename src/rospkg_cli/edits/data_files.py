@@ -15,12 +15,20 @@ from .setup_py import add_argument, add_item, import_code, name_code, quoted, re
 
 def share_code(setup: SetupPy, name: str, *below: str) -> str:
     """Return the expression for a folder below `share/<name>`."""
-    own = name_code(setup, name)
+    own = name_before_entries(setup, name)
     rest = "".join(f"/{part}" for part in below)
     if own.isidentifier():
         start = f"{quoted(setup, 'share/')} + {own}"
         return f"{start} + {quoted(setup, rest)}" if rest else start
     return quoted(setup, f"share/{name}{rest}")
+
+
+def name_before_entries(setup: SetupPy, name: str) -> str:
+    """Return the expression for the package's name in data_files: no variable that is set behind that list."""
+    code, entries = name_code(setup, name), setup.value("data_files")
+    held = setup.names.get(code)
+    late = held is not None and entries is not None and held.span.start > entries.span.start
+    return quoted(setup, name) if late else code
 
 
 def add_data_entry(setup: SetupPy, destination: str, sources: str) -> tuple[Edit, ...]:
@@ -38,7 +46,7 @@ def install_marker(setup: SetupPy, name: str, wrong: DataFile | None, *, absent:
     if wrong is not None:
         edits = replace_text(wrong.setup_text, f"resource/{name}")
         return (*edits, *create) if edits else ()
-    own = name_code(setup, name)
+    own = name_before_entries(setup, name)
     source = f"{quoted(setup, 'resource/')} + {own}" if own.isidentifier() else quoted(setup, f"resource/{name}")
     edits = add_data_entry(setup, quoted(setup, "share/ament_index/resource_index/packages"), f"[{source}]")
     return (*edits, *create) if edits else ()
