@@ -301,5 +301,18 @@ CASES = {
         ENTITIES, REFUSED, QUOTED, EXPRESSIONS, IN_PYTHON,
         Example(bad={"package.xml": NEEDED, "launch/a.launch.yaml": YAML}, good={}),
     ),
+    "LCH008": (
+        xml('<log message="$(arg rate)"/>', '<node pkg="p" type="e" name="n" args="$(arg rate) $(find p)"/>'),
+        xml('<log message="$(var rate)"/>', '<node pkg="p" type="e" name="n" args="$(arg rate) $(find p)"/>'),
+        xml('<log message="$(var rate)"/>', '<lgo message="x"/>'),
+        xml('<log message="$(var rate)"/>', '<include file="$(var unknown)"/>'),
+        xml('<let name="rate" value="1"/>', '<log message="$(var rate) $(var log_dir) $(var other)"/>'),
+        xml('<group>', '<arg name="rate" default="1"/>', '</group>', '<log message="$(var rate)"/>'),
+        xml('<log message="$(var rate 1) $(var rate)"/>', '<arg name="rate" default="1"/>'),
+        names(f"{HEAD}x = LaunchConfiguration('rate')\n"),
+        names(f"{HEAD}{RETURNS}".replace("()", "([LogInfo(msg=LaunchConfiguration('rate'))] + unknown)")),
+        *(Example(bad={"package.xml": NEEDED, path: '<launch><log message="$(var rate)"/></launch>\n'}, good={})
+          for path in ("test/a.launch.xml", "launch/include/a.launch.xml")),
+    ),
     "LCH013": (UNDEFINED, IMPORTS, *QUIET),
 }  # fmt: skip
