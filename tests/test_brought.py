@@ -125,10 +125,10 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     assert finding.message.endswith("no released package is called `acme`: clone it, or list it in a .repos file")
 
 
-@pytest.mark.parametrize(("known", "meant"), [("acme_driver", True), ("ocme_drivr", False)])
-def test_what_begins_with_another_letter_is_another_package(known: str, meant: bool) -> None:
-    text = '<launch><node pkg="acme_drivr" exec="x"/></launch>\n'
-    (finding,) = found("DEP103", declared("ros2launch", known), launch__a_DOT_launch_DOT_xml=text)
+@pytest.mark.parametrize(("name", "meant"), [("turtlesym", True), ("urtlesim", False)])
+def test_what_begins_with_another_letter_is_another_package(name: str, meant: bool) -> None:
+    text = f'<launch><node pkg="{name}" exec="x"/></launch>\n'
+    (finding,) = found("DEP103", declared("ros2launch", "turtlesim"), launch__a_DOT_launch_DOT_xml=text)
     assert ("did you mean" in finding.message) is meant
 
 
