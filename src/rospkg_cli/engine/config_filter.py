@@ -35,7 +35,7 @@ class ConfigFilter:
         """Return the results with the ignores and severities applied, and findings on the configs themselves."""
         filtered = [self.apply(finding) for finding in results.findings]
         kept = [f for f in filtered if f.suppressed is None]
-        events = [event for config in self.present() for event in self.config_events(config, session)]
+        events = [event for config, own in self.present for event in self.config_events(config, own, session)]
         extra = session.report(None, events)
         return replace(
             results,
@@ -53,10 +53,14 @@ class ConfigFilter:
         folder = enclosing_folder(path, self.folders)
         return self.configs.root if folder is None else self.configs.at(self.root / folder)
 
-    def present(self) -> list[Config]:
-        """Return the root's config and those of the packages."""
-        found = [self.configs.root, *(self.configs.at(self.root / folder) for folder in self.scope.folders)]
-        return list({config.path: config for config in found}.values())
+    @cached_property
+    def present(self) -> list[tuple[Config, list[str]]]:
+        """The root's config and those of the packages, each with the folders of its packages."""
+        found: dict[Path | None, tuple[Config, list[str]]] = {self.configs.root.path: (self.configs.root, [])}
+        for folder in self.scope.folders:
+            config = self.configs.at(self.root / folder)
+            found.setdefault(config.path, (config, []))[1].append(folder)
+        return list(found.values())
 
     def apply(self, finding: Finding) -> Finding:
         """Return the finding with its severity by the config, suppressed where the config ignores it."""
@@ -75,10 +79,11 @@ class ConfigFilter:
             return replace(finding, suppressed="severity is off in the config", external=True)
         return replace(finding, severity=Severity(level)) if level else finding
 
-    def config_events(self, config: Config, session: Session) -> Iterator[UnknownRuleName | UnusedSuppression]:
+    def config_events(
+        self, config: Config, own: list[str], session: Session
+    ) -> Iterator[UnknownRuleName | UnusedSuppression]:
         """Yield the unknown rule names in a config and, after a run over all its packages, what it has unused."""
         path = config.path
-        own = [folder for folder in self.scope.folders if self.configs.at(self.root / folder) is config]
         is_whole = self.scope.selected.issuperset(self.scope.folders if config is self.configs.root else own)
         if path is None or not path.is_relative_to(self.root):
             return
