@@ -67,6 +67,10 @@ def test_a_list_of_repositories_is_named_until_all_are_here(workspace: Path) -> 
     assert "(tools/gripper)" in notes(workspace)[0][3]
     (workspace / "src/tools/gripper/docs").mkdir(parents=True)
     assert locate([workspace]).scope.incomplete == ""
+    (workspace / "src/tools").rename(workspace / "src/others")
+    assert "(tools/gripper)" in notes(workspace)[0][3]
+    (workspace / "src/others/gripper").rename(workspace / "src/gripper")  # cloned beside the others
+    assert locate([workspace]).scope.incomplete == ""
     assert "no index" in notes(workspace)[0][3]
 
 
@@ -108,7 +112,7 @@ def test_what_a_list_names(text: str, names: list[str]) -> None:
 
 
 def test_no_list_and_a_long_one() -> None:
-    for data in (b"", b"# nothing\n", b"\xff", b"repositories:\n" + b"".join(b"  r%d: 1\n" % n for n in range(10_001))):
+    for data in (b"", b"# nothing\n", b"\xff", b"repositories:\n" + b"".join(b"  r%d: 1\n" % n for n in range(1_001))):
         with pytest.raises((ValueError, UnreadableError)):
             listed_repositories(data)
 

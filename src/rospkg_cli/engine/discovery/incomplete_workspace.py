@@ -69,11 +69,17 @@ def missing_of_list(path: Path, top: Path) -> str:
         return f"`{shown}` lists repositories and can't be read"
     above = [folder for folder in (path.parent, *path.parent.parents) if folder.is_relative_to(top)]
     places = [place for folder in above for place in (folder, folder / "src")]
-    missing = [each for each in listed if all(is_empty(place / each) for place in places)]
+    missing = [each for each in listed if not is_here(each, places)]
     if not missing:
         return ""
     others = f" and {len(missing) - MAX_NAMED} others" if len(missing) > MAX_NAMED else ""
     return f"`{shown}` lists repositories that are not here ({', '.join(missing[:MAX_NAMED])}{others})"
+
+
+def is_here(repository: str, places: Sequence[Path]) -> bool:
+    """Return whether a listed repository is checked out, where its list says or under its last name alone."""
+    names = dict.fromkeys((repository, repository.rpartition("/")[2] or repository))
+    return any(not is_empty(place / name) for place in places for name in names)
 
 
 def submodules(path: Path) -> list[str]:

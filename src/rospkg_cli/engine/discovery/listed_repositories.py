@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode, documents
 from ...source import Source
 
-MAX_LISTED = 10_000
+MAX_LISTED = 1_000
 
 
 def listed_repositories(data: bytes) -> list[str]:
