@@ -31,11 +31,11 @@ def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
 
 
 def load_plugins() -> None:
-    """Make the rules known that the config of the current folder plugs in."""
-    from ...config.file import find_config
+    """Make the rules known that the root's config plugs in, as in a run from the current folder."""
+    from ...engine.discovery.choose_configs import choose_configs
     from ...engine.run.rule_plugins import load_plugins
 
-    load_plugins(find_config(Path()).plugins)
+    load_plugins(choose_configs([Path()]).root.plugins)
 
 
 def rules(format: Annotated[str, Option("--format", metavar="FORMAT", help="text or json.")] = "text") -> None:
