@@ -31,6 +31,7 @@ WORDS = (
 )
 MARKERS = ("COLCON_IGNORE", ".gitignore", "LICENSE", "rospkg.toml", "ours.repos", "setup.cfg", ".gitmodules")
 TEXTS = ("", "config/\n", "[submodule 'a']\n\tpath = a\n", "pedantic = true\n", "Apache License 2.0\n", "x: [1, 2]\n")
+CONFIGS = ("pedantic = true\n", "select = ['DEP', 'SET']\n", "ignore = { XML = 'not now' }\n", "exclude = ['*_msgs']\n")
 
 
 class Workspace:
@@ -100,7 +101,7 @@ class Workspace:
 
     def add_marker(self) -> str:
         path = self.file().parent / self.chance.choice(MARKERS)
-        path.write_text(self.chance.choice(TEXTS))
+        path.write_text(self.chance.choice(CONFIGS if path.suffix == ".toml" else TEXTS))
         return f"{path} is written"
 
     def touch(self) -> str:
@@ -144,6 +145,7 @@ def lint(root: Path, output: Path, *options: str) -> tuple[int, bytes]:
         os.environ["PWD"] = str(root)
         with output.open("wb") as stream:
             os.dup2(stream.fileno(), 1)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
         sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
         if "--no-cache" not in options:
             count_checks(output.with_name("checks"))

@@ -101,7 +101,7 @@ def test_every_variable_that_lint_asks_for_is_in_the_key() -> None:
 def test_every_option_is_judged() -> None:
     """A new option must be said to be harmless (it only changes what is printed) or to write."""
     known = {
-        LintOptions: "paths workspace jobs allow_empty fail_on exit_zero config isolated show_settings no_cache "
+        LintOptions: "paths workspace jobs allow_empty fail_on exit_zero config isolated show_settings no_cache watch "
         "rules fixing suppression report",
         RuleOptions: "select ignore extend_select pedantic release preview target",
         FixOptions: "fix unsafe_fixes diff fix_only fix_level show_fixes exit_non_zero_on_fix",

@@ -22,14 +22,18 @@ class RunToKeep:
 
     def __init__(self, key: list[str]) -> None:
         self.key = key
-        self.trace = disk_trace.start_trace()
         self.code = code_signature()
         self.digest = "" if self.code else code_digest()
         """Of the sources before they are imported."""
         self.text: str | None = None
         """What it printed; None where it can't be kept."""
-        for folder in search_path():
-            self.trace.note(f"p{folder}", installed_in(folder))
+        self.installed = {f"p{folder}": installed_in(folder) for folder in search_path()}
+        self.start()
+
+    def start(self) -> None:
+        """Begin anew with what is asked of the disk; what rospkg and its surroundings are stays as it was loaded."""
+        self.trace = disk_trace.start_trace()
+        self.trace.answers |= self.installed
 
     def code_digest(self, folder: str) -> str:
         """Return the digest of the sources that this process was started with; "" where they changed since."""

@@ -27,7 +27,12 @@ class KeptOutput(io.StringIO):
 
 
 def may_be_kept(options: LintOptions) -> bool:
-    """Return whether a run does nothing but print: what writes files is done each time."""
+    """Return whether a run does nothing but print findings: what writes files is done each time."""
+    return not (writes(options) or options.no_cache or options.show_settings or options.report.output)
+
+
+def writes(options: LintOptions) -> bool:
+    """Return whether a run changes files of a package, or writes a baseline."""
     suppression = options.suppression
-    writes = suppression.add_ignores is not None or suppression.write_baseline is not None or options.report.output
-    return not (writes or options.no_cache or options.show_settings or options.fixing != FixOptions())
+    wanted = suppression.add_ignores is not None or suppression.write_baseline is not None
+    return wanted or options.fixing != FixOptions()

@@ -64,6 +64,7 @@ class LintOptions:
     jobs: str = "auto"
     allow_empty: bool = False
     no_cache: bool = False
+    watch: bool = False
     fail_on: str | None = None
     """The least severity that fails; None where the config decides."""
     exit_zero: bool = False

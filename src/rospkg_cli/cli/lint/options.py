@@ -115,6 +115,7 @@ def lint(
     workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
     allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
+    watch: Annotated[bool, Option("--watch", help="Lint again whenever a file changes, until Ctrl-C.")] = False,
     no_cache: Annotated[bool, Option("--no-cache", help="Use nothing of earlier runs, and keep nothing.")] = False,
 ) -> int:
     """Find mistakes in packages; --fix corrects them."""

@@ -39,6 +39,10 @@ from .session import make_session
 
 def lint(options: LintOptions) -> int:
     """Lint and report to stdout; return the exit status. Raises as lint_to does."""
+    if options.watch:
+        from .watch import watch
+
+        return watch(options)
     run = run_to_keep()
     if run is None or not may_be_kept(options):
         return lint_to(options, sys.stdout)
