@@ -16,6 +16,7 @@ import pytest
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.lint import watch as watching
 from rospkg_cli.cli.lint.lint_options import FixOptions, LintOptions, ReportOptions
+from rospkg_cli.cli.lint.run import lint_to
 from rospkg_cli.disk_trace import current_trace
 
 
@@ -42,7 +43,9 @@ def watched(package: Path, *changes: Callable[[], object]) -> tuple[list[str], s
         raise KeyboardInterrupt
 
     with redirect_stdout(out), redirect_stderr(err):
-        assert watching.watch(LintOptions(paths=(package,), report=ReportOptions(format="concise")), ticks) == 0
+        assert (
+            watching.watch(LintOptions(paths=(package,), report=ReportOptions(format="concise")), lint_to, ticks) == 0
+        )
     assert current_trace() is None
     return printed, err.getvalue()
 
@@ -63,12 +66,12 @@ def test_each_change_is_linted_and_nothing_else(package: Path) -> None:
     )
     assert ["XML104" in each for each in printed] == [False, False, True, False, False, False, False, True, False]
     assert said.count("watching; Ctrl-C ends") == 6
-    assert "`select` wants a list" in said
+    assert "rospkg.toml:1:1: `select`" in said
 
 
 def test_what_writes_is_refused(package: Path) -> None:
     with pytest.raises(UsageError, match="changes nothing"):
-        watching.watch(LintOptions(fixing=FixOptions(fix=True)))
+        watching.watch(LintOptions(fixing=FixOptions(fix=True)), lint_to)
 
 
 def test_a_terminal_is_cleared(package: Path) -> None:
@@ -77,7 +80,7 @@ def test_a_terminal_is_cleared(package: Path) -> None:
             return True
 
     with redirect_stdout(Terminal()) as out, redirect_stderr(StringIO()):
-        watching.watch(LintOptions(paths=(package,)), lambda _: iter([None]))
+        watching.watch(LintOptions(paths=(package,)), lint_to, lambda _: iter([None]))
     assert out.getvalue().startswith(watching.CLEAR)
 
 

@@ -42,7 +42,7 @@ def lint(options: LintOptions) -> int:
     if options.watch:
         from .watch import watch
 
-        return watch(options)
+        return watch(options, lint_to)
     run = run_to_keep()
     if run is None or not may_be_kept(options):
         return lint_to(options, sys.stdout)

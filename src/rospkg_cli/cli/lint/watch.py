@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import IO
 
 from ...cache.kept_run import RunToKeep, set_run
 from ...cache.recheck import Question, recheck
@@ -30,7 +31,11 @@ LONGEST = 5.0
 """Seconds after which files that no one tells of are looked at, too: a config above the packages, say."""
 
 
-def watch(options: LintOptions, ticks: Callable[[Path], Iterator[None]] | None = None) -> int:
+LintTo = Callable[[LintOptions, IO[str]], int]
+"""Lints and reports to a stream."""
+
+
+def watch(options: LintOptions, lint_to: LintTo, ticks: Callable[[Path], Iterator[None]] | None = None) -> int:
     """Lint, and again after each change; return 0 when Ctrl-C ends it. Raises UsageError for options that write."""
     if writes(options):
         raise UsageError("--watch looks and changes nothing: leave out --fix, --diff, and what writes files")
@@ -43,7 +48,7 @@ def watch(options: LintOptions, ticks: Callable[[Path], Iterator[None]] | None =
                 run.trace.signatures |= {question: signature for question, _, signature in found if signature}
                 continue
             run.start()
-            lint_once(options, run)
+            lint_once(options, lint_to, run)
     except KeyboardInterrupt:
         pass
     finally:
@@ -52,10 +57,8 @@ def watch(options: LintOptions, ticks: Callable[[Path], Iterator[None]] | None =
     return 0
 
 
-def lint_once(options: LintOptions, run: RunToKeep) -> None:
+def lint_once(options: LintOptions, lint_to: LintTo, run: RunToKeep) -> None:
     """Lint and report; what stops a single run is said, and waited for."""
-    from .run import lint_to
-
     if sys.stdout.isatty():
         sys.stdout.write(CLEAR)
     set_run(run)
