@@ -103,9 +103,8 @@ def undeclared(
     declared = launch.declared
     uses = sorted(uses, key=lambda use: bool(use.only_with))
     first = uses[0]
-    meant = nearest(name, launch.known_names) if launch.is_unknown_package(name) else None
-    if meant and meant[0] != name[0]:
-        meant = None  # people clone packages that no distribution has; few mistype a first letter
+    near = nearest(name, launch.known_names) if launch.is_unknown_package(name) else None
+    meant = near if near and near[0] == name[0] else None  # many clone packages, few mistype a first letter
     who = "this code" if is_described else "this launch file"
     if meant:
         message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
@@ -115,10 +114,9 @@ def undeclared(
         ends = ends_with(first, name)
         message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
         fix_or_none = declaration(declared, tag, name)
-    places = related((use.path, use.span) for use in uses)
     mild = is_described or first.only_with or name in declared.commented_out
     level = Severity.INFO if mild or all(launch.is_example(use.path) for use in uses) else None
-    return Hit(first.path, first.span, message, level, places, fix_or_none)
+    return Hit(first.path, first.span, message, level, related((use.path, use.span) for use in uses), fix_or_none)
 
 
 def ends_with(use: PackageReference, name: str) -> str:
