@@ -147,6 +147,13 @@ def test_isolated_and_one_config_for_all(workspace: Path) -> None:
         assert (done.returncode, says in done.stderr) == (2, True)
 
 
+def test_what_a_nested_config_ignores_is_listed_with_its_reason(workspace: Path) -> None:
+    (workspace / "src/repo/rospkg.toml").write_text(IGNORE)
+    done = rospkg("lint", "--select", "XML104", "--format", "json", cwd=workspace)
+    suppressed = json.loads(done.stdout)["suppressed"]
+    assert [(f["path"], f["reason"]) for f in suppressed] == [(THERE[2], "the text will come")]
+
+
 def test_a_wrong_nested_config_is_one_sentence(workspace: Path) -> None:
     (workspace / "src/repo/rospkg.toml").write_text("selct = []\n")
     done = rospkg("lint", cwd=workspace)

@@ -10,6 +10,9 @@ from in_process import run_here as rospkg
 
 from rospkg_cli.engine.discovery.listed_repositories import listed_repositories
 from rospkg_cli.engine.discovery.locate import locate
+from rospkg_cli.package.run_events import CheckSwitchedOff
+from rospkg_cli.rules.tool.rpk008_check_switched_off import check_switched_off
+from rospkg_cli.source import Span
 from rospkg_cli.unreadable import UnreadableError
 
 LIST = """\
@@ -38,7 +41,7 @@ def test_without_an_index_it_is_said_once_at_the_first_name(workspace: Path) -> 
     (found,) = notes(workspace)
     assert found[:2] == ("info", "src/one/package.xml")
     assert found[3] == (
-        "whether `acme_a`, `acme_b`, `acme_c` and 1 others exist is not checked: no index of names was fetched; "
+        "whether `acme_a`, `acme_b`, `acme_c` and 1 other exist is not checked: no index of names was fetched; "
         "`rospkg index update` fetches one"
     )
     line = (workspace / found[1]).read_text().splitlines()[found[2] - 1]
@@ -86,9 +89,21 @@ def test_lists_are_looked_for_from_the_package_to_the_workspace(workspace: Path,
     assert locate([workspace]).scope.incomplete == ""
 
 
-def test_many_repositories_are_counted(workspace: Path) -> None:
-    (workspace / "ours.repos").write_text("repositories:\n" + "".join(f"  r{n}: {{}}\n" for n in range(5)))
-    assert locate([workspace]).scope.incomplete.endswith("(r0, r1, r2 and 2 others)")
+@pytest.mark.parametrize(
+    "number, told", [(1, "r0"), (3, "r0, r1, r2"), (4, "r0, r1, r2 and 1 other"), (5, "r0, r1, r2 and 2 others")]
+)
+def test_many_repositories_are_counted(workspace: Path, number: int, told: str) -> None:
+    (workspace / "ours.repos").write_text("repositories:\n" + "".join(f"  r{n}: {{}}\n" for n in range(number)))
+    assert locate([workspace]).scope.incomplete.endswith(f" ({told})")
+
+
+@pytest.mark.parametrize(
+    "number, told", [(1, "`a0` exists is"), (3, "`a2` exist is"), (4, "and 1 other exist"), (5, "and 2 others exist")]
+)
+def test_many_names_are_counted(number: int, told: str) -> None:
+    off = CheckSwitchedOff("package.xml", Span(0, 0), tuple(f"a{n}" for n in range(number)), "because")
+    (hit,) = check_switched_off.check(off)
+    assert told in hit.message
 
 
 @pytest.mark.parametrize("text", ["", "repositories: [", "\0"])

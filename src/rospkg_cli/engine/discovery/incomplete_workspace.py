@@ -72,7 +72,8 @@ def missing_of_list(path: Path, top: Path) -> str:
     missing = [each for each in listed if not is_here(each, places)]
     if not missing:
         return ""
-    others = f" and {len(missing) - MAX_NAMED} others" if len(missing) > MAX_NAMED else ""
+    more = len(missing) - MAX_NAMED
+    others = f" and {more} other{'s' if more > 1 else ''}" if more > 0 else ""
     return f"`{shown}` lists repositories that are not here ({', '.join(missing[:MAX_NAMED])}{others})"
 
 

@@ -28,6 +28,7 @@ def check_switched_off(off: CheckSwitchedOff) -> Iterator[Hit]:
     Where every name is known, in the workspace, in the names that are built in or in a fetched index, nothing is said.
     """
     names = ", ".join(f"`{name}`" for name in off.names[:MOST])
-    more = f" and {len(off.names) - MOST} others" if len(off.names) > MOST else ""
+    more = len(off.names) - MOST
+    others = f" and {more} other{'s' if more > 1 else ''}" if more > 0 else ""
     exist = "exists" if len(off.names) == 1 else "exist"
-    yield Hit(off.path, off.span, f"whether {names}{more} {exist} is not checked: {off.why}")
+    yield Hit(off.path, off.span, f"whether {names}{others} {exist} is not checked: {off.why}")
