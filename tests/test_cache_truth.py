@@ -197,3 +197,13 @@ def test_a_run_that_said_something_is_not_kept(workspace: Path) -> None:
     assert "is of no use" in run_kept("src", cwd=workspace).err
     again = run_kept("src", cwd=workspace)
     assert ("is of no use" in again.err, again.is_served) == (True, False)
+
+
+@pytest.mark.parametrize("where", ["src/.cache", "src/my_pkg/.cache", "src/my_pkg"])
+def test_a_cache_in_the_linted_tree_is_no_part_of_it(workspace: Path, where: str) -> None:
+    """As where CI keeps only what lies in the project."""
+    place = {"XDG_CACHE_HOME": str(workspace / where)}
+    told = [run_kept("src", *ALL, cwd=workspace, **place) for _ in range(3)]
+    assert told[2] == truth(workspace, **place)._replace(is_served=True)
+    assert run_kept("src", "--pedantic", cwd=workspace, **place).status == told[0].status
+    assert run_kept("src", *ALL, cwd=workspace, **place).is_served

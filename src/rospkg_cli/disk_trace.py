@@ -113,6 +113,11 @@ def real_path(path: AnyPath) -> str:
     return found
 
 
+CACHE_TAG = "CACHEDIR.TAG"
+KEPT = ("run-", "code-", "packages-", "pruned")
+"""How the names of our own files in a cache begin. It may lie in a package, and each run writes some: none counts."""
+
+
 def scan(folder: AnyPath) -> list[os.DirEntry[str]]:
     """Return the entries of a folder, by name; raises OSError. What links lead to is asked, too.
 
@@ -121,6 +126,8 @@ def scan(folder: AnyPath) -> list[os.DirEntry[str]]:
     try:
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)
+        if any(entry.name == CACHE_TAG for entry in entries):
+            entries = [entry for entry in entries if not entry.name.startswith(KEPT)]
     except OSError as error:
         note(f"l{os.fspath(folder)}", f"!{error.errno}")
         raise

@@ -12,8 +12,8 @@ SKIPPED = frozenset(
 )
 """Folders that are never part of a package's source."""
 
-MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt"})
-"""A folder that holds one of them is a virtual environment, or CMake's build folder, under any name."""
+MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt", "CACHEDIR.TAG"})
+"""A folder that holds one of them is a virtual environment, CMake's build folder, or a cache, under any name."""
 
 BUILD_FOLDERS = {
     "build": regex(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),

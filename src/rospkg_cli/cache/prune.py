@@ -6,6 +6,7 @@ import os
 import time
 from collections.abc import Iterator
 
+from ..disk_trace import KEPT
 from .kept_file import STRAY, remove, save
 
 MAX_TOTAL = 100_000_000
@@ -19,9 +20,6 @@ MAX_STRAY_AGE = 600
 
 EVERY = 3_600
 """Seconds between two looks."""
-
-KINDS = ("run-", "code-", "packages-", "pruned")
-"""How the names of our files begin; no others are removed."""
 
 
 def prune_sometimes(folder: str) -> None:
@@ -55,7 +53,7 @@ def kept_files(folder: str) -> Iterator[tuple[float, int, str]]:
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
-                if entry.name.startswith(KINDS) and entry.is_file(follow_symlinks=False):
+                if entry.name.startswith(KEPT) and entry.is_file(follow_symlinks=False):
                     found = entry.stat(follow_symlinks=False)
                     yield found.st_mtime, found.st_size, entry.path
     except OSError:
