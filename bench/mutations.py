@@ -16,8 +16,8 @@ FLIPPED: dict[type[ast.cmpop], str] = {
 NOT_RUN = {"annotation", "returns", "type_params", "bases", "msg"}
 """Fields of syntax nodes that hold types, or what only a failed assertion shows."""
 
-UNTOUCHED = {"examples", "since", "slots"}
-"""Keywords whose values are documents, or change nothing that a program can see of itself."""
+UNTOUCHED = {"examples", "since", "slots", "strict"}
+"""Keywords whose values are documents, change nothing that a program can see of itself, or assert (of `zip`)."""
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,13 @@ from in_process import run_here as rospkg
 from test_lint_command import TODO
 
 from rospkg_cli.config.required_version import satisfies
+from rospkg_cli.engine.baseline import apply_baseline, keys
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.finding import Severity
+from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.rule import Rule
+from rospkg_cli.testing import lint_files
 
 
 @pytest.fixture
@@ -35,6 +38,16 @@ def test_a_baseline_holds_when_lines_move_and_shows_what_is_new(package: Path) -
     assert again.returncode == 1
     assert ["TODO" in f["message"] for f in json.loads(again.stdout)["findings"]] == [True]
     assert "description" not in json.loads(again.stdout)["findings"][0]["message"]
+
+
+def test_a_baseline_sets_each_finding_aside_as_often_as_it_counts_it(clean: dict[str, str]) -> None:
+    text = clean["package.xml"].replace("Drives my robot", TODO)
+    results = lint_files({**clean, "package.xml": text}, ["XML104"])
+    known = keys(results.findings, str)
+    before = apply_baseline(results, known, str)
+    assert [(each.suppressed, each.external) for each in before.suppressed] == [("in the baseline", True)]
+    twice = apply_baseline(replace(results, findings=results.findings * 2), known, str)
+    assert (len(twice.findings), len(twice.suppressed)) == (1, 1)
 
 
 def test_a_missing_or_foreign_baseline_is_said(package: Path) -> None:
