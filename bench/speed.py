@@ -1,10 +1,10 @@
 """How fast lint is: `python -m bench.speed WORKSPACE [--package FOLDER] [--larger FOLDER] [--rounds 5] [--imports]`
 
 Prints a table: CPU and wall seconds (medians; of all processes), the peak of memory of the largest process, and the CPU
-as a multiple of `import typer` (start-up) or of the floor (`bench/floor.py`: read and parse each file once). All rows of
-a table are run in turn, with bytecode, on a copy of the folder; a figure alone means little on a machine that does other
-things, a ratio within one table holds. `--package` is the one that is linted alone within WORKSPACE. `--imports` says
-instead which modules the start of a lint takes its time for. How it grows from 10 to 10,000 packages: `bench.many`.
+as a multiple of `import typer` (start-up) or of the floor (`bench/floor.py`: read and parse each file once). All rows
+of a table are run in turn, with bytecode, on a copy of the folder; a figure alone means little on a machine that does
+other things, a ratio within one table holds. `--package` is the one that is linted alone within WORKSPACE. `--imports`
+says instead which modules the start of a lint takes its time for. How it grows from 10 to 10,000: `bench.many`.
 """
 
 from __future__ import annotations
