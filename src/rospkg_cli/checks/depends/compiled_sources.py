@@ -19,6 +19,13 @@ def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[Cpp
     Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown.
     """
     files = {source.path: source for source in sources}
+    known: dict[tuple[str, ...], list[tuple[CppFile, Role]]] = vars(cmake).setdefault("compiled_sources", {})
+    if tuple(files) not in known:  # several rules ask for the same
+        known[tuple(files)] = among(cmake, files)
+    return known[tuple(files)]
+
+
+def among(cmake: CMake, files: Mapping[str, CppFile]) -> list[tuple[CppFile, Role]]:
     named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
     if not are_sources_known(cmake):
         return [(source, as_built(role_of(path))) for path, source in files.items()]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Collection, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ...light_dataclasses import dataclass
 from .syntax import CommandArgument, CommandInvocation
@@ -89,6 +89,7 @@ def flags_and_values(
     return found, values, rest
 
 
+@lru_cache(maxsize=10_000)
 def path_in_package(text: str, folder: str) -> str | None:
     """Return a path relative to the package ("" for the package itself).
 
