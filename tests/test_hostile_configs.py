@@ -97,7 +97,14 @@ def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> Non
 
 
 @pytest.mark.parametrize(
-    "text", ["[" * 200_000, "a: &a [" * 50_000, "- " * 100_000, "repositories:\n" + "  ? [" * 90_000]
+    "text",
+    [
+        "[" * 200_000,
+        "a: &a [" * 50_000,
+        "- " * 100_000,
+        "repositories:\n" + "  ? [" * 90_000,
+        "repositories: {}\n" + "#" * 1_000_000,
+    ],
 )
 def test_a_hostile_list_of_repositories_may_name_anything(tmp_path: Path, text: str) -> None:
     (tmp_path / "a.repos").write_text(text)

@@ -89,6 +89,12 @@ def test_unused_ignores_are_judged_by_what_ran_on_the_package(workspace: Path) -
     assert found(workspace) == {("RPK002", "warning", "src/here/package.xml")} == below(workspace)
 
 
+def test_an_ignore_of_a_rule_that_did_not_run_on_its_packages_is_not_judged(workspace: Path) -> None:
+    (workspace / "src/repo/rospkg.toml").write_text('select = ["SET", "RPK"]\n[ignore]\nXML101 = "x"\nSET101 = "x"\n')
+    told = rospkg("lint", "--format", "concise", cwd=workspace).stdout
+    assert [line.split(": ")[0] for line in told.splitlines() if "RPK002" in line] == ["src/repo/rospkg.toml:4:1"]
+
+
 def test_an_unused_ignore_is_told_in_the_config_that_has_it(workspace: Path) -> None:
     (workspace / "rospkg.toml").write_text('[ignore]\nXML101 = "x"\n')
     (workspace / "src/repo/rospkg.toml").write_text('[ignore]\nXML101 = "x"\nXML104 = "x"\n')
