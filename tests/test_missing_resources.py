@@ -44,7 +44,7 @@ def test_files_missing_in_a_folder_that_is_there_are_two() -> None:
 def test_one_place_of_a_missing_folder_names_no_more() -> None:
     (finding,) = lint(mesh("meshes/pi/a.stl"))
     assert finding.message.startswith("`robot` has no folder `meshes/pi` for `meshes/pi/a.stl`: it is missing")
-    assert finding.message.endswith("; add it, or mend the path")
+    assert finding.message.endswith("; add it, or correct the path")
 
 
 def test_a_near_folder_is_suggested_for_a_name_that_is_in_several() -> None:
@@ -92,7 +92,7 @@ def test_what_another_package_does_not_install() -> None:
 @pytest.mark.parametrize(
     "around, level, ends",
     [
-        ("{}", "error", "xacro stops here; add it, or mend the path"),
+        ("{}", "error", "xacro stops here; add it, or correct the path"),
         ('<xacro:if value="$(arg arm)">{}</xacro:if>', "warning", "where the condition around it holds; add it"),
         ('<xacro:if value="$(arg arm)">{0}</xacro:if>{0}', "error", "xacro stops here; add it"),
         ('<xacro:macro name="m">{}</xacro:macro>', "warning", "calls the macro `m`; add it"),

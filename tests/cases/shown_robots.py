@@ -204,6 +204,7 @@ FILES = {
     "src/c.stl": "solid c\n",
     "urdf/d.stl": "solid d\n",
     "top.stl": "solid top\n",
+    "README.md": "Show robot.urdf.xacro\n",
 }
 
 

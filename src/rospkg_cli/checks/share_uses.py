@@ -60,16 +60,11 @@ class ShareUses:
         except UnreadableError:
             return ""
 
-    def is_needed_by_others(self) -> bool:
-        """Return whether a package of the workspace depends on this one: it may open any folder."""
-        needs = (need for facts in self.workspace.packages if facts.name != self.name for need in facts.dependencies)
-        return any(need.name == self.name for need in needs)
-
     def level(self, folder: str) -> str | None:
-        """Return `error` where the package opens a folder, `info` where nobody seems to; None between them."""
+        """Return `error` where the package opens a folder, `info` where nothing seems to; None between them."""
         if self.opens(folder):
             return "error"
-        needed = folder == "launch" or self.is_needed_by_others()
+        needed = folder == "launch" or self.workspace.is_needed(self.name)
         return None if needed and not self.opens_in_source(folder) else "info"
 
     def consequence(self, folder: str) -> str:

@@ -78,6 +78,11 @@ class Workspace:
                 return self._by_folder[path].name
         return ""
 
+    def is_needed(self, name: str) -> bool:
+        """Return whether another package depends on one: it may open any of its files."""
+        others = (facts for facts in self.packages if facts.name != name)
+        return any(need.name == name for facts in others for need in facts.dependencies)
+
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return the kind of a name in package.xml; unknown only where no other source can provide it."""
         if name in self._by_name:

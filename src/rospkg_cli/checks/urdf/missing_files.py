@@ -17,6 +17,7 @@ from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..install_faults import InstallFaults
+from .robot_uses import RobotUses
 from .xacro_calls import XacroCalls
 
 State = Literal["absent", "not installed"]
@@ -55,6 +56,7 @@ class RobotInWorkspace:
     workspace: Workspace
     install: InstallFaults
     calls: XacroCalls
+    uses: RobotUses
     table: InstallTable | None
 
     @property

@@ -103,7 +103,7 @@ def message(missing: MissingReference, why: str) -> str:
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
             f"{harm}; begin it with `/`"
         )
-    hint = f"did you mean `{missing.better_path}`?" if missing.better_path else "add it, or mend the path"
+    hint = f"did you mean `{missing.better_path}`?" if missing.better_path else "add it, or correct the path"
     return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint}"
 
 

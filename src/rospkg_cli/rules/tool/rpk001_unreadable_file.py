@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.read_sentences import what_is_wrong
+from ...checks.unreadable_files import UnreadableFile
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
-from ...unreadable import Unreadable
 
 BAD = """\
 <package format="3">
@@ -31,14 +31,15 @@ ament_package()
 @rule(
     "RPK001",
     "unreadable-file",
-    over=Unreadable,
+    over=UnreadableFile,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same"},
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
         Example(bad={"CMakeLists.txt": BAD_CMAKE}, good={"CMakeLists.txt": CMAKE}, on="ament_cmake"),
     ),
 )
-def unreadable_file(file: Unreadable) -> Iterator[Hit]:
+def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     """
     ## What it does
     Reports a file that is needed and can't be read.
@@ -52,7 +53,10 @@ def unreadable_file(file: Unreadable) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that neither the build nor an installed file reads may be broken. A file of interfaces is reported by its own
-    rules, a file that is too large by RPK007.
+    rules, a file that is too large by RPK007. A robot is a warning where no file of the package names it, and where
+    urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain `.urdf`.
     """
+    file = scope.file
     if not (file.grammar or file.skipped):
-        yield Hit(file.path, file.span, what_is_wrong(file))
+        level, why = scope.level()
+        yield Hit(file.path, file.span, what_is_wrong(file) + why, Severity(level) if level else None)

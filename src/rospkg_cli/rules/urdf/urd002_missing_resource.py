@@ -29,6 +29,7 @@ FILES = {
     ),
     "urdf/wheel.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>\n',
     "meshes/base_link.stl": "solid base\n",
+    "README.md": "Show it: `ros2 launch urdf_launch display.launch.py urdf_package_path:=urdf/robot.urdf.xacro`\n",
 }
 
 
@@ -41,7 +42,7 @@ LEVELS = (None, "warning", "info")
     over=RobotInWorkspace,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a condition or a macro that nothing here calls is around it, or the robot is not installed",
+        Severity.WARNING: "a condition, or a macro without a call, is around it, or nothing opens the robot",
         Severity.INFO: "it is in a property that nothing reads",
     },
     examples=(
@@ -84,15 +85,16 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
     files that the build writes, git ignores or a submodule holds that is not checked out, and where install rules are
     not all known. Where another rule reports that the folder is not installed, it says so alone. In a condition of
-    xacro, and in a macro that nothing here calls, it is a warning.
+    xacro, and in a macro that nothing here calls, it is a warning; so it is in a robot that no file of the package
+    names, where no other package of the workspace needs this one.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
-        level, message = told(scope, each)
+        level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
 
 
-def told(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
+def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
     """Return the level and the message: those of the place that xacro is most certain to reach."""
     harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
@@ -100,6 +102,8 @@ def told(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | 
     best = min(each, key=lambda one: LEVELS.index(one.level))
     if best.level is None and not scope.is_installed:
         best = softer(best, "warning", "where the robot is read from the source: it is not installed")
+    elif best.level is None and not scope.uses.is_opened(scope.robot.path):
+        best = softer(best, "warning", "and no file of the package opens this robot")
     return Severity(best.level) if best.level else None, best.message + advice(missing)
 
 
@@ -118,7 +122,7 @@ def advice(missing: MissingResource) -> str:
     if missing.state == "not installed":
         folder = missing.path.rpartition("/")[0] or missing.path
         return f"; install `{folder}` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)"
-    return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or mend the path"
+    return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or correct the path"
 
 
 def also(missing: MissingResource, other: MissingResource) -> str:

@@ -1,0 +1,50 @@
+"""Rule input: whether anything opens a robot description of a package, as far as the texts of the package say."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...unreadable import UnreadableError
+
+ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
+OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
+
+
+@dataclass(frozen=True)
+class RobotUses:
+    files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
+
+    def is_opened(self, path: str) -> bool:
+        """Return whether a file may be opened: a text of the package names it, or another package needs this one.
+
+        Robots name each other in full; launch files often put the suffix behind a name.
+        """
+        name = path.rpartition("/")[2]
+        stem = re.compile(rf"\b{re.escape(name.partition('.')[0])}\b")
+        for other, text in self.texts:
+            names = name in text if other.endswith(ROBOTS) else stem.search(text)
+            if names and other != path:
+                return True
+        return self.workspace.is_needed(self.package.name)
+
+    @cached_property
+    def texts(self) -> tuple[tuple[str, str], ...]:
+        """The path and the text of each file that may open a robot."""
+        return tuple(self._texts())
+
+    def _texts(self) -> Iterator[tuple[str, str]]:
+        for path in self.files.paths:
+            if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside"):
+                try:
+                    yield path, self.files.source(path).text
+                except UnreadableError:
+                    continue

@@ -1,0 +1,50 @@
+"""Levels of faults in robots, by who opens them: a launch file, another robot, another package, or nothing."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package")
+MESH = '<mesh filename="package://my_pkg/meshes/a.stl"/>'
+LACKS = f'<robot {XACRO} name="r">{MESH}</robot>\n'
+OPEN = f'<robot {XACRO} name="r">\n  <link name="a">\n</robot>\n'
+LAUNCH = "MODEL = 'arm' + '.urdf'\n"
+
+
+def robot(text: str, path: str = "urdf/arm.urdf.xacro", **more: str) -> Example:
+    named = {name.replace("__", "/").replace("_DOT_", "."): content for name, content in more.items()}
+    return Example(bad={"CMakeLists.txt": INSTALL, path: text, **named}, good={}, on="ament_cmake")
+
+
+def workspace(text: str, depends: str) -> Example:
+    """A description package beside a package that starts robots."""
+    files = {
+        "my_pkg/package.xml": manifest(build_type="ament_cmake"),
+        "my_pkg/CMakeLists.txt": INSTALL,
+        "my_pkg/urdf/arm.urdf.xacro": text,
+        "bringup/package.xml": manifest("", "cmake", "bringup").replace("  <export>", f"{depends}  <export>"),
+    }
+    return Example(bad=files, good={}, on="")
+
+
+USES = (
+    robot(LACKS),
+    robot(LACKS, tests__test_arm_DOT_py="NAME = 'arm.urdf.xacro'\n"),
+    robot(LACKS, urdf__whole_DOT_xacro=f"<robot {XACRO}>an arm</robot>\n"),
+    robot(LACKS, launch__show_DOT_py="ARMS = 'arms'\n"),
+    robot(LACKS, launch__show_DOT_py=LAUNCH),
+    robot(LACKS, urdf__whole_DOT_xacro=f'<robot {XACRO}><xacro:include filename="arm.urdf.xacro"/></robot>\n'),
+    robot(LACKS, "urdf/my_pkg.urdf.xacro"),
+    workspace(LACKS, ""),
+    workspace(LACKS, "  <exec_depend>my_pkg</exec_depend>\n"),
+)
+BROKEN = (
+    robot(OPEN),
+    robot(OPEN, launch__show_DOT_py=LAUNCH),
+    robot(OPEN, "urdf/arm.urdf"),
+    robot("<robot><xacro:a/></robot>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
+    robot("<robot/>\n<robot/>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
+    robot("<robot/>\n<robot/>\n", launch__show_DOT_py=LAUNCH),
+)
+CASES = {"URD002": USES, "RPK001": BROKEN}
