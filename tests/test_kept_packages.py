@@ -14,7 +14,13 @@ from test_cache_truth import add, edit
 from rospkg_cli import disk_trace
 from rospkg_cli.cache.kept_file import load, save
 from rospkg_cli.engine.reuse.plain import ENUMS, KINDS, digest_of, from_plain, to_plain
-from rospkg_cli.engine.reuse.recorded_workspace import GIVEN, METHODS, Answers, RecordedFacts, RecordedWorkspace
+from rospkg_cli.engine.reuse.recorded_workspace import (
+    GIVEN,
+    METHODS,
+    AnswerDigests,
+    RecordedFacts,
+    RecordedWorkspace,
+)
 from rospkg_cli.engine.run.worker import PackageResults, Worker
 from rospkg_cli.example import manifest
 from rospkg_cli.finding import Finding
@@ -221,15 +227,15 @@ def test_questions_and_their_answers() -> None:
     assert seen.providers_of("mod.x") == ("two",)
     assert seen.with_header("two/x.hpp") == {"two"}
     assert (seen.selected, seen.names) == ({"a"}, {"one", "two"})
-    asked = dict(Answers(real).of(seen.noted))
+    asked = dict(AnswerDigests(real).of(seen.noted))
     assert ("field", "b", "name") in asked
     assert ("field", "b", "unknown") in asked
     assert ("field", "b", "version") not in asked
     changed = Workspace((one, PackageFacts("two", "b", "cmake", modules=frozenset({"mod"}))), frozenset({"a", "b"}))
-    again = Answers(changed)
+    again = AnswerDigests(changed)
     differing = {question for question, digest in asked.items() if again.digest(question) != digest}
     assert differing == {("selected",), ("with_header", "two/x.hpp")}
-    assert Answers(real).digest(("no_such", "thing")) == Answers(real).digest(("field", "z", "name")) == ""
+    assert AnswerDigests(real).digest(("no_such", "thing")) == AnswerDigests(real).digest(("field", "z", "name")) == ""
     assert seen != RecordedWorkspace(real, "a")
 
 
@@ -237,7 +243,7 @@ def test_a_field_that_is_asked_of_most_is_asked_of_all() -> None:
     packages = tuple(PackageFacts(f"p{n}", f"p{n}") for n in range(20))
     seen = RecordedWorkspace(Workspace(packages), "p0")
     assert len(seen.parameters.by_last) == 0
-    questions = [question for question, _ in Answers(seen.real).of(seen.noted)]
+    questions = [question for question, _ in AnswerDigests(seen.real).of(seen.noted)]
     assert questions == [("all", "parameters"), ("folders",)]
 
 

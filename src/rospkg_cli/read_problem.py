@@ -6,7 +6,7 @@ from enum import Enum, auto
 
 
 class ReadProblem(Enum):
-    """A kind of problem; beside it what `details` holds."""
+    """A kind of problem; after it what `details` holds."""
 
     ENCODING = auto()  # the encoding, the byte
     UNDECODABLE = auto()  # the codec's own text

@@ -1,4 +1,4 @@
-"""Where the cache lies: a folder that belongs to the user and that nobody else can write."""
+"""Where the cache lies: a folder that belongs to the user and that no other user can write."""
 
 from __future__ import annotations
 

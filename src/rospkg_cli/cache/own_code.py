@@ -1,4 +1,4 @@
-"""What rospkg itself is: its sources, and the versions of what is installed beside it.
+"""What rospkg itself is: its sources, and the versions of what is installed with it.
 
 A version alone would not do: a checkout changes without one, and so does a package that is installed anew from git.
 """

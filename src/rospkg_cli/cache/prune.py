@@ -1,4 +1,4 @@
-"""Keep the cache small: what nobody asked for in a month goes, and the oldest of what is too much."""
+"""Keep the cache small: what no run asked for in a month goes, and the oldest of what is too much."""
 
 from __future__ import annotations
 

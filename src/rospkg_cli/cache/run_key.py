@@ -35,7 +35,7 @@ NEVER = (
 
 
 def run_key(arguments: Sequence[str]) -> list[str] | None:
-    """Return what tells a run from others, as texts; None where the run must not be served from the cache."""
+    """Return what distinguishes a run from others, as texts; None where the run must not be served from the cache."""
     if any(each.partition("=")[0] in NEVER for each in arguments) or "_ROSPKG_COMPLETE" in os.environ:
         return None
     out = sys.stdout

@@ -47,7 +47,7 @@ class InstallFaults:
 
     @cached_property
     def told_files(self) -> frozenset[str]:
-        """The files beside those that a glob finds, and all in the folders beside them."""
+        """The files next to those that a glob finds, and all in the folders next to them."""
         if self.setup is None or self.shared is None:
             return frozenset()
         beside = {each.path for each in self.shared.uninstalled_neighbours}

@@ -1,4 +1,4 @@
-"""What is said of a command line that can't be understood: one sentence, with what was meant and where help is."""
+"""What is said of a command line that can't be understood: one sentence, with a suggestion and where help is."""
 
 from __future__ import annotations
 

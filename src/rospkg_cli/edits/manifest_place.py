@@ -13,7 +13,7 @@ Block = list[Element]
 
 
 def neighbour(manifest: Manifest, tag: str, name: str) -> tuple[Element | None, bool]:
-    """Return the child beside which a new one belongs, and whether it comes before it; None in an empty package."""
+    """Return the child next to which a new one belongs, and whether it comes before it; None in an empty package."""
     blocks = [block for block in blocks_of(manifest) if any(each.tag == tag for each in block)]
     if tag in DEPENDENCY_TAGS and blocks:
         return in_block(best(manifest, blocks, tag), tag, name)

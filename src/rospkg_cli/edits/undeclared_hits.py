@@ -29,7 +29,7 @@ class BroughtUse:
 
 
 def related(places: Iterable[tuple[str, Span]]) -> tuple[Related, ...]:
-    """Return the places beside the first."""
+    """Return the places other than the first."""
     return tuple(Related(path, span, "and here") for path, span in [*places][1 : MAX_RELATED + 1])
 
 

@@ -25,7 +25,7 @@ def without_advice(finding: Finding) -> str:
 
 
 def short_message(finding: Finding) -> str:
-    """Return what is wrong and, where no fix says it, what to do; the whole message where that can't be told apart."""
+    """Return what is wrong and, where no fix says it, what to do; the whole message where both can't be separated."""
     parts = clauses(finding.message)
     if finding.fix:
         return parts[0]

@@ -22,7 +22,7 @@ LONG = 15
 """Findings that are shown in full; of more, only errors are, and a table of the rules follows."""
 
 NOTES = "RPK008"
-"""The rule whose findings are notes on the run, not on a package: they are told behind the counts."""
+"""The rule whose findings are notes on the run, not on a package: they are listed after the counts."""
 
 
 MORE = "--show all shows each finding in full; `rospkg explain CODE` says why."

@@ -19,7 +19,7 @@ RENAMED = {
 """The keywords of launch_ros that were deprecated in Foxy and removed in Galactic, and what they are called since."""
 
 ROS1 = {"type": "executable", "pkg": "package"}
-"""The attributes of ROS 1 that people write as keywords of a node, and what is meant."""
+"""The attributes of ROS 1 that people write as keywords of a node, and what to write instead."""
 
 PROGRAMS = frozenset({"Node", "LifecycleNode"})
 NODES = frozenset({

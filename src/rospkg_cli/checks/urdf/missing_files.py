@@ -17,7 +17,7 @@ from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..install_faults import InstallFaults
-from .robot_uses import RobotUses
+from .opened_robots import OpenedRobots
 from .xacro_calls import XacroCalls
 
 State = Literal["absent", "not installed"]
@@ -33,7 +33,7 @@ class MissingResource:
     state: State
     is_include: bool
     suggestion: str | None = None
-    """The path that is meant: of the file, or of the folder where that is missing."""
+    """The likely path: of the file, or of the folder where that is missing."""
     folder: str = ""
     """The outermost folder of the path that does not exist."""
     others: tuple[MissingResource, ...] = ()
@@ -56,7 +56,7 @@ class RobotInWorkspace:
     workspace: Workspace
     install: InstallFaults
     calls: XacroCalls
-    uses: RobotUses
+    opened: OpenedRobots
     table: InstallTable | None
 
     @property
@@ -134,7 +134,7 @@ class RobotInWorkspace:
         return next((folder for folder in above if folder not in known), "")
 
     def suggestion(self, facts: PackageFacts, path: str) -> str | None:
-        """Return the path that is meant: a near one, or the file of that name beside this robot."""
+        """Return the likely path: a near one, or the file of that name next to this robot."""
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
         if near := closest_path(path, known):
             return near

@@ -24,7 +24,7 @@ class NestedPackages:
     table: InstallTable | None
 
     def manifests(self) -> Iterator[str]:
-        """Yield the package.xml of the packages inside, the outermost of each folder, that are meant to be built."""
+        """Yield the package.xml of the packages inside, the outermost of each folder, that should be built."""
         outer: list[str] = []
         every = (path for path in self.files.every if path.endswith("/package.xml"))
         for path in sorted(every, key=posixpath.dirname) if self.package.build_type != "catkin" else ():

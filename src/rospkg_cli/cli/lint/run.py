@@ -147,7 +147,7 @@ def asks_for_info(options: LintOptions, config: Config) -> bool:
 
 
 def least_fixed(options: LintOptions, config: Config) -> Severity:
-    """Return the least severity that is fixed: infos are left alone where nobody asked for them."""
+    """Return the least severity that is fixed: infos are left alone where no option asks for them."""
     are_shown = "all" in options.report.show or asks_for_info(options, config)
     default = Severity.INFO if are_shown else Severity.WARNING
     return Severity(options.fixing.fix_level) if options.fixing.fix_level else default

@@ -33,9 +33,9 @@ def settings(options: LintOptions, configs: ConfigTree, located: Located) -> Ite
     yield f"packages: {count}, below {located.root}"
     yield f"targets: {', '.join(targets(options.rules.target, configs.root).names) or 'all that are supported'}"
     is_fetched = isinstance(known_names(), FetchedNames)
-    yield f"index: {'fetched' if is_fetched else 'none; unknown names are not told (rospkg index update)'}"
+    yield f"index: {'fetched' if is_fetched else 'none; unknown names are not reported (rospkg index update)'}"
     if scope.incomplete:
-        yield f"unknown names are not told: {scope.incomplete}"
+        yield f"unknown names are not reported: {scope.incomplete}"
     found: dict[Path | None, tuple[Config, int]] = {configs.root.path: (configs.root, 0)}
     for folder in sorted(scope.selected):
         config = configs.at(located.root / folder)

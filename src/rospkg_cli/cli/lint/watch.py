@@ -28,7 +28,7 @@ SHARE = 20
 """Looking takes one part in so many of the time."""
 
 LONGEST = 5.0
-"""Seconds after which files that no one tells of are looked at, too: a config above the packages, say."""
+"""Seconds after which files without a notification are looked at, too: a config above the packages, say."""
 
 
 LintTo = Callable[[LintOptions, IO[str]], int]
@@ -78,7 +78,7 @@ def questions(run: RunToKeep) -> list[Question]:
 
 
 def moments(folder: Path) -> Iterator[None]:
-    """Yield at once, and then whenever it is time to look: told by the system where `watchfiles` is installed."""
+    """Yield at once, and then whenever it is time to look: notified by the system where `watchfiles` is installed."""
     yield
     try:
         from watchfiles import watch as changes

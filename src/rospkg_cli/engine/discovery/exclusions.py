@@ -48,7 +48,7 @@ def fits(parts: tuple[str, ...], pattern: str) -> bool:
 
 
 def is_anywhere(folder: Path, pattern: str) -> bool:
-    """Return whether a pattern fits something below a folder, as far as that can be told at a moderate cost."""
+    """Return whether a pattern fits something below a folder, as far as that can be decided at a moderate cost."""
     waiting, looked = [folder], 0
     while waiting:
         here, looked = waiting.pop(0), looked + 1

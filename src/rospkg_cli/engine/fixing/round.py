@@ -57,7 +57,7 @@ def one_round(
 
 
 def without(findings: Iterable[Finding], others: Iterable[Finding]) -> list[Finding]:
-    """Return the findings but for some of them; equal ones are told apart."""
+    """Return the findings but for some of them; equal ones are kept apart."""
     gone = set(map(id, others))
     return [each for each in findings if id(each) not in gone]
 

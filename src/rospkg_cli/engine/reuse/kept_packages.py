@@ -13,7 +13,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from .plain import from_plain, to_plain
 from .recorded_tree import Read, found_again, found_at, listing
-from .recorded_workspace import Answers, Question
+from .recorded_workspace import AnswerDigests, Question
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class KeptPackages:
 
     def known_results(self, workspace: Workspace, folders: Iterable[str]) -> dict[str, Any]:
         """Return the findings, as `keep` got them, of the packages to which the workspace answers as it did."""
-        answers, found = Answers(workspace), {}
+        answers, found = AnswerDigests(workspace), {}
         for folder in folders:
             package = self.kept.get(folder)
             if package is None or package.results is None:
@@ -128,10 +128,10 @@ class KeptPackages:
         results: Mapping[str, Any],
         failed: Set[str],
     ) -> None:
-        """Keep what was found anew, beside what still holds; `failed` packages are not kept."""
+        """Keep what was found anew, along with what still holds; `failed` packages are not kept."""
         if not observed and not self.is_refreshed:
             return
-        answers = Answers(workspace)
+        answers = AnswerDigests(workspace)
         for folder, seen in observed.items():
             facts = workspace.at(folder)
             if folder not in failed and type(facts) is PackageFacts:  # facts on demand are not all there
@@ -141,7 +141,7 @@ class KeptPackages:
         }
         save(self.path, [self.facts_key, self.rules_key, json.dumps(data, separators=(",", ":"))])
 
-    def package(self, facts: PackageFacts, seen: Observed, answers: Answers, results: Any) -> KeptPackage:
+    def package(self, facts: PackageFacts, seen: Observed, answers: AnswerDigests, results: Any) -> KeptPackage:
         """Return what is to be kept of a package: of one whose facts were known, what was asked then counts, too."""
         before = self.kept.get(facts.folder)
         reads = {**seen.reads, **{read[0]: read for read in (before.reads if before else ())}}

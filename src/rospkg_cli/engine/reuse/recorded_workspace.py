@@ -121,7 +121,7 @@ class RecordedWorkspace(Workspace):
         return self.real.providers_of(module)
 
 
-class Answers:
+class AnswerDigests:
     """The digests of a workspace's answers, each computed once."""
 
     def __init__(self, workspace: Workspace) -> None:

@@ -13,7 +13,7 @@ from ...source import Span
 
 
 class GrammarCode(Enum):
-    """A kind of problem; beside it what `details` holds."""
+    """A kind of problem; after it what `details` holds."""
 
     BYTE_ORDER_MARK = auto()
     SEPARATOR_WITH_BLANKS = auto()

@@ -77,7 +77,7 @@ def target_name_clash(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where one of the two is made under a condition that can't be evaluated, and inside `if(NOT TARGET …)`. Imported
-    targets, and interfaces with SKIP_INSTALL beside a Python package, are left alone.
+    targets, and interfaces with SKIP_INSTALL next to a Python package, are left alone.
     """
     for clash in duplicate_targets(package.cmake):
         first = Related(clash.first.path, clash.first.span, f"`{clash.first_command}` makes it here")

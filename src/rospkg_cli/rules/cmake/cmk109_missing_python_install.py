@@ -55,7 +55,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     Where install rules can't be evaluated, where the import is guarded by `try`, where the script changes `sys.path`,
-    where an environment hook of the package may set PYTHONPATH, and where the folder is installed beside the script.
+    where an environment hook of the package may set PYTHONPATH, and where the folder is installed next to the script.
     """
     cmake = packages.package.cmake
     ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]

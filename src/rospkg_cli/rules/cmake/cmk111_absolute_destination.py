@@ -54,7 +54,7 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), and under a condition that can't be evaluated.
-    Rules of udev and units of systemd may be meant for the system: a warning.
+    Rules of udev and units of systemd may belong in the system's folders: a warning.
     """
     seen = set()
     for install in package.cmake.installs:

@@ -76,7 +76,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ask first (`if 'pkg' in get_packages_with_prefixes()`), and launch files for ROS 1.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name, or where another name may be meant.
+    The fix is unsafe where no released package has the name, or where another name may be intended.
 
     ## References
     - REP-149, exec_depend

@@ -56,7 +56,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     uses the interface. On a clean machine it does not build, and `ros2 interface show` does not find the type.
 
     ## When it is quiet
-    Interface files that CMakeLists.txt does not generate are left alone (IDL005 tells them). What a declared dependency
+    Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
     certainly installs is one info, which names who brings it.
 
     ## Fix safety

@@ -74,8 +74,8 @@ def invalid_interface(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     rosidl stops the build at the first of them, often with no more than a Python traceback of its own.
 
     ## When it is quiet
-    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or commented out of it (IDL005 tells), or
-    setup.py builds the package (IDL008 tells). Where it is listed only under a condition, or may be, it is a warning.
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or commented out of it (IDL005), or
+    setup.py builds the package (IDL008). Where it is listed only under a condition, or may be, it is a warning.
 
     ## Fix safety
     The fix is safe where there is only one way to read the line. A type of C or Python is replaced under

@@ -54,9 +54,9 @@ def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
     directory"); at a parameter file it goes on, with "Parameter file path is not a file" and the node's defaults.
 
     ## When it is quiet
-    Where nothing of the folder is installed, or setup.py leaves it out beside its neighbours, SET206, SET207 or CMK101
-    reports it alone. Paths that are checked first, that the build writes, and packages whose install rules are not all
-    known, are left alone.
+    Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
+    Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
+    alone.
     """
     for missing in files.missing():
         edits = repair(files, missing) if missing.state == "not installed" else ()

@@ -102,7 +102,7 @@ def ends(each: RobotParameter) -> str:
 
 
 def wrapped(width: int, *places: tuple[LaunchFile, RobotParameter]) -> Fix | None:
-    """Return the fix of all these places; none where one of them can't be mended."""
+    """Return the fix of all these places; none where one of them can't be fixed."""
     edits: list[Edit] = []
     for file, each in places:
         if not each.is_in_dict or file.python is None:

@@ -43,7 +43,7 @@ def generate_launch_description():
     "invalid-launch-call",
     over=LaunchFile,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the launch goes on, with another value than is meant, or the action is never added"},
+    levels={Severity.WARNING: "the launch goes on, with another value than intended, or the action is never added"},
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD},

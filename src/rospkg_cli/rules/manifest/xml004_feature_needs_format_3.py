@@ -40,7 +40,7 @@ def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     interfaces that is `member_of_group` in format 2 is built before what generates its code.
 
     ## When it is quiet
-    In a manifest without a `format`, XML003 tells it. `compatibility` of a version, which colcon ignores, is a warning.
+    In a manifest without a `format`, XML003 reports. `compatibility` of a version, which colcon ignores, is a warning.
 
     ## Fix safety
     Format 3 only adds to format 2: nothing else changes its meaning.

@@ -62,7 +62,7 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     refused by colcon itself.
 
     ## When it is quiet
-    A description that only repeats the name harms nobody: it is an info. Text around a `TODO`, and addresses that are
+    A description that only repeats the name harms no one: it is an info. Text around a `TODO`, and addresses that are
     not a template's, are left alone.
     """
     manifest = package.manifest

@@ -52,7 +52,7 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     dependency changes.
 
     ## When it is quiet
-    Lines whose conditions exclude each other are left alone, and so is a test_depend or a buildtool_depend beside
+    Lines whose conditions exclude each other are left alone, and so is a test_depend or a buildtool_depend next to
     `<depend>`.
 
     ## References

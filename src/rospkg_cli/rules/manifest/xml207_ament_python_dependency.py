@@ -34,7 +34,7 @@ def ament_python_dependency(manifest: Manifest) -> Iterator[Hit]:
     `rosdep install` ends with "Cannot locate rosdep definition for [ament_python]", and bloom refuses to release.
 
     ## When it is quiet
-    A `<build_type>ament_python</build_type>`, which is what is meant, is left alone.
+    A `<build_type>ament_python</build_type>`, which is right, is left alone.
     """
     for each in manifest.dependencies:
         if each.name == "ament_python":

@@ -42,7 +42,7 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     `colcon build --symlink-install`, `[install]` by every other build.
 
     ## When it is quiet
-    Where the value is no folder below `lib/`: it is taken to be meant, as `$base/bin` for command line tools. Where
+    Where the value is no folder below `lib/`: it is taken to be intended, as `$base/bin` for command line tools. Where
     no executable runs a node, a missing option is none.
     """
     name = home.package.name

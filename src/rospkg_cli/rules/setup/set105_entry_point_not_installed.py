@@ -37,7 +37,7 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
-    folder lacks its `__init__.py` (SET301 tells).
+    folder lacks its `__init__.py` (SET301).
 
     ## Fix safety
     The module may belong elsewhere instead.

@@ -46,7 +46,7 @@ def marker_not_installed(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, and where the marker of the name in
-    setup.py is installed (SET401 tells of that name).
+    setup.py is installed (SET401 reports that name).
     """
     package, name = shared.package, shared.package.name
     if not package.knows_data_files or shared.installs_marker:

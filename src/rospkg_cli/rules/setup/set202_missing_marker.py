@@ -36,7 +36,7 @@ def missing_marker(shared: ShareFiles) -> Iterator[Hit]:
     that was renamed still has the old one.
 
     ## When it is quiet
-    Where setup.py may write files, and where the marker has a wrong name that setup.py gives the package: SET401 tells.
+    Where setup.py may write files, and where the marker has a wrong name that setup.py gives the package (SET401).
     """
     for file in shared.markers:
         if file.source is not None and shared.is_missing(file) and not shared.is_misnamed(file):

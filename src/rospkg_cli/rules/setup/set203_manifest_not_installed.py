@@ -33,7 +33,7 @@ def manifest_not_installed(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, and where it is installed below the name
-    in setup.py (SET401 tells).
+    in setup.py (SET401).
     """
     package, name = shared.package, shared.package.name
     if not package.knows_data_files or shared.installs_manifest:

@@ -33,7 +33,7 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon
-    refuses (XML103 tells).
+    refuses (XML103).
     """
     said, manifest = package.setup.setup_text("version"), package.manifest
     element = manifest.first("version")

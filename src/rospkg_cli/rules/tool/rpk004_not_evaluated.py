@@ -50,7 +50,7 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
     It isn't. But what is not known is not checked, and an empty report should not hide that.
 
     ## When it is quiet
-    What is unknown and would silence no rule is not told.
+    What is unknown and would silence no rule is not reported.
     """
     for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
         python = not path.endswith(("CMakeLists.txt", ".cmake"))

@@ -22,7 +22,7 @@ def rule_crashed(crash: RuleCrash) -> Iterator[Hit]:
     `--traceback`.
 
     ## When it is quiet
-    It has no conditions: a rule that crashes is always told.
+    It has no conditions: a rule that crashes is always reported.
     """
     last = crash.error.strip().splitlines()[-1]
     what = f"{crash.what} {crash.code}"

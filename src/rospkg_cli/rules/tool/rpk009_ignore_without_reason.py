@@ -27,7 +27,7 @@ def ignore_without_reason(ignore: ReasonlessIgnore) -> Iterator[Hit]:
     The finding is suppressed all the same. In the config a reason is demanded: an ignore without one is an error there.
 
     ## Why is this bad?
-    Nobody can tell later whether the ignore is still needed, so it stays for ever.
+    No one knows later whether the ignore is still needed, so it stays for ever.
 
     ## When it is quiet
     Any text behind the bracket is a reason.

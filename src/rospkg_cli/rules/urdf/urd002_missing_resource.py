@@ -102,7 +102,7 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     best = min(each, key=lambda one: LEVELS.index(one.level))
     if best.level is None and not scope.is_installed:
         best = softer(best, "warning", "where the robot is read from the source: it is not installed")
-    elif best.level is None and not scope.uses.is_opened(scope.robot.path):
+    elif best.level is None and not scope.opened.has(scope.robot.path):
         best = softer(best, "warning", "and no file of the package opens this robot")
     return Severity(best.level) if best.level else None, best.message + advice(missing)
 

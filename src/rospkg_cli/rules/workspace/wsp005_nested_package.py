@@ -50,6 +50,6 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     outer = nested.package.name
     message = (
         f"`{folder}`{more} is a package inside of `{outer}`: colcon does not look there, and never builds it; "
-        f"move it beside `{outer}`, or remove its package.xml"
+        f"move it next to `{outer}`, or remove its package.xml"
     )
     yield Hit(first, Span(0, 0), message, related=tuple(Related(path, Span(0, 0), "this one too") for path in others))

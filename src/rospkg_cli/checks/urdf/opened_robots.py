@@ -18,12 +18,12 @@ OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h
 
 
 @dataclass(frozen=True)
-class RobotUses:
+class OpenedRobots:
     files: PackageFiles
     package: PackageFacts
     workspace: Workspace
 
-    def is_opened(self, path: str) -> bool:
+    def has(self, path: str) -> bool:
         """Return whether a file may be opened: a text of the package names it, or another package needs this one.
 
         Robots name each other in full; launch files often put the suffix behind a name.
