@@ -164,6 +164,22 @@ def test_plugins_of_parameters_count_where_something_loads_them(node: str, level
     assert finding.severity.value == level
 
 
+@pytest.mark.parametrize(
+    "plugin, package",
+    [
+        ("position_controllers/GripperActionController", "gripper_controllers"),
+        ("position_controllers/JointGroupPositionController", "position_controllers"),
+        ("parallel_gripper_action_controller/GripperActionController", "parallel_gripper_controller"),
+    ],
+)
+def test_some_plugins_are_of_another_package_than_they_are_called_after(plugin: str, package: str) -> None:
+    launch = '<launch><node pkg="controller_manager" exec="x"/></launch>\n'
+    text = CONTROLLERS.replace("joint_trajectory_controller/JointTrajectoryController", plugin)
+    files = {"config__c_DOT_yaml": text, "launch__a_DOT_launch_DOT_xml": launch}
+    (finding,) = found("DEP106", declared("controller_manager"), **files)
+    assert finding.message.startswith(f"`{package}` is not declared")
+
+
 def test_launch_in_tests_is_an_info_and_the_index_is_not() -> None:
     text = "import launch\nimport ament_index_python\nimport launch_testing\n"
     (finding,) = found("DEP102", declared("launch_testing_ros", tag="test_depend"), test__test_a_DOT_py=text)

@@ -123,6 +123,9 @@ def test_plugins_and_components_may_only_be_loaded(lines: str, levels: list[Seve
     theirs = {f"src/user_pkg/{path}": text for path, text in user.items()}
     found = lint_files({**own, **theirs}, ["CMK113"]).findings
     assert [finding.severity for finding in found] == [Severity.WARNING]
+    bringup = {**theirs, **{f"src/user_pkg/{path}": text for path, text in package("", "", "user_pkg").items()}}
+    bringup["src/user_pkg/package.xml"] = theirs["src/user_pkg/package.xml"]
+    assert [finding.severity for finding in lint_files({**own, **bringup}, ["CMK113"]).findings] == levels
 
 
 @pytest.mark.parametrize(

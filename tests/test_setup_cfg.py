@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 from reading import one, package
 
 from rospkg_cli.checks.read_sentences import what_is_wrong
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.package.setup.setup_cfg import OPTION, SetupCfg, parse_setup_cfg
 from rospkg_cli.source import Source
+from rospkg_cli.testing import lint_files
 from rospkg_cli.unreadable import UnreadableError
 
 TEXT = """\
@@ -121,3 +123,17 @@ def test_a_file_that_is_too_long_is_skipped_and_that_is_said() -> None:
         parse_setup_cfg(Source("setup.cfg", "[a]\n" + "b\n" * 100_000))
     assert caught.value.unreadable.skipped
     assert "200,000 characters" in what_is_wrong(caught.value.unreadable)
+
+
+INSTALLS = "find_package(ament_cmake_python REQUIRED)\nament_python_install_package(my_pkg)\n"
+
+
+@pytest.mark.parametrize(("lines", "count"), [("", 0), (INSTALLS, 1)])
+def test_cmake_runs_setuptools_for_its_python_packages_alone(lines: str, count: int) -> None:
+    cmake = CMAKE.replace("ament_package", f"{lines}ament_package")
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": cmake,
+        "setup.cfg": "[develop]\nscript-dir=a\n",
+    }
+    assert len(lint_files({**files, "my_pkg/__init__.py": ""}, ["SET003"]).findings) == count

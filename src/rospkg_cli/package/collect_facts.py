@@ -8,7 +8,7 @@ from typing import Any, get_args
 
 from ..files import ReaderInput
 from ..ros.distros import Targets
-from .cmake.cmake_facts import exported_targets, registered_components
+from .cmake.cmake_facts import exported_targets, has_targets, registered_components
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
@@ -96,6 +96,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("uninstalled",): one("uninstalled", uninstalled_files),
     ("written_files",): one("written_files", made_files),
     ("cmake_targets",): one("cmake_targets", exported_targets),
+    ("is_compiled",): one("is_compiled", has_targets),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
 }  # fmt: skip

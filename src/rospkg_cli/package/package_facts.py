@@ -92,6 +92,8 @@ class PackageFacts:
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
     """The targets that its CMake exports, with their namespace, as far as they are known."""
+    is_compiled: bool = True
+    """Whether its CMake has libraries or programs, as far as that is known: only these link others."""
     modules: frozenset[str] = frozenset()
     """Dotted names of the Python modules that are installed."""
     headers: frozenset[str] = frozenset()

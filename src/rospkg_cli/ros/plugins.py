@@ -13,7 +13,7 @@ LOADED_FROM: Mapping[str, str] = pairs("plugins.txt", "base classes")
 """Base class → the package under whose name descriptions of its plugins must be exported."""
 
 PLUGIN_PACKAGES: Mapping[str, str] = pairs("plugins.txt", "packages")
-"""The packages of plugins whose names begin with another name than the package's, by that name."""
+"""The packages of plugins whose names begin with another name than the package's, by that name or by the whole one."""
 
 TOOLS = frozenset({"rviz_common", "rviz_default_plugins"})
 """What comes with the only program that reads their names."""

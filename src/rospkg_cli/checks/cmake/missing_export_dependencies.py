@@ -66,10 +66,13 @@ class ExportedDependencies:
 
     @cached_property
     def is_built_against(self) -> bool:
-        """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
+        """Whether a package of the workspace builds against this one: plugins and components are only loaded.
+
+        One that compiles nothing (a bringup with a `<depend>`) does not, whatever it declares.
+        """
         name = self.headers.package.facts.name
         compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
-        return any(name in built_against(facts, *BUILD) for facts in compiled)
+        return any(name in built_against(facts, *BUILD) and facts.is_compiled for facts in compiled)
 
     def registers_classes(self, name: str) -> bool:
         """Return whether a source of a library registers a class that pluginlib or a container loads."""

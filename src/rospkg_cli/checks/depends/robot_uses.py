@@ -82,8 +82,8 @@ class RobotUses:
     def package_of(self, use: PluginUse) -> str | None:
         """Return the package of a plugin; None for what may be the name of something else."""
         first, second, *_ = re.split(r"/|::", use.name)
-        if first in PLUGIN_PACKAGES:
-            return PLUGIN_PACKAGES[first]
+        if elsewhere := PLUGIN_PACKAGES.get(use.name) or PLUGIN_PACKAGES.get(first):
+            return elsewhere
         owner = self.declared.workspace.named(first)
         if owner is None and self.declared.workspace.kind_of(first) is NameKind.PACKAGE:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first

@@ -1,4 +1,4 @@
-"""The components that CMake registers and the targets that it exports, for PackageFacts."""
+"""The components that CMake registers, and the targets that it has and exports, for PackageFacts."""
 
 from __future__ import annotations
 
@@ -17,6 +17,12 @@ def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     plugins = [component.plugin for component in cmake.components]
     known = frozenset(plugin.text for plugin in plugins if plugin.is_known)
     return known, cmake.is_complete and all(plugin.is_known for plugin in plugins)
+
+
+def has_targets(reading: ReaderInput) -> bool:
+    """Return whether a package has libraries or programs of its own, or may have such."""
+    cmake = reading.parts(CMake).only
+    return cmake is None or bool(cmake.targets) or not cmake.is_complete
 
 
 def exported_targets(reading: ReaderInput) -> tuple[str, ...]:

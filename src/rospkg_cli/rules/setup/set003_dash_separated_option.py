@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.setup_cfg_in_use import SetupCfgInUse
 from ...example import SETUP_CFG, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.setup.setup_cfg import SetupCfg
 from ...rule import rule
 
 BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts", "install-scripts")
@@ -15,11 +15,11 @@ BAD = SETUP_CFG.replace("script_dir", "«script-dir»").replace("install_scripts
 @rule(
     "SET003",
     "dash-separated-option",
-    over=SetupCfg,
+    over=SetupCfgInUse,
     severity=Severity.WARNING,
     examples=(Example(bad={"setup.cfg": BAD}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),),
 )
-def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
+def dash_separated_option(checked: SetupCfgInUse) -> Iterator[Hit]:
     """
     ## What it does
     Finds options of setup.cfg that are spelt with a hyphen.
@@ -30,12 +30,13 @@ def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
     time being. Underscores work with every version.
 
     ## When it is quiet
-    In sections that setuptools does not read, such as `[tool:pytest]` or `[flake8]`. All options of a setup.cfg are
-    one finding.
+    In sections that setuptools does not read, such as `[tool:pytest]` or `[flake8]`, and in a package of CMake without
+    `ament_python_install_package()`, which never runs setuptools. All options of a setup.cfg are one finding.
 
     ## References
     https://setuptools.pypa.io/en/latest/history.html
     """
+    cfg = checked.cfg
     options = [
         option
         for section in cfg.sections.values()
@@ -43,7 +44,7 @@ def dash_separated_option(cfg: SetupCfg) -> Iterator[Hit]:
         for option in section.options.values()
         if "-" in option.key
     ]
-    if not options:
+    if not options or not checked.is_read:
         return
     first, *others = options
     right = first.key.replace("-", "_")
