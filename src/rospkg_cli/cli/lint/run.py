@@ -24,6 +24,7 @@ from ...light_dataclasses import replace
 from ...report import Report
 from ...report.color import wants_color
 from ...report.summary import counted
+from ...report.told_once import told_once
 from ...report.wrap import terminal_width
 from .. import UsageError
 from ..index.age import warn_of_age
@@ -90,10 +91,15 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
         return add_ignores(suppression.add_ignores, session, report)
     if found.results.crashes:
         stop_trace()  # what crashed may not crash again
-    print_report(options, report, files, stream, found.applied)
+    print_report(options, replace(report, results=once_each(found.results)), files, stream, found.applied)
     warn_of_age(session.scope.index, found.results.findings)
     changed = bool(found.changes) and fixing.exit_non_zero_on_fix and not options.exit_zero
     return exit_status(found.results, least_failing(options, config), changed)
+
+
+def once_each(results: Results) -> Results:
+    """Return the results to be shown; baselines and ignore comments are made of all findings."""
+    return replace(results, findings=told_once(results.findings))
 
 
 def located_packages(paths: Sequence[Path], options: LintOptions, configs: ConfigTree) -> Located:

@@ -1,0 +1,36 @@
+"""Infos that say the same of several packages: one finding of a run, with the other places beside it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+from ..finding import Finding, Severity
+from ..lazy_regex import regex
+from ..light_dataclasses import replace
+
+ASIDE = regex(r"\s*\([^()]*\)")
+"""What is in parentheses: a version, or how many calls there are, by which the same thing differs between packages."""
+
+
+def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return the findings, sorted as they came, with each info that several packages share at its first place alone.
+
+    An old `cmake_minimum_required` is written in all packages of a repository or in none: what is to be decided of it
+    is decided once. Errors and warnings are told one by one, since each of them is to be mended.
+    """
+    found = tuple(findings)
+    same: dict[tuple[str, str], list[Finding]] = defaultdict(list)
+    for finding in found:
+        if finding.severity is Severity.INFO:
+            same[finding.code, ASIDE.sub("", finding.message)].append(finding)
+    shared = [each for each in same.values() if len({finding.package for finding in each}) > 1]
+    first = {id(each[0]): each[1:] for each in shared}
+    left_out = {id(finding) for others in first.values() for finding in others}
+    return tuple(with_places(f, first.get(id(f), ())) for f in found if id(f) not in left_out)
+
+
+def with_places(finding: Finding, others: Iterable[Finding]) -> Finding:
+    """Return a finding with the places of others that say the same."""
+    places = tuple((other.location, "and here") for other in others)
+    return replace(finding, related=(*finding.related, *places)) if places else finding

@@ -1,0 +1,52 @@
+"""An info that several packages share is one finding of a report; errors and warnings are told one by one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from in_process import run_here
+
+from rospkg_cli.example import CMAKE, manifest
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """Three packages that ask for CMake 3.5, 3.8 and 3.5."""
+    for name, version in (("a_pkg", "3.5"), ("b_pkg", "3.8"), ("c_pkg", "3.5")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(manifest("", "ament_cmake", name))
+        (tmp_path / name / "CMakeLists.txt").write_text(CMAKE.replace("my_pkg", name).replace("3.20", version))
+    return tmp_path
+
+
+def told(folder: Path, *options: str) -> list[dict[str, Any]]:
+    result = run_here("lint", folder, "--select", "CMK002", "--format", "json", "--no-cache", *options, cwd=folder)
+    found: list[dict[str, Any]] = json.loads(result.stdout)["findings"]
+    return found
+
+
+def test_an_info_of_several_packages_is_told_once(workspace: Path) -> None:
+    (finding,) = told(workspace)
+    assert finding["path"].endswith("a_pkg/CMakeLists.txt")
+    assert [(Path(each["path"]).parent.name, each["message"]) for each in finding["related"]] == [
+        ("b_pkg", "and here"),
+        ("c_pkg", "and here"),
+    ]
+
+
+def test_each_warning_is_told(workspace: Path) -> None:
+    assert [len(each["related"]) for each in told(workspace, "--target", "lyrical")] == [0, 0, 0]
+
+
+def test_infos_of_one_package_stay_apart(workspace: Path) -> None:
+    assert len(told(workspace / "a_pkg")) == 1
+
+
+def test_all_of_them_are_in_a_baseline(workspace: Path) -> None:
+    baseline = workspace / "baseline.json"
+    run_here("lint", workspace, "--select", "CMK002", "--no-cache", "--write-baseline", baseline, cwd=workspace)
+    assert len(json.loads(baseline.read_text())["findings"]) == 3
+    assert told(workspace, "--baseline", str(baseline)) == []
