@@ -133,7 +133,14 @@ CASES = {
     "DEP101": (
         python("", my_pkg__a_DOT_py=IMPORTS, my_pkg__words_DOT_py="import sensor_msgs.msg\n" * 5),
         python(declared("sensor_msgs", "rclpy", "python3-numpy"), my_pkg__a_DOT_py=IMPORTS),
+        python("  <author>std_msgs</author>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
+        python("  <exec_dependd>std_msgs</exec_dependd>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
         python("", setup_DOT_py="import cv2\nfrom setuptools import setup\nimport rclpy\n\nsetup(name='my_pkg')\n"),
+    ),
+    "CMK103": (
+        package(TALKER.partition("\n")[0], "set_target_properties(talkre PROPERTIES CXX_STANDARD 17)",
+                files={"src/a.cpp": "int main() {}\n"}),
+        package(TALKER.replace("TARGETS talker", "TARGETS talkre"), files={"src/a.cpp": "int main() {}\n"}),
     ),
     "DEP102": (
         python("", test__test_a_DOT_py=IMPORTS, tests__b_DOT_py="import pytest\n"),
@@ -180,6 +187,7 @@ CASES = {
               files={"test/a.cpp": INCLUDES}, body=declared("std_msgs", "joy", tag="test_depend")),
     ),
     "DEP202": (
+        typed("float32", depends=("joy", "std_msgs", "rosidl_default_runtime")),
         built(INSTALLED, files={"test/a.py": "import launch_testing\n"}, body=TESTS.format("launch_testing_ros")),
         built(INSTALLED, files={"test/a.py": "import launch_testing\n"}, body=TESTS.format("launch_ros")),
         built(INSTALLED, files={"test/a.py": "import os\n"}, body=TESTS.format("launch_testing_ament_cmake")),
