@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.example import CMAKE, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 ENTRY = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
@@ -60,3 +60,53 @@ def test_an_executable_that_another_package_launches_must_stand_in_lib(clean) ->
 
     assert level("") == ["info"]
     assert level('<node pkg="my_pkg" exec="convert"/>') == ["error"]
+
+
+def test_what_ends_at_rospy_has_no_missing_function(clean) -> None:
+    setup = setup_py(scripts("talker = my_pkg.talker:main"))
+    files = {**clean, "setup.py": setup, "my_pkg/talker.py": "import rclpy\n"}
+    assert [f.code for f in lint_files(files, ["SET102"]).findings] == ["SET102"]
+    assert lint_files({**files, "my_pkg/talker.py": "import rospy\n"}, ["SET102"]).findings == ()
+    optional = "try:\n    import rospy\nexcept ImportError:\n    rospy = None\n"
+    assert [f.code for f in lint_files({**files, "my_pkg/talker.py": optional}, ["SET102"]).findings] == ["SET102"]
+
+
+def test_all_that_is_left_of_ros1_is_one_finding(clean) -> None:
+    one = {**clean, "my_pkg/a.py": "import rospy\n"}
+    (finding,) = lint_files(one, ["DEP101"]).findings
+    assert finding.message.startswith("`rospy` is a module of ROS 1: this file ends with")
+    assert not finding.related
+    assert finding.message.endswith("; port it to rclpy, or do not install it")
+    (finding,) = lint_files({**one, "my_pkg/b.py": "import roslib\n"}, ["DEP101"]).findings
+    assert finding.message.startswith("`rospy` is a module of ROS 1: this file and 1 more end with")
+    assert finding.message.endswith("; port them to rclpy, or do not install them")
+    assert [(place.path, why) for place, why in finding.related] == [("my_pkg/b.py", "and here")]
+
+
+def test_another_maintainer_has_another_address(clean) -> None:
+    def codes_of(name: str, address: str) -> list[str]:
+        text = clean["setup.py"].replace("maintainer='Ada'", f"maintainer='{name}'")
+        files = {**clean, "setup.py": text.replace("='ada@example.org'", f"='{address}'")}
+        return [f.message.partition(" ")[0] for f in lint_files(files, ["SET403"]).findings]
+
+    assert codes_of("Ada", "ada@example.org") == []
+    assert codes_of("Ada, Grace", "grace@example.org, ada@example.org") == []
+    assert codes_of("Grace", "grace@example.org") == ["`maintainer`"]
+    assert codes_of("Ada", "grace@example.org") == ["`maintainer_email`"]
+
+
+def test_headers_of_a_package_that_only_tests_are_built_of_are_tests() -> None:
+    lines = "find_package(std_msgs REQUIRED)\nadd_executable(t test/t.cpp)\n"
+    files = {
+        "package.xml": manifest("  <test_depend>std_msgs</test_depend>\n", "ament_cmake"),
+        "include/my_pkg/t.hpp": "#include <std_msgs/msg/string.hpp>\n",
+        "test/t.cpp": "#include <my_pkg/t.hpp>\n",
+    }
+
+    def said(text: str) -> list[str]:
+        tree = {**files, "CMakeLists.txt": CMAKE.replace("ament_package", f"{text}ament_package")}
+        return [f.code for f in lint_files(tree, ["DEP201", "DEP105"]).findings]
+
+    assert said(lines) == ["DEP201"]
+    assert said(f"if(BUILD_TESTING)\n{lines}endif()\n") == []
+    assert said(f"if(BUILD_TESTING)\n{lines}target_sources(t PRIVATE ${{UNKNOWN}})\nendif()\n") == []

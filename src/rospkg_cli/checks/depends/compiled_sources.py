@@ -28,8 +28,8 @@ def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[Cpp
 def among(cmake: CMake, files: Mapping[str, CppFile]) -> list[tuple[CppFile, Role]]:
     named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
     if not are_sources_known(cmake):
-        return [(source, as_built(role_of(path))) for path, source in files.items()]
-    public = {path for path in files if "include/" in path}
+        return [(source, "test" if cmake.only_tests else as_built(role_of(path))) for path, source in files.items()]
+    public = {path for path in files if "include/" in path and not cmake.only_tests}
     run = with_included(files, named[False] | public)
     tests = with_included(files, named[True]) - run
     headers = {path for path in files if path.endswith(HEADERS) and as_built(role_of(path)) == "run"} - tests

@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Mapping
 
 from ...files import PackageFiles
-from ...languages.python.file import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
-from ...package.python.python_imports import PackageImports, PythonImports
+from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
+from ..ros1_import import ROS1, ros1_import
 from .brought_dependencies import COLCON, brought_by_others
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
@@ -23,9 +23,6 @@ RUNNERS = frozenset({"python3-pytest", "launch_testing", "ament_index_python"})
 
 REQUIREMENTS = regex(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
 """Files that pip installs by."""
-
-ROS1 = frozenset({"rospy", "roslib"})
-"""Modules without which nothing of ROS 1 runs, and which ROS 2 does not have."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
@@ -70,7 +67,7 @@ class ImportDependencies:
     def ros1_leftovers(self) -> Iterator[ImportUse]:
         """Yield the first import in each installed file that only ROS 1 can serve: nothing behind it runs."""
         for file in self.python.files if self.declared.is_checked else ():
-            first = ros1_import(file) if file.role == "run" else None
+            first = ros1_import(file.imports) if file.role == "run" else None
             if first is not None and ROS1.isdisjoint(self.declared.names):
                 yield ImportUse(file.path, first.span, first.module)
 
@@ -129,14 +126,8 @@ class ImportDependencies:
     def undeclared(self, role: Role) -> dict[str, list[ImportUse]]:
         found: dict[str, list[ImportUse]] = {}
         for file in self.python.files if self.declared.is_checked else ():
-            for each in file.imports if file.role == role and ros1_import(file) is None else ():
+            for each in file.imports if file.role == role and ros1_import(file.imports) is None else ():
                 name = undeclared_provider(self.declared, each)
                 if name:
                     found.setdefault(name, []).append(ImportUse(file.path, each.span, each.module))
         return found
-
-
-def ros1_import(file: PythonImports) -> Import | None:
-    """Return the first import of a file that needs ROS 1 and is not optional."""
-    certain = (each for each in file.imports if not (each.is_optional or each.is_for_typing or each.is_local))
-    return next((each for each in certain if each.module.partition(".")[0] in ROS1), None)

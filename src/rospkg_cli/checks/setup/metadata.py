@@ -35,7 +35,7 @@ class Metadata:
 
     @cached_property
     def differing(self) -> tuple[Difference, ...]:
-        return (*self.description(), *self.license(), *self.maintainer(), *self.email())
+        return (*self.description(), *self.license(), *(tuple(self.maintainer()) or self.email()))
 
     def description(self) -> Iterator[Difference]:
         """Two descriptions may well be worded differently; one that a template left may not."""
@@ -62,7 +62,7 @@ class Metadata:
             return
         ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(argument.text)}
         theirs = {folded(element.text) for element in elements}
-        if not ours <= theirs and folded(argument.text) not in theirs:
+        if ours.isdisjoint(theirs) and folded(argument.text) not in theirs:
             yield "maintainer", argument, elements[0].text if len(elements) == 1 else "", elements[0]
 
     def email(self) -> Iterator[Difference]:
@@ -70,7 +70,8 @@ class Metadata:
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
         if argument is None or is_long(argument) or not addresses or not all(map(REAL.fullmatch, addresses)):
             return
-        if not {folded(part) for part in SEVERAL.split(argument.text)} <= {folded(address) for address in addresses}:
+        ours = {folded(part) for part in SEVERAL.split(argument.text)}
+        if ours.isdisjoint(folded(address) for address in addresses):
             yield "maintainer_email", argument, addresses[0] if len(addresses) == 1 else "", elements[0]
 
 

@@ -17,6 +17,7 @@ from ...ros.distros import Targets
 from ...ros.imports import STANDARD
 from ...source import Span
 from ...suggest import nearest
+from ..ros1_import import ros1_import
 from .module_exports import offers
 
 
@@ -118,6 +119,11 @@ class PythonPackage:
         """Return whether a module of the package starts what it does when it is imported."""
         file = self.modules.at(self.setup.file_of(module) or "")
         return file is not None and file.runs_when_imported
+
+    def ends_at_ros1(self, module: str) -> bool:
+        """Return whether importing a module of the package ends at a module of ROS 1."""
+        file = self.modules.at(self.setup.file_of(module) or "")
+        return file is not None and ros1_import(file.imports) is not None
 
     def is_node(self, module: str) -> bool:
         """Return whether a module runs a node itself: it imports rclpy."""

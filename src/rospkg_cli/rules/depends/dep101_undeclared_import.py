@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
-from ...finding import Hit, Safety, Severity
+from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
 
 RUN = "rosdep does not install it, and the import raises ModuleNotFoundError"
@@ -57,7 +57,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
 
     ## When it is quiet
-    Of a file that imports `rospy` only that is said, for nothing behind it runs.
+    Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once.
     What a declared dependency certainly installs can't be missing: that is one info, which names who brings it. Left
     out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one
     that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files
@@ -79,12 +79,15 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
             else:
                 yield undeclared(imports, missing, kind, ends)
     yield from left_to_others(imports.declared, brought, "imported")
-    for leftover in imports.ros1_leftovers():
+    if leftovers := list(imports.ros1_leftovers()):
+        first, *others = leftovers
+        files, end = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
         message = (
-            f"`{leftover.module}` is a module of ROS 1: this file ends with ModuleNotFoundError before anything else; "
-            f"port it to rclpy, or do not install it"
+            f"`{first.module}` is a module of ROS 1: {files} {end} with ModuleNotFoundError before anything else; port "
+            f"{'them' if others else 'it'} to rclpy, or do not install {'them' if others else 'it'}"
         )
-        yield Hit(leftover.path, leftover.span, message)
+        places = tuple(Related(each.path, each.span, "and here") for each in others)
+        yield Hit(first.path, first.span, message, related=places)
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:

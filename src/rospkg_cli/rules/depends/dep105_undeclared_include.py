@@ -21,7 +21,9 @@ NODE = CMAKE.replace(
     "undeclared-include",
     over=IncludeDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a declared dependency brings it, or may bring it, or package.xml has it in a comment"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -42,8 +44,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it. Files that no target compiles,
-    includes under `#if`, and packages that `find_package()` names as well (DEP104) are left alone.
+    What a declared dependency certainly installs is one info, which names who brings it. Where it is not known of every
+    declared one what comes with it, this is an info: CMake finds the header with one of those that are linked. Files
+    that no target compiles, includes under `#if`, and packages that `find_package()` names as well (DEP104) are left
+    alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -64,6 +68,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
             f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
         )
         places = related((use.path, use.span) for use in each.uses)
-        level = Severity.INFO if name in declared.commented_out else None
+        mild = name in declared.commented_out or not declared.are_transitive_names_known
+        level = Severity.INFO if mild else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "included")

@@ -43,10 +43,12 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the module is of another package, can't be read, has a star import of something unknown or a
-    `__getattr__`, or is generated.
+    `__getattr__`, or is generated. A module that imports `rospy` ends there, before its function is asked for (DEP101).
     """
     for entry in package.setup.entry_points:
         if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
+            continue
+        if package.ends_at_ros1(entry.module):
             continue
         path = package.setup.file_of(entry.module) or ""
         file = package.modules.at(path)

@@ -35,7 +35,8 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     ## What it does
     Finds metadata in setup.py that differ from package.xml, and descriptions left by a template.
     The license, maintainer and e-mail address are compared: licenses by their SPDX id, names without regard to case;
-    where package.xml names several maintainers, any of them will do.
+    where one of them names several maintainers, one that both name will do. Of another person the name is told, which
+    says enough of the address.
 
     ## Why is this bad?
     The metadata contradict each other; a license above all should not depend on the file that is read. package.xml is
