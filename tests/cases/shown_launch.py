@@ -291,6 +291,7 @@ ELSEWHERE = Example(
     good={},
     on="ament_cmake",
 )
+LAUNCH_FOLDER = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
 
 CASES = {
     "LCH003": (ALSO, ELSEWHERE),
@@ -313,6 +314,11 @@ CASES = {
         names(f"{HEAD}{RETURNS}".replace("()", "([LogInfo(msg=LaunchConfiguration('rate'))] + unknown)")),
         *(Example(bad={"package.xml": NEEDED, path: '<launch><log message="$(var rate)"/></launch>\n'}, good={})
           for path in ("test/a.launch.xml", "launch/include/a.launch.xml")),
+    ),
+    "LCH012": tuple(
+        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{LAUNCH_FOLDER}\nament_package"),
+                     **{f"launch/{number}/a.launch.xml": "<launch/>\n" for number in range(count)}}, good={}, on="ament_cmake")
+        for count in (3, 4)
     ),
     "LCH013": (UNDEFINED, IMPORTS, *QUIET),
 }  # fmt: skip
