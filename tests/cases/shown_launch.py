@@ -317,7 +317,8 @@ CASES = {
     ),
     "LCH012": tuple(
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{LAUNCH_FOLDER}\nament_package"),
-                     **{f"launch/{number}/a.launch.xml": "<launch/>\n" for number in range(count)}}, good={}, on="ament_cmake")
+                     **{f"launch/{number}/a.launch.xml": "<launch/>\n" for number in range(count)}},
+                good={}, on="ament_cmake")
         for count in (3, 4)
     ),
     "LCH013": (UNDEFINED, IMPORTS, *QUIET),
