@@ -138,4 +138,4 @@ def test_launch_files_that_are_too_long_together_are_skipped_and_that_is_said() 
     files = {f"launch/{i}.launch.xml": one for i in range(6)}
     found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **files}, ["RPK007"])
     assert [each.location.path for each in found.findings] == ["launch/4.launch.xml", "launch/5.launch.xml"]
-    assert "250,000 characters" in found.findings[0].message
+    assert "500,000 characters" in found.findings[0].message
