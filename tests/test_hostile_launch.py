@@ -134,7 +134,7 @@ def test_a_long_chain_of_includes() -> None:
 
 
 def test_launch_files_that_are_too_long_together_are_skipped_and_that_is_said() -> None:
-    one = f"<launch><!--{'a' * 60_000}--></launch>"
+    one = f"<launch><!--{'a' * 120_000}--></launch>"
     files = {f"launch/{i}.launch.xml": one for i in range(6)}
     found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **files}, ["RPK007"])
     assert [each.location.path for each in found.findings] == ["launch/4.launch.xml", "launch/5.launch.xml"]
