@@ -79,6 +79,21 @@ def test_the_outermost_workspace(workspace: Path) -> None:
     assert locate([workspace / "src/group/b"]).root == workspace.resolve()
 
 
+def test_a_built_workspace_around_another_is_not_that_of_its_packages(workspace: Path) -> None:
+    """colcon, started in the inner one, sees only what is there: both may have a package of one name."""
+    for folder in ("install", "log", "tried/inner/src/a", "src/repository/src/e"):
+        (workspace / folder).mkdir(parents=True)
+    (workspace / "tried/inner/src/a/package.xml").write_text("<package/>")
+    (workspace / "src/repository/src/e/package.xml").write_text("<package/>")
+    assert locate([workspace / "tried/inner/src"]).scope.folders == ("src/a",)
+    outer = locate([workspace / "src/repository/src/e"])
+    assert outer.root == workspace
+    assert "src/group/b" in outer.scope.folders
+    (workspace / "log").rmdir()
+    (workspace / ".git").mkdir()
+    assert locate([workspace / "tried/inner/src"]).root == workspace
+
+
 def test_exclude(workspace: Path) -> None:
     config = Config(workspace / "rospkg.toml", exclude=("src/group",))
     assert given(workspace, configs=ConfigTree(config, is_only=True)) == ["a"]

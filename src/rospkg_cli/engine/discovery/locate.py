@@ -97,17 +97,29 @@ def relative(path: Path, root: Path) -> str:
 
 
 def workspace_of(packages: Sequence[Path]) -> Path | None:
-    """Return the outermost folder around the packages that looks like a workspace, or None."""
+    """Return the outermost folder around the packages that looks like a workspace, or None.
+
+    A workspace may lie in another that was built from its own `src`: that is not around the packages.
+    """
     if not packages:
         return None
     common = Path(os.path.commonpath(packages))
-    found = [p for p in (common, *common.parents) if not is_shared(p) and looks_like_one(p, common)]
-    return found[-1] if found else None
+    found: Path | None = None
+    for folder in (common, *common.parents):
+        if not is_shared(folder) and looks_like_one(folder, common):
+            if found and is_built(folder) and is_folder(folder / "src") and not common.is_relative_to(folder / "src"):
+                break
+            found = folder
+    return found
+
+
+def is_built(folder: Path) -> bool:
+    return all(is_folder(folder / name) for name in ("build", "install", "log"))
 
 
 def looks_like_one(folder: Path, holds: Path) -> bool:
     """Return whether a folder is a colcon workspace, the parent of the `src` that holds the paths, or a git root."""
-    if all(is_folder(folder / name) for name in ("build", "install", "log")):
+    if is_built(folder):
         return True
     if any(exists(folder / name) for name in ("colcon.meta", ".colcon", ".git")):
         return True
