@@ -173,7 +173,9 @@ def test_of_what_is_installed_and_not_there_cmake_speaks() -> None:
 
 def test_a_default_may_be_given_anew() -> None:
     launch = '<launch>\n  <arg name="a" default="$(find-pkg-share my_pkg)/config/no.yaml"/>\n</launch>\n'
-    assert said({**BASE, "launch/a.launch.xml": launch}) == ["LCH003 warning"]
+    assert said({**BASE, "launch/a.launch.xml": launch}) == ["LCH003 info"]
+    used = launch.replace("</launch>", '  <log message="$(var a)"/>\n</launch>')
+    assert said({**BASE, "launch/a.launch.xml": used}) == ["LCH003 warning"]
 
 
 def test_what_an_argument_is_by_default_is_put_in_its_place() -> None:

@@ -180,6 +180,6 @@ def test_a_copy_of_a_parameter_file_that_was_left_behind() -> None:
         "src/bringup/config/talker.yaml": f"/**:\n  ros__parameters:\n{ALL}",
     }
     (message,) = messages({**theirs, **copy}, "PRM008")
-    assert message.startswith("`count` is missing here: `talker` declares it")
+    assert message.startswith("`count` is missing here, and `")
     copy["src/bringup/config/talker.yaml"] += "    count: 1\n"
     assert not messages({**theirs, **copy}, "PRM008")

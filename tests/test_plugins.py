@@ -168,10 +168,10 @@ LIBRARIES = [
     ("planner", None),
     ("lib/planner", None),
     ("some_folder/planner", None),
-    ("planer", "is compiled into `planner`"),
-    ("lib/libplanner", "is compiled into `planner`"),
-    ("libplanner.so", "is compiled into `planner`"),
-    ("libplanner", "remove `lib`"),
+    ("planer", "write `planner`, where it is compiled"),
+    ("lib/libplanner", "write `planner`, where it is compiled"),
+    ("libplanner.so", "write `planner`, where it is compiled"),
+    ("libplanner", "begins with `lib`"),
 ]
 
 
@@ -254,7 +254,7 @@ def test_rqt_plugins_in_cpp_need_not_be() -> None:
     assert said(rqt("rqt_gui_cpp::Plugin", cmake=cmake), "PLG006") == []
     ((path, message),) = said(rqt("rqt_gui_cpp::Plugin", "a.xml", cmake=cmake), "PLG006")
     assert path == "CMakeLists.txt"
-    assert "lists `a.xml`, and not `b.xml`" in message
+    assert "lists `a.xml`, not `b.xml`" in message
 
 
 def loading(text: str, name: str = "server") -> dict[str, str]:
@@ -336,7 +336,7 @@ def test_a_loader_that_goes_astray() -> None:
     ((path, message),) = said(files, "PLG005")
     assert path == "server/src/s.cpp"
     assert "`srv` is no known package" in message
-    assert "exported to `server`" in message
+    assert "write `server`" in message
     alone = loading(LOADS.replace('"server"', '"srv"'))
     assert said(alone, "PLG005") == []
 
@@ -394,7 +394,7 @@ def test_what_people_forget_of_a_name() -> None:
     files = {**robot("- Class: my_pkg/Route Planner\n- Class: my_pkg/RoutePlanner\n", "robot/a.rviz"), **beside(ours)}
     (finding,) = lint_files(files, ["PLG003"]).findings
     assert finding.location.line == 2
-    assert "has `my_pkg/Route Planner`" in finding.message
+    assert "write `my_pkg/Route Planner`" in finding.message
 
 
 def test_components_and_interfaces_may_be_named_alike() -> None:

@@ -53,6 +53,7 @@ class ReadProblem(Enum):
     XML_LENGTH = auto()  # the most elements
     XML_ATTRIBUTES = auto()  # the tag, the most attributes
 
+    YAML_TAB = auto()
     YAML_SYNTAX = auto()  # the parser's own text
     YAML_UNREADABLE = auto()
     YAML_DEPTH = auto()  # the most levels

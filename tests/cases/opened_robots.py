@@ -47,4 +47,5 @@ BROKEN = (
     robot("<robot/>\n<robot/>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
     robot("<robot/>\n<robot/>\n", launch__show_DOT_py=LAUNCH),
 )
-CASES = {"URD002": USES, "RPK001": BROKEN}
+TAB = Example(bad={"config/robot.yaml": "/**:\n  ros__parameters:\n\trate: 2.0\n"}, good={}, on="config")
+CASES = {"URD002": USES, "RPK001": (*BROKEN, TAB)}

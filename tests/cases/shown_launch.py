@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest, setup_py
 from rospkg_cli.rules.launch import lch013_undefined_launch_name as lch013
 
 from .shown_launch_calls import HEAD, NEEDED, node, python
@@ -293,9 +293,38 @@ ELSEWHERE = Example(
 )
 LAUNCH_FOLDER = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
 
+READ = '  <log message="$(var file)"/>\n</launch>'
+SHARED = Example(
+    bad={
+        **ELSEWHERE.bad,
+        "CMakeLists.txt": CMAKE.replace("ament_package", "install(DIRECTORY launch DESTINATION share)\nament_package"),
+        "launch/d.launch.xml": '<launch>\n  <arg name="file" default="$(find-pkg-share my_pkg)/launch/b.launch.xml"/>\n'
+        + READ
+        + "\n",
+    },
+    good={},
+    on="ament_cmake",
+)
+MODULES = Example(
+    bad={
+        "setup.py": setup_py().replace(
+            "    license=",
+            "    entry_points={'console_scripts': ['talk = my_pkg.arm_node:main', 'wave = my_pkg.arm:wave', "
+            "'rest = my_pkg.arm:rest']},\n    license=",
+        ),
+        "my_pkg/arm_node.py": "def main():\n    pass\n",
+        "my_pkg/arm.py": "def wave():\n    pass\n\n\ndef rest():\n    pass\n",
+        "launch/a.launch.xml": "<launch>\n"
+        + "".join(f'  <node pkg="my_pkg" exec="{name}"/>\n' for name in ("arm_node", "arm_node.py", "arm"))
+        + "</launch>\n",
+    },
+    good={},
+)
+
 CASES = {
+    "LCH002": (MODULES,),
     "LCH003": (ALSO, ELSEWHERE),
-    "LCH004": (ALSO, ELSEWHERE),
+    "LCH004": (ALSO, ELSEWHERE, SHARED),
     "LCH005": (REMOVED, REMOVED_XML, ASKS),
     "LCH006": (OLD,),
     "LCH007": (

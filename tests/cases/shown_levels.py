@@ -55,7 +55,11 @@ LINTERS = (
 COMPONENT = 'rclcpp_components_register_node(core PLUGIN "my_pkg::Core" EXECUTABLE core_node)\n'
 EXPORT = "pluginlib_export_plugin_description_file(rqt_gui {}.xml)\n"
 CPP = plain(plg006.XML).replace("rqt_gui_py", "rqt_gui_cpp")
-ARGUMENT = '<launch>\n  <arg name="file" default="$(find-pkg-share my_pkg)/launch/{}.launch.xml"/>\n</launch>\n'
+UNREAD = '<launch>\n  <arg name="file" default="$(find-pkg-share my_pkg)/launch/{}.launch.xml"/>\n</launch>\n'
+ARGUMENT = UNREAD.replace("</launch>", '  <log message="$(var file)"/>\n</launch>')
+BOTH = UNREAD.replace(
+    "</launch>", '  <include file="$(find-pkg-share my_pkg)/launch/{}.launch.xml"/>\n</launch>'
+).replace("{}", "wheels")
 MANY = "".join(f'  <log message="$(var rate{number})"/>\n' for number in range(lch008.FEW + 1))
 FEW = MANY.split("\n", 1)[1]
 
@@ -97,11 +101,13 @@ CASES = {
     ),
     "LCH003": (
         on_python(lch003.NODE, launch__a_DOT_launch_DOT_xml=ARGUMENT.format("nothing")),
+        on_python(lch003.NODE, launch__a_DOT_launch_DOT_xml=UNREAD.format("nothing")),
     ),
-    "LCH004": (
+    "LCH004": tuple(
         on_cmake({"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake")},
-                 CMakeLists_DOT_txt=lch004.ONE, launch__robot_DOT_launch_DOT_xml=ARGUMENT.format("wheels"),
-                 launch__wheels_DOT_launch_DOT_xml="<launch>\n</launch>\n"),
+                 CMakeLists_DOT_txt=lch004.ONE, launch__robot_DOT_launch_DOT_xml=text.format("wheels"),
+                 launch__wheels_DOT_launch_DOT_xml="<launch>\n</launch>\n")
+        for text in (ARGUMENT, UNREAD, BOTH)
     ),
     "LCH008": (
         on_python({"package.xml": lch008.NEEDED}, launch__a_DOT_launch_DOT_xml=f"<launch>\n{MANY}</launch>\n"),

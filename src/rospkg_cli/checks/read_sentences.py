@@ -73,6 +73,7 @@ SENTENCES = {
     ReadProblem.XML_CONFLICT: "`{path}` holds a merge conflict (`{0}`); resolve it",
     ReadProblem.XML_DOCTYPE: "`{path}` has a DOCTYPE; entities and document types are not read: remove it",
     ReadProblem.XML_DEPTH: "`{path}` is nested deeper than {0} elements",
+    ReadProblem.YAML_TAB: "`{path}` is not valid YAML: a tab; YAML is indented with spaces",
     ReadProblem.YAML_SYNTAX: "`{path}` is not valid YAML: {0}",
     ReadProblem.YAML_UNREADABLE: "`{path}` is not valid YAML: it can't be read",
     ReadProblem.YAML_DEPTH: "`{path}` is nested deeper than {0} levels",

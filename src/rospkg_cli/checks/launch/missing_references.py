@@ -19,6 +19,7 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
+from .unset_configurations import LaunchConfigurations
 
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
@@ -71,6 +72,18 @@ class LaunchContext:
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
         return self.file.is_ros1 and bool(self.places) and alone
 
+    @cached_property
+    def unread_defaults(self) -> tuple[Span, ...]:
+        """The defaults of the arguments that nothing uses."""
+        unused = LaunchConfigurations(self.workspace, self.file).unused()
+        parts = [each.default.parts for each in unused if each.default is not None and each.default.parts]
+        return tuple(Span(each[0].span.start, each[-1].span.end) for each in parts)
+
+    def is_unread(self, missing: MissingReference) -> bool:
+        """Return whether every place that names a file is the default of an argument that nothing uses."""
+        spans = (missing.span, *missing.other_spans)
+        return all(any(d.start <= span.start and span.end <= d.end for d in self.unread_defaults) for span in spans)
+
     def missing(self) -> Iterator[MissingReference]:
         """Yield each file that is named and missing, once."""
         found: dict[tuple[str, str], list[MissingReference]] = {}
@@ -79,7 +92,8 @@ class LaunchContext:
             if missing is not None:
                 found.setdefault((missing.package, missing.path), []).append(missing)
         for first, *others in found.values():
-            yield replace(first, other_spans=tuple(other.span for other in others if other.span != first.span))
+            use: ReferenceKind = next((each.use for each in (first, *others) if each.use != "default"), "default")
+            yield replace(first, use=use, other_spans=tuple(other.span for other in others if other.span != first.span))
 
     def missing_at(self, named: FileReference) -> MissingReference | None:
         if not named.package:

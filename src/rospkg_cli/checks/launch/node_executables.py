@@ -30,10 +30,14 @@ class ExecutableUse:
     """Of another level: part of a sentence."""
     sister: str = ""
     """Another package that installs one of this name."""
+    entry: str = ""
+    """The executable that is a function of the module of this name."""
 
     @property
     def suggestion(self) -> str | None:
-        """The one executable whose name is near, or that differs by words that a rename put on or took off."""
+        """The one of its module, else the only near one, or one of other words, as a rename leaves it."""
+        if self.entry:
+            return self.entry
         if near := nearest(self.executable, self.facts.executables):
             return near
         words = set(self.executable.split("_"))
@@ -70,7 +74,16 @@ class NodeExecutables:
                 node.executable
             )
             if facts.knows("executables") and not known:
-                yield replace(node, sister=self.sister(node))
+                yield replace(node, sister=self.sister(node), entry=self.entry(node))
+
+    def entry(self, node: ExecutableUse) -> str:
+        """Return the only executable of this package that starts the module whose name a node has; "" for none."""
+        table, module = self.scope.table, node.executable.removesuffix(".py")
+        if table is None or node.facts is not self.scope.package:
+            return ""
+        rows = (row for row in table.of("executable") if row.entry.partition(":")[0].rpartition(".")[2] == module)
+        names = {row.destination.rpartition("/")[2] for row in rows}
+        return names.pop() if len(names) == 1 else ""
 
     def sister(self, node: ExecutableUse) -> str:
         having = (each.name for each in self.scope.workspace.packages if node.executable in each.executables)

@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.install_table import InstalledFile
 from ...package.setup.setup_py import SetupPy
+from ...source import Span
 from ..install_faults import InstallFaults
 from .missing_references import LaunchContext, MissingReference
 
@@ -34,6 +36,11 @@ class ReferenceInstall:
             if each.state in ("not installed", "elsewhere") and not self.is_said(each):
                 yield each
 
+    def rule_of(self, missing: MissingReference) -> InstalledFile | None:
+        """Return what installs a file elsewhere."""
+        rows = self.scope.table.rows if self.scope.table is not None and missing.state == "elsewhere" else ()
+        return next((row for row in rows if (row.source, row.destination) == (missing.path, missing.better_path)), None)
+
     def is_said(self, missing: MissingReference) -> bool:
         """Return whether an install rule reports it.
 
@@ -44,3 +51,18 @@ class ReferenceInstall:
         if missing.state == "elsewhere" and (missing.better_path or "").startswith(misplaced):
             return True
         return self.faults.is_told(missing.package, missing.path)
+
+
+@dataclass(frozen=True)
+class InstalledReferences:
+    files: tuple[ReferenceInstall, ...]
+
+    def missing(self) -> Iterator[tuple[tuple[ReferenceInstall, MissingReference], ...]]:
+        """Yield the files that are named and not installed there, those together that one install rule misplaces."""
+        found: dict[tuple[str, Span], list[tuple[ReferenceInstall, MissingReference]]] = {}
+        for file in self.files:
+            for missing in file.missing():
+                row = file.rule_of(missing)
+                cause = (row.path, row.span) if row is not None else (file.scope.file.path, missing.span)
+                found.setdefault(cause, []).append((file, missing))
+        yield from map(tuple, found.values())

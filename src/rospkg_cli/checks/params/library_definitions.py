@@ -25,9 +25,9 @@ YAML_BOOLS = (TRUE | FALSE) - frozenset("yYnN")
 def library_faults(library: ParameterLibrary) -> Iterator[Fault]:
     root = library.root
     if not isinstance(root, MappingNode) or len(root.entries) != 1:
-        message = "a file of parameter definitions has one key at its top: the name of the namespace"
+        message = "a file of parameter definitions has one key at its top, the name of the namespace: the build stops"
         span = root.entries[1][0].span if isinstance(root, MappingNode) and len(root.entries) > 1 else Span(0, 0)
-        yield Fault(span, f"{message}; the build stops")
+        yield Fault(span, f"{message}; put all below one")
     for each in library.definitions:
         yield from definition_faults(each, library.has_validators)
 
@@ -36,19 +36,22 @@ def definition_faults(each: Definition, has_validators: bool) -> Iterator[Fault]
     kind, found = each.type, each.field("type")
     name = ".".join(each.keys)
     if found is None:
-        yield Fault(each.key.span, f"`{name}` has no `type`; the build stops")
+        yield Fault(each.key.span, f"`{name}` has no `type`: the build stops; add one")
         return
     for key, _ in each.fields.entries:
         if isinstance(key, ScalarNode) and key.text not in FIELDS:
             hint = did_you_mean(key.text, FIELDS)
-            yield Fault(key.span, f"`{key.text}` is no field of a parameter{hint}; the build stops")
+            yield Fault(
+                key.span, f"`{key.text}` is no field of a parameter{hint}: the build stops; correct or remove it"
+            )
     base = base_of(kind)
     if base is None:
         known = [*BASES, *(f"{each}_array" for each in BASES), "none"]
-        yield Fault(found.span, f"`{kind}` is no type of a parameter{did_you_mean(kind, known)}; the build stops")
+        message = f"`{kind}` is no type of a parameter{did_you_mean(kind, known)}: the build stops"
+        yield Fault(found.span, f"{message}; write `{'`, `'.join(BASES)}` or one with `_array`")
     default = each.field("default_value") if base not in (None, "none") else None
     if base and default is not None and (problem := default_problem(base, default)):
-        yield Fault(default.span, f"the default of `{name}` {problem}; the build stops")
+        yield Fault(default.span, f"the default of `{name}` {problem}: the build stops; correct it, or the type")
     validation = each.field("validation")
     for key, _ in validation.entries if isinstance(validation, MappingNode) else ():
         if isinstance(key, ScalarNode):

@@ -77,6 +77,8 @@ def events(source: Source) -> Iterator[Any]:
         at = min(at, len(source.text))
         span = Span(at, min(at + 1, len(source.text)))
         code, details = (ReadProblem.YAML_SYNTAX, (str(said),)) if said else (ReadProblem.YAML_UNREADABLE, ())
+        if source.slice(span) == "\t":
+            code, details = ReadProblem.YAML_TAB, ()
         raise UnreadableError(source.path, span, code, *details) from None
 
 

@@ -53,7 +53,7 @@ HARM: dict[ReferenceKind, str] = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is or holds the default of an argument, is for RViz, or under a condition that is off",
-        Severity.INFO: "the action that names it is never added to the launch description",
+        Severity.INFO: "the action that names it is never added to the launch description, the argument never used",
     },
     examples=(
         Example(
@@ -90,6 +90,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     for each in scope.missing():
         if each.state in ("absent", "no slash"):
             softer, why = level_at(scope.file, each.span)
+            if not softer and scope.is_unread(each):
+                softer, why = "info", "but nothing uses the argument"
             mild = each.use == "default" or is_for_rviz(each)
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)

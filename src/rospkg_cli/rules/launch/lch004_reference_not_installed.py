@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...checks.launch.missing_references import MissingReference
-from ...checks.launch.reference_install import ReferenceInstall
+from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -26,9 +26,12 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
 @rule(
     "LCH004",
     "reference-not-installed",
-    over=ReferenceInstall,
+    over=InstalledReferences,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the path is the default of an argument, or holds one"},
+    levels={
+        Severity.WARNING: "the path is the default of an argument, or holds one",
+        Severity.INFO: "it is the default of an argument that nothing uses",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -43,11 +46,12 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
         ),
     ),
 )
-def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
+def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that a launch file names in a share directory and that are not installed there.
-    They exist in the source, but the package does not install them, or installs them elsewhere.
+    They exist in the source, but the package does not install them, or installs them elsewhere. What one install rule
+    puts elsewhere is one finding.
 
     ## Why is this bad?
     Only what is installed is found. The build is green, and the launch stops at an included file ("No such file or
@@ -58,12 +62,21 @@ def reference_not_installed(files: ReferenceInstall) -> Iterator[Hit]:
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
     alone.
     """
-    for missing in files.missing():
+    for (files, missing), *others in package.missing():
         edits = repair(files, missing) if missing.state == "not installed" else ()
         fix = Fix(f"install {missing.path}", edits) if edits else None
-        level = Severity.WARNING if missing.use == "default" else None
-        others = tuple(Related(files.scope.file.path, span, "here too") for span in missing.other_spans)
-        yield Hit(files.scope.file.path, missing.span, message(missing), level, others, fix)
+        level = max((level_of(*each) for each in ((files, missing), *others)), key=lambda each: each.rank)
+        places = [Related(files.scope.file.path, span, "here too") for span in missing.other_spans]
+        places += [Related(file.scope.file.path, each.span, f"`{each.path}` too") for file, each in others]
+        row = files.rule_of(missing)
+        places += [Related(row.path, row.span, "installed here")] if row is not None else []
+        yield Hit(files.scope.file.path, missing.span, message(missing, others), level, tuple(places), fix)
+
+
+def level_of(files: ReferenceInstall, missing: MissingReference) -> Severity:
+    if missing.use != "default":
+        return Severity.ERROR
+    return Severity.INFO if files.scope.is_unread(missing) else Severity.WARNING
 
 
 def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ...]:
@@ -74,13 +87,13 @@ def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ..
     return install_for_setup(files.setup, files.name, missing.path) if files.setup is not None else ()
 
 
-def message(missing: MissingReference) -> str:
-    if missing.state == "elsewhere":
+def message(missing: MissingReference, others: Sequence[tuple[ReferenceInstall, MissingReference]]) -> str:
+    if missing.state != "elsewhere":
         return (
-            f"`{missing.path}` of `{missing.package}` goes to `{missing.better_path}`, not to where it is looked for: "
-            f"the build is green, and nothing is found; name it as it is installed, or install it there"
+            f"`{missing.path}` is there, but `{missing.package}` does not install it: the build is green, and the "
+            f"launch does not find it; install it"
         )
-    return (
-        f"`{missing.path}` is there, but `{missing.package}` does not install it: the build is green, and nothing is "
-        f"found in its share directory"
-    )
+    names = {each.path for _, each in others} - {missing.path}
+    what = f"`{missing.path}` and {len(names)} more go" if names else f"`{missing.path}` goes"
+    place = f"`share/{missing.package}/{missing.path}`"
+    return f"{what} to `{missing.better_path}`, and {place} is looked for: it is not found; correct the destination"

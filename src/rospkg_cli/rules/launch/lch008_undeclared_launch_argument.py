@@ -75,7 +75,7 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
             better = "add it"
         else:
-            message = f"nothing declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
+            message = f"no file declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
             better = "declare it, or give it a default"
-        ends = f"the launch stops with \"launch configuration '{each.name}' does not exist\""
-        yield Hit(file.path, each.span, f"{message}: {ends} where nothing sets it; {better}", level)
+        ends = f"unless given, the launch stops (\"launch configuration '{each.name}' does not exist\")"
+        yield Hit(file.path, each.span, f"{message}: {ends}; {better}", level)

@@ -54,5 +54,5 @@ def launch_file_name(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     """
     for file, better in launch.oddly_named():
         name = file.path.rpartition("/")[2]
-        message = f"`{name}` does not end in `launch.py`: `ros2 launch` does not complete it; call it `{better}`"
+        message = f"`{name}` does not end in `launch.py`: `ros2 launch` does not complete it; rename it to `{better}`"
         yield Hit(file.path, Span(0, 0), message)

@@ -41,7 +41,7 @@ def duplicate_launch_file(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     for row, name, paths in launch.doubles():
         where = " and ".join(f"`{path}`" for path in paths[:3]) + (" and others" if paths[3:] else "")
         message = (
-            f"{where} are installed under one name: `ros2 launch {launch.package.name} {name}` can't choose and stops; "
-            f"give each a name of its own"
+            f"{where} are installed under one name: `ros2 launch {launch.package.name} {name}` finds all and stops; "
+            f"rename all but one"
         )
         yield Hit(row.path, row.span, message)

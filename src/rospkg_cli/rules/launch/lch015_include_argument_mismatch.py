@@ -63,8 +63,8 @@ def message(mismatch: ArgumentMismatch) -> str:
     of = "" if not mismatch.package else f" of `{mismatch.package}`"
     if mismatch.is_missing:
         return (
-            f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which this include does not give: the "
-            f'launch stops with "missing required argument"'
+            f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which is not given here: the launch "
+            f'stops ("missing required argument"); give it'
         )
-    hint = f" (did you mean `{mismatch.suggestion}`?)" if mismatch.suggestion else ""
-    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`{hint}: what is given here has no effect"
+    hint = f"did you mean `{mismatch.suggestion}`?" if mismatch.suggestion else "remove it, or declare it there"
+    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect; {hint}"

@@ -54,7 +54,7 @@ def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     for each in configurations.unset():
         if each.state == "late":
             message = (
-                f"`{each.name}` is used before it is declared: unless it is given, the launch stops with "
-                f"\"launch configuration '{each.name}' does not exist\"; move the declaration up"
+                f"`{each.name}` is used before it is declared: unless given, the launch stops "
+                f"(\"launch configuration '{each.name}' does not exist\"); move the declaration up"
             )
             yield Hit(configurations.file.path, each.span, message)

@@ -48,5 +48,5 @@ def unused_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     for argument in configurations.unused():
         name = argument.name.literal
-        message = f"the launch argument `{name}` is declared and nothing uses it: setting it has no effect"
+        message = f"nothing uses the launch argument `{name}`: setting it has no effect; use it, or remove it"
         yield Hit(configurations.file.path, argument.span, message)

@@ -94,19 +94,17 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     for given, missing in scope.launched.missing():
         started = given.node.executable or given.node.plugin
         if started is not None:
-            message = f"the node is not given {listed([one.name for one in missing])}, declared without a default in"
-            what = f"{message} `{missing[0].path}`: it stops when it starts"
-            yield Hit(given.launch.path, started.span, what)
+            names, code = listed([one.name for one in missing]), missing[0].path
+            message = f"this node is not given {names}, and `{code}` declares no default: it stops when it starts"
+            yield Hit(given.launch.path, started.span, f"{message}; give a value here")
     for left in scope.code.left_out():
-        message = f"{listed(left.names)} is missing here: `{left.facts.name}` declares it without a default in"
-        yield Hit(left.file.path, left.block.key.span, f"{message} `{left.path}`, and stops when it starts")
+        message = f"{listed(left.names)} is missing here, and `{left.path}` of `{left.facts.name}` declares no default"
+        yield Hit(left.file.path, left.block.key.span, f"{message}: the node stops when it starts; give a value here")
     for file in scope.code.files:
         for block in file.blocks:
             for item, group in unfound_plugins(block):
-                message = (
-                    f"`{item.text}` has no `{item.text}.plugin` here (did you mean `{group}`, which no list names?)"
-                )
-                yield Hit(file.path, item.span, f"{message}: the plugin can't be loaded")
+                message = f"`{item.text}` has no `{item.text}.plugin` here: the plugin can't be loaded"
+                yield Hit(file.path, item.span, f"{message}; did you mean `{group}`, which no list names?")
 
 
 def listed(names: Sequence[str]) -> str:

@@ -90,8 +90,9 @@ def at_use(unknown: UnknownPlugin) -> Hit:
     path = unknown.user.at(use.path)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
-        return Hit(path, use.span, f"`{owner.name}` describes no plugin `{use.name}` (it has {known})")
-    message = f"no plugin is called `{use.name}`; `{owner.name}` has `{meant.name}`: write that"
+        message = f"`{owner.name}` describes no plugin `{use.name}`: what loads it stops; it has {known}"
+        return Hit(path, use.span, message)
+    message = f"no plugin is called `{use.name}`: what loads it stops; write `{meant.name}`, as `{owner.name}` has it"
     related = (Related(owner.at(meant.path), meant.span, "described here"),)
     fix = Fix(f"write `{meant.name}`", (Edit(path, use.span, meant.name),), Safety.UNSAFE)
     return Hit(path, use.span, message, related=related, fix=only_plain_names(fix, meant.name))
@@ -101,8 +102,8 @@ def at_description(unknown: UnknownPlugin) -> Hit:
     use, meant = unknown.use, unknown.suggestion
     assert meant is not None
     message = (
-        f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{meant.name}`: "
-        f"one of them has to be renamed"
+        f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{meant.name}`: it is not found; "
+        f"rename one of them"
     )
     related = (Related(unknown.user.at(use.path), use.span, "used here"),)
     return Hit(unknown.owner.at(meant.path), meant.span, message, related=related)

@@ -91,23 +91,23 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     for wrong in libraries.wrong():
         level = Severity.WARNING if wrong.fault == "prefixed" else None
         fix = only_plain_names(fixed(libraries, wrong), wrong.suggestion)
-        yield Hit(wrong.entry.description.file, wrong.path.value_span, told(libraries, wrong), level, fix=fix)
+        yield Hit(wrong.entry.description.file, wrong.path.value_span, sentence(libraries, wrong), level, fix=fix)
 
 
-def told(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
+def sentence(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
     path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.lookup_name
     match wrong.fault:
         case "prefixed":
-            return f"`{path}` is found, and pluginlib warns at each start: remove `lib`, and write `{meant}`"
+            return f"`{path}` begins with `lib`: pluginlib finds it, and warns at each start; write `{meant}`"
         case "static":
-            return f"`{path}` is a static library, which can't be loaded at run time: make it `SHARED`"
+            return f"`{path}` is a static library: pluginlib can't load `{plugin}`; make it `SHARED`"
         case "absent":
             return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {meant} …)`"
     if wrong.is_certain:
-        return f"no target makes a library `{path}`, `{plugin}` is compiled into `{meant}`: write that"
+        return f"no target makes a library `{path}`: `{plugin}` can't be loaded; write `{meant}`, where it is compiled"
     known = [each.name for each in libraries.cmake.targets if each.is_library and each.is_built]
     hint = f" (did you mean `{meant}`?)" if meant else did_you_mean(path, known)
-    return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded"
+    return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded; correct the name"
 
 
 def fixed(libraries: PluginLibraries, wrong: WrongLibraryPath) -> Fix | None:

@@ -89,11 +89,12 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
 def at_export(bases: PluginBases, found: WrongExport) -> Hit:
     at, file = found.exported, found.description.file
     if not found.owners:
-        return Hit(at.path, at.base_span, f"`{file}` is exported to `{at.base}`, which is no known package")
+        message = f"`{file}` is exported to `{at.base}`, which is no known package: nothing loads its plugins"
+        return Hit(at.path, at.base_span, f"{message}; export it to the package of the base class")
     owners = " and ".join(f"`{owner}`" for owner in found.owners)
-    message = f"`{file}` is exported to `{at.base}`, and `{found.base}` is loaded from {owners}: it is not found there"
+    message = f"`{file}` is exported to `{at.base}`, but `{found.base}` is loaded from {owners}: it is not found there"
     if len(found.owners) > 1:
-        return Hit(at.path, at.base_span, message)
+        return Hit(at.path, at.base_span, f"{message}; export it to one of these")
     fix = written(bases, found)
     return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain_names(fix, found.owners[0]))
 
@@ -118,15 +119,15 @@ def at_class(found: WrongBaseClass) -> Hit:
 def at_loader(found: UnmatchedLoader) -> Hit:
     package, base = found.loader.names
     argument = found.loader.package
-    message = f"`{package}` is no known package, so the loader of `{base}` throws when it is created"
+    message = f"`{package}` is no known package: the loader of `{base}` throws when it is created"
     if found.suggestion is None:
-        return Hit(found.loader.path, argument.inner, message)
+        return Hit(found.loader.path, argument.inner, f"{message}; name the package of the base class")
     fix = Fix(
         f"write `{found.suggestion}`", (Edit(found.loader.path, argument.inner, found.suggestion),), Safety.UNSAFE
     )
     return Hit(
         found.loader.path,
         argument.inner,
-        f"{message}; plugins of it are exported to `{found.suggestion}`",
+        f"{message}; write `{found.suggestion}`, to which its plugins are exported",
         fix=only_plain_names(fix, found.suggestion),
     )

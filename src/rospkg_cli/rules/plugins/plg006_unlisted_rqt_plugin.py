@@ -63,7 +63,7 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     for description, others in plugins.odd():
         at = next(each for each in description.exported if each.is_indexed)
         files = ", ".join(f"`{each.file}`" for each in others)
-        message = f"package.xml lists {files}, and not `{description.file}`, which CMake exports as well"
+        message = f"package.xml lists {files}, not `{description.file}`: rqt finds that only by what CMake exports"
         line = export_of(description)
         fix = listing(plugins, description, line)
         related = (listed_in(plugins.manifest, others[-1]),)

@@ -35,7 +35,7 @@ def unused_suppression(unused: UnusedSuppression) -> Iterator[Hit]:
     fix = None
     if unused.delete:
         fix = Fix(f"Remove the ignore of {unused.code}", (Edit(unused.path, unused.delete, ""),))
-    message = f"`{unused.code}` is ignored here, but not reported here; remove the ignore"
+    message = f"nothing here is reported as `{unused.code}`: this ignore would hide the next one; remove it"
     if unused.is_pattern:
         message = f"`{unused.code}` fits no folder and no file: it excludes nothing; correct or remove it"
     yield Hit(unused.path, unused.span, message, fix=fix)

@@ -38,8 +38,8 @@ def unknown_rule(unknown: UnknownRuleName) -> Iterator[Hit]:
     Codes and names of rules of plugins count where the config names the plugin.
     """
     if not unknown.name:
-        message = "this comment names no rule and ignores nothing; write `rospkg: ignore[CODE] reason`"
+        message = "this comment names no rule, so it ignores nothing; write `rospkg: ignore[CODE] reason`"
         yield Hit(unknown.path, unknown.span, message)
         return
     hint = f"; did you mean `{unknown.nearest}`?" if unknown.nearest else "; `rospkg rules` lists them"
-    yield Hit(unknown.path, unknown.span, f"there is no rule `{unknown.name}`{hint}")
+    yield Hit(unknown.path, unknown.span, f"there is no rule `{unknown.name}`, so this ignores nothing{hint}")

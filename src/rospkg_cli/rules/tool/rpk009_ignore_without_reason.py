@@ -30,6 +30,6 @@ def ignore_without_reason(ignore: ReasonlessIgnore) -> Iterator[Hit]:
     No one knows later whether the ignore is still needed, so it stays for ever.
 
     ## When it is quiet
-    Any text behind the bracket is a reason.
+    Any text after the bracket is a reason.
     """
-    yield Hit(ignore.path, ignore.span, f"the ignore of `{ignore.codes}` gives no reason; write it behind the bracket")
+    yield Hit(ignore.path, ignore.span, f"the ignore of `{ignore.codes}` gives no reason; write one after the bracket")

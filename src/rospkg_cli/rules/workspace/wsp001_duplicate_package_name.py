@@ -50,8 +50,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
         if others and facts.folder in workspace.selected:
             first = others[0].lstrip("/")
             message = (
-                f"`{first}` is called `{facts.name}` too: colcon refuses to build a workspace with two packages of one "
-                f"name; rename one, or put a COLCON_IGNORE into the folder that is a copy"
+                f"`{first}` is called `{facts.name}` too: colcon builds nothing (`Duplicate package names not "
+                f"supported`); rename one, or put a COLCON_IGNORE into the copy"
             )
             spans = {f.at("package.xml"): f.name_span for f in workspace.packages}
             related = tuple(Related(path, spans[path], "the other one") for path in others)

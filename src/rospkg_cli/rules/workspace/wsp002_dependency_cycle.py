@@ -60,9 +60,9 @@ def dependency_cycle(workspace: Workspace) -> Iterator[Hit]:
         way = " → ".join([f"`{step.package.name}`" for step in steps] + [f"`{steps[0].package.name}`"])
         first, weak = steps[0], weakest(steps)
         message = (
-            f"{way}: these packages wait for each other, so colcon builds nothing (`Unable to order packages "
-            f"topologically`); take one of these dependencies out, perhaps `<{weak.need.tag}>{weak.need.name}` of "
-            f"`{weak.package.name}`, or move what both need into a package of its own"
+            f"{way}: these packages wait for each other: colcon builds nothing (`Unable to order packages "
+            f"topologically`); remove one dependency, perhaps `<{weak.need.tag}>{weak.need.name}` of "
+            f"`{weak.package.name}`"
         )
         related = tuple(
             Related(each.package.at("package.xml"), each.need.span, f"so that it waits for `{each.needs.name}`")

@@ -48,8 +48,8 @@ def versions_differ(workspace: Workspace) -> Iterator[Hit]:
         if facts.folder in workspace.selected:
             whose = f"`{each.others[0].name}` has" if count == 1 else f"{count} packages of this repository have"
             message = (
-                f"`{facts.name}` is at `{facts.version}`, and {whose} `{each.common}`: bloom releases a repository "
-                f"only if all versions are the same; write `{each.common}` here too"
+                f"`{facts.name}` is at `{facts.version}`, and {whose} `{each.common}`: bloom stops where versions "
+                f"differ; write `{each.common}` here too"
             )
             other = each.others[0]
             related = (Related(other.at("package.xml"), other.version_span, f"`{each.common}` here"),)

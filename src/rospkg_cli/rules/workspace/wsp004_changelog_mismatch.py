@@ -74,8 +74,8 @@ def changelog_mismatch(released: ManifestAndChangelog) -> Iterator[Hit]:
         yield Hit(path, newest.span, message, related=related)
     elif all(entry.version != version for entry in released.changelog.entries):
         message = (
-            f"{path} has no entry for `{version}`, its newest is `{newest.version}`: the release will say that nothing "
-            f"is known of its changes; `catkin_generate_changelog` writes one (`Forthcoming` becomes `{version}`)"
+            f"{path} has no entry for `{version}`, its newest is `{newest.version}`: bloom releases it without notes; "
+            f"write one (`catkin_generate_changelog`, or rename `Forthcoming`)"
         )
         related = (Related(path, newest.span, "the newest entry"),)
         yield Hit(manifest.path, manifest.version_span, message, related=related)
