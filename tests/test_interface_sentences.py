@@ -121,8 +121,8 @@ SAID = (
         "msg",
         "int32 a # \\x",
         (
-            "rosidl copies comments into the .idl file and decodes `\\x` there as an escape: the build stops with "
-            "a UnicodeDecodeError or a syntax error; double the backslash, or do without it"
+            "rosidl decodes `\\x` in a comment as an escape: the build stops with a UnicodeDecodeError or a syntax "
+            "error; double the backslash, or do without it"
         ),
         "double the backslash",
     ),

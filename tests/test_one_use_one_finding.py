@@ -10,12 +10,25 @@ def codes(files: dict[str, str], *only: str) -> list[tuple[str, str]]:
     return [(f.code, f.location.path) for f in lint_files(files, list(only)).findings]
 
 
-def test_a_launch_test_among_the_modules_is_a_module(clean) -> None:
+def test_a_launch_test_among_the_modules_is_a_test(clean) -> None:
     code = (
         "from launch import LaunchDescription\n\n\ndef generate_test_description():\n    return LaunchDescription([])\n"
     )
     files = {**clean, "my_pkg/talks_launch_test.py": f"from rcl_interfaces.srv import SetParameters\n{code}"}
-    assert codes(files, "DEP101", "DEP103") == [("DEP101", "my_pkg/talks_launch_test.py")] * 2
+    assert codes(files, "DEP101", "DEP102", "DEP103") == [("DEP102", "my_pkg/talks_launch_test.py")] * 2
+    files = {**clean, "my_pkg/talks.py": "import launch_pytest\n"}
+    assert codes(files, "DEP101", "DEP102") == [("DEP102", "my_pkg/talks.py")]
+    assert codes({**clean, "my_pkg/talks.py": "import launch\n"}, "DEP101", "DEP102") == [("DEP101", "my_pkg/talks.py")]
+
+
+def test_what_modules_import_is_not_asked_for_again_by_launch_files(clean) -> None:
+    node = '<launch>\n  <node pkg="tf2_ros" exec="static_transform_publisher"/>\n</launch>\n'
+    files = {**clean, "launch/a.launch.xml": node}
+    assert codes(files, "DEP101", "DEP103") == [("DEP103", "launch/a.launch.xml")]
+    files["my_pkg/a.py"] = "import rclpy\nimport tf2_ros\n"
+    assert ("DEP103", "launch/a.launch.xml") in codes(files, "DEP101", "DEP103")
+    files |= {"launch/a.launch.xml": node.replace("tf2_ros", "nav2_msgs"), "my_pkg/a.py": "import nav2_msgs.msg\n"}
+    assert codes(files, "DEP101", "DEP103") == [("DEP101", "my_pkg/a.py")]
 
 
 def test_a_package_is_no_other_way_to_get_what_it_looks_for() -> None:

@@ -41,7 +41,7 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and keeps the package from being released"
         case "unknown":
-            return f"no released package is called `{name}`: clone it, or list it in a .repos file"
+            return "no distribution has it: clone it, or list it in a .repos file"
 
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:

@@ -22,6 +22,7 @@ from .brought_dependencies import brought_by, brought_by_others
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
+from .undeclared_imports import ImportDependencies
 
 EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
 STARTER = "ros2launch"
@@ -102,6 +103,11 @@ class LaunchDependencies:
         """Return what brings each of some missing packages: a declared dependency, or another one of them."""
         found = {name: bringer for name in names if (bringer := self.bringer(name, tests=tests))}
         return found | brought_by_others(set(names) - found.keys(), self.declared.workspace)
+
+    def asked_for(self, *, tests: bool) -> dict[str, list[PackageReference]]:
+        """Return what is missing, but for what modules import undeclared: one line is asked for once (DEP101)."""
+        imported = ImportDependencies(self.declared, self.python, self.files).undeclared("run").keys() - LAUNCH
+        return {name: uses for name, uses in self.missing(tests=tests).items() if tests or name not in imported}
 
     def nodes_in_code(self) -> dict[str, list[PackageReference]]:
         """Return the undeclared packages that only installed code describes nodes of, with the places.

@@ -62,8 +62,8 @@ SENTENCES = {
         "keep what stands in brackets on one line, or use parentheses"
     ),
     GrammarCode.BACKSLASH_IN_COMMENT: (
-        "rosidl copies comments into the .idl file and decodes `{0}` there as an escape: the build stops with a "
-        "UnicodeDecodeError or a syntax error; double the backslash, or do without it"
+        "rosidl decodes `{0}` in a comment as an escape: the build stops with a UnicodeDecodeError or a syntax "
+        "error; double the backslash, or do without it"
     ),
 }
 

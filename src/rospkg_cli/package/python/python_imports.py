@@ -23,6 +23,9 @@ from .node_calls import DescribedNode, described_nodes
 NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
 """Folders without `__init__.py` that are not imported, though Python would import them."""
 
+LAUNCH_TEST = "generate_test_description"
+LAUNCH_PYTEST = "launch_pytest"
+
 VARIABLE = regex(r"@(\w+)@")
 
 
@@ -102,12 +105,17 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
                 complete = False
                 continue
             used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
-            role = role if used else "aside"
+            role = "aside" if not used else "test" if is_launch_test(file) else role
             found.append(PythonImports(path, role, foreign(file, own), tuple(described_nodes(file))))
         elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
             file = read_template(reading.files, path)
             found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
     yield PackageImports(tuple(found), complete)
+
+
+def is_launch_test(file: PythonFile) -> bool:
+    """Return whether a file is a test for launch_testing or launch_pytest, wherever it is and whatever its name."""
+    return LAUNCH_TEST in file.functions or any(each.module.partition(".")[0] == LAUNCH_PYTEST for each in file.imports)
 
 
 def read_template(files: PackageFiles, path: str) -> PythonFile | None:

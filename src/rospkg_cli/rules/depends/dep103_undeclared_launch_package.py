@@ -73,7 +73,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     Whatever `ros2 launch` itself needs (launch, launch_ros, rclpy, PyYAML) is there wherever it is run. What a declared
     dependency certainly installs is one info, which names who brings it; what only an argument turns on (`sim:=true`)
     is an info that names the argument. Left out are names that are computed, uses that catch PackageNotFoundError or
-    ask first (`if 'pkg' in get_packages_with_prefixes()`), and launch files for ROS 1.
+    ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or where another name may be intended.
@@ -83,7 +83,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     """
     brought: list[BroughtUse] = []
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
-        missing = launch.missing(tests=tests)
+        missing = launch.asked_for(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
         bringers = launch.bringers(missing, tests=tests)

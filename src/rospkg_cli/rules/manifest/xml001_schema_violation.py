@@ -14,7 +14,7 @@ from ...rule import rule
 from ...source import Span
 from ...suggest import did_you_mean
 
-LOST = "colcon does not stop: it builds the folder as a plain package, without its dependencies, and ROS won't find it"
+LOST = "colcon does not stop: it builds the folder as a plain package, which ROS does not find"
 ONLY_THE_SCHEMA = "colcon ignores it, the schema does not: ament_xmllint fails in `colcon test`"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
 """Values that other rules judge; an attribute of any other tag is theirs as well."""

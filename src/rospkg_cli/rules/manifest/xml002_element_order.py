@@ -38,9 +38,7 @@ BAD = CHECKED.replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</
     "element-order",
     over=Manifest,
     severity=Severity.WARNING,
-    levels={
-        Severity.INFO: "where no test checks it: no schema is named (`<?xml-model …?>`), or no ament_xmllint declared"
-    },
+    levels={Severity.INFO: "where no test checks it: the package declares no ament_xmllint"},
     examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
 )
 def element_order(manifest: Manifest) -> Iterator[Hit]:
@@ -55,14 +53,14 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     `ros2 pkg create --build-type ament_cmake`, fails on it, and so does every editor that checks against the schema.
 
     ## When it is quiet
-    The order is an info where no `<?xml-model …?>` line names the schema, since `ament_xmllint` then checks no order,
-    and where the package declares neither ament_lint_common nor ament_xmllint. What stands wrong in a row under one tag
-    is one finding.
+    Where no `<?xml-model …?>` line names the schema, no tool checks the order, and nothing is said. It is an info where
+    the package declares neither ament_lint_common nor ament_xmllint. What stands wrong in a row under one tag is one
+    finding.
 
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
     """
-    if manifest.verdict.is_ordered:
+    if manifest.verdict.is_ordered or manifest.xml_model is None:
         return
     edits = tuple(reorder(manifest, schema_order(manifest)))
     fix = Fix("Put the elements of package.xml in order", edits) if edits else None
@@ -70,9 +68,7 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-    if manifest.xml_model is None:
-        level, ends = Severity.INFO, "no tool checks it, for no `<?xml-model …?>` line names the schema"
-    elif not any(manifest.depends_on(name) for name in CHECKERS):
+    if not any(manifest.depends_on(name) for name in CHECKERS):
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
     else:
         level, ends = None, "`colcon test` fails on it, since the tests run ament_xmllint"
