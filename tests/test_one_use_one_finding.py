@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 
@@ -49,3 +51,41 @@ def test_what_brings_the_tool_that_tests_import_is_used() -> None:
     }
     assert codes(files, "DEP202") == []
     assert codes({**files, "test/test_talks.py": "import pytest\n"}, "DEP202") == [("DEP202", "package.xml")]
+
+
+NEEDS = "  <build_export_depend>std_msgs</build_export_depend>\n"
+LIBRARY = "add_library(a src/a.cpp)\ninstall(DIRECTORY include/ DESTINATION include)\n"
+
+
+@pytest.mark.parametrize(
+    ("depends", "lines", "source", "count"),
+    [
+        (NEEDS, LIBRARY, "int a() {return 0;}\n", 0),
+        (NEEDS, LIBRARY, "#include <my_pkg/a.hpp>\n", 1),
+        (NEEDS.replace("build_export", "test"), LIBRARY, "int a() {return 0;}\n", 1),
+        (
+            NEEDS,
+            f"execute_process(COMMAND ls OUTPUT_VARIABLE FOUND)\nadd_library(b ${{FOUND}})\n{LIBRARY}",
+            "int a() {return 0;}\n",
+            1,
+        ),
+    ],
+)
+def test_headers_for_others_are_exported(depends: str, lines: str, source: str, count: int) -> None:
+    files = {
+        "package.xml": manifest(depends, "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),
+        "include/my_pkg/a.hpp": "#include <std_msgs/msg/string.hpp>\n",
+        "src/a.cpp": source,
+    }
+    assert len(codes(files, "DEP201")) == count
+
+
+def test_a_demo_that_needs_more_is_an_info(clean) -> None:
+    node = '<launch>\n  <node pkg="joy" exec="joy_node"/>\n</launch>\n'
+    files = {**clean, "launch/demo_arm.launch.xml": node}
+    files["package.xml"] = clean["package.xml"].replace("  <export>", "  <test_depend>joy</test_depend>\n  <export>")
+    (finding,) = lint_files(files, ["DEP201"]).findings
+    assert finding.severity.value == "info"
+    (finding,) = lint_files({**files, "launch/robot.launch.xml": node}, ["DEP201"]).findings
+    assert (finding.severity.value, finding.location.path) == ("warning", "launch/robot.launch.xml")

@@ -43,6 +43,12 @@ def among(cmake: CMake, files: Mapping[str, CppFile]) -> list[tuple[CppFile, Rol
     return found
 
 
+def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
+    """Return the files that the package's own build opens, without headers that only others do; None where unknown."""
+    files = {source.path: source for source in sources}
+    return with_included(files, named_sources(cmake, files, False)) if are_sources_known(cmake) else None
+
+
 def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 

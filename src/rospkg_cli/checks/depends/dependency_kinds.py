@@ -8,7 +8,7 @@ from typing import Literal
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
-from ...ros.manifest import BUILDS, RUNS
+from ...ros.manifest import BUILDS, EXPORTED, RUNS
 from ...source import Span
 from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
@@ -29,6 +29,8 @@ class KindUse:
     span: Span
     what: str
     """The module or the header; "" in a launch file."""
+    is_passed_on: bool = False
+    """Whether only headers use it that the package installs for others and does not compile itself."""
 
     @property
     def wanted(self) -> str:
@@ -59,7 +61,7 @@ class DependencyKinds:
             return
         seen: set[tuple[str, str]] = set()
         for use in (*self.run_uses(), *self.build_uses()):
-            tags = RUNS if use.wanted == "exec_depend" else BUILDS
+            tags = RUNS if use.wanted == "exec_depend" else BUILDS | EXPORTED if use.is_passed_on else BUILDS
             every = [d for d in self.declared.manifest.dependencies if d.name in use.names]
             if every and not any(d.tag in tags for d in every) and (every[0].name, use.wanted) not in seen:
                 seen.add((every[0].name, use.wanted))
@@ -79,7 +81,7 @@ class DependencyKinds:
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
         for place, names in self.imports.uses("run"):
             yield KindUse(names, "import", place.path, place.span, place.module)
-        for use in self.launch.uses(tests=False):
+        for use in sorted(self.launch.uses(tests=False), key=lambda use: self.launch.is_example(use.path)):
             if use.name not in there:
                 yield KindUse((use.name,), "launch", use.path, use.span, "")
 
@@ -88,4 +90,5 @@ class DependencyKinds:
         for each in self.includes.packages() if self.includes else ():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
-                yield KindUse(each.names, "include", first.path, first.span, first.header)
+                passed_on = self.includes is not None and self.includes.are_passed_on(each)
+                yield KindUse(each.names, "include", first.path, first.span, first.header, passed_on)

@@ -14,7 +14,7 @@ from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.names import NameKind
 from ...source import Span
-from .compiled_sources import compiled_sources
+from .compiled_sources import compiled_sources, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
@@ -65,6 +65,11 @@ class IncludeDependencies:
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
             if role != "test" or ("run", names, cmake) not in found:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
+
+    def are_passed_on(self, each: IncludedPackage) -> bool:
+        """Return whether only headers for others include it: the package itself compiles none of them."""
+        compiled = own_compiled(self.cmake, self.sources)
+        return compiled is not None and compiled.isdisjoint(use.path for use in each.uses)
 
     def providers(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return the providers of a header, and its name in CMake; no providers where they are unknown."""

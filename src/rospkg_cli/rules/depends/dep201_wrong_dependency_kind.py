@@ -19,7 +19,7 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
     "wrong-dependency-kind",
     over=DependencyKinds,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another dependency, or `ros2 launch`, brings it"},
+    levels={Severity.INFO: "where another dependency, or `ros2 launch`, brings it, and for examples"},
     examples=(
         Example(
             bad={"package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
@@ -40,7 +40,9 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     alone need not be there when the package is built.
 
     ## When it is quiet
-    What another dependency certainly brings at that time, or `ros2 launch` itself to a launch file, is an info.
+    What another dependency certainly brings at that time, or `ros2 launch` itself to a launch file, is an info, and so
+    is what only a launch file needs that is called an example or a demo. A <build_export_depend> is right for headers
+    that are installed for others and not compiled here.
     Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
     DEP103, DEP105).
 
@@ -58,7 +60,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
         )
         related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
         fix = Fix(f"declare `{name}` as <{wanted}>", (repair(kinds, each),), Safety.UNSAFE)
-        level = Severity.INFO if each.bringer else None
+        is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
+        level = Severity.INFO if each.bringer or is_example else None
         yield Hit(each.use.path, each.use.span, message, level, related, fix)
 
 
