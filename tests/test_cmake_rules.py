@@ -244,3 +244,97 @@ def test_a_target_of_a_folder_is_installed_beside_its_like() -> None:
     assert finding.fix is not None
     (edit,) = finding.fix.operations
     assert (edit.path, edit.text) == ("src/CMakeLists.txt", " b")
+
+
+@pytest.mark.parametrize(
+    ("lines", "count"),
+    [
+        ("ament_add_gtest(test_a test/a.cpp)", 1),
+        ("ament_add_gtest(test_a ${SOURCES})", 0),
+        ("ament_add_gtest(test_a ${CMAKE_CURRENT_BINARY_DIR}/a.cpp)", 0),
+        ("ament_add_gtest(test_a ../other/a.cpp)", 0),
+        ("ament_add_gtest(test_a SKIP_TEST WORKING_DIRECTORY test/there APPEND_ENV A=b)", 0),
+        ("ament_add_gtest(test_a test/ignored.cpp)", 0),
+        ("configure_file(a.cpp.in ${CMAKE_CURRENT_SOURCE_DIR}/test/a.cpp)\nament_add_gtest(test_a test/a.cpp)", 0),
+        ("ament_add_pytest_test(test_a test/a.py)", 1),
+        ("ament_add_pytest_test(test_a test)", 0),
+        ("ament_add_pytest_test(${NAME} test/a.py)", 0),
+        ("if(SOMETHING_ELSE)\n  ament_add_pytest_test(test_a test/a.py)\nendif()", 0),
+        ("ament_add_ros_isolated_pytest_test(test_a test/a.py)", 1),
+        ("add_ros_test(test/a.py)", 1),
+        ("function(add_launch_test name)\nendfunction()\nadd_launch_test(test/a.py)", 0),
+        ("generate_parameter_library(parameters src/a.yaml)", 1),
+        ("generate_parameter_library(${NAME} src/a.yaml)", 0),
+        ("generate_parameter_library(parameters test/there.py src/validators.hpp)", 0),
+    ],
+)
+def test_what_tests_and_parameters_need(lines: str, count: int) -> None:
+    files = {**package(lines), "test/there.py": "", ".gitignore": "ignored.cpp\n"}
+    assert len(said(files, "CMK102")) == count
+
+
+@pytest.mark.parametrize(
+    ("arguments", "near"),
+    [
+        ("rclcpp::rclcpp", ""),
+        ("rclcpp::rclpcp", "rclcpp::rclcpp"),
+        ("rclcpp::rclpc", "rclcpp::rclcpp"),
+        ("rclcpp::rclp", "rclcpp::rclcpp"),
+        ("rclcpp::rcl", ""),
+        ("rclcpp::rclcpp2", ""),
+        ("rcclpp::rclcpp", "rclcpp::rclcpp"),
+        ("rcclp::rclcpp", ""),
+        ("$<BUILD_INTERFACE:rclcpp::rclpcp>", ""),
+        ("OpenMP::OpenMP_C", ""),
+        ("base::basics", ""),
+        ("base::bsaic", "base::basic"),
+        ("my_pkg::coer", "my_pkg::core"),
+        ("tf2::tf22", ""),
+    ],
+)
+def test_targets_that_are_nearly_those_of_a_package(arguments: str, near: str) -> None:
+    link = (
+        "find_package(rclcpp REQUIRED)\nfind_package(OpenMP REQUIRED)\nfind_package(base REQUIRED)\n"
+        "add_library(core src/core.cpp)\nadd_library(my_pkg::core ALIAS core)\nadd_library(base::basics ALIAS core)\n"
+        f"add_library(user src/core.cpp)\ntarget_link_libraries(user PUBLIC {arguments})\n"
+    )
+    export = "install(TARGETS basic EXPORT export_base DESTINATION lib)\nament_export_targets(export_base)"
+    base = package(f"add_library(basic src/basic.cpp)\n{export}", name="base")
+    files = {
+        f"{name}/{path}": text
+        for name, each in (("my_pkg", package(link)), ("base", base))
+        for path, text in each.items()
+    }
+    found = said(files, "CMK110")
+    assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
+
+
+@pytest.mark.parametrize(
+    ("name", "near"),
+    [
+        ("rclcpp", ""),
+        ("rclpcp", "rclcpp"),
+        ("rclp", ""),
+        ("rclpy", ""),
+        ("std_msg", "std_msgs"),
+        ("Eigen", ""),
+        ("helper_lib", "helper_libs"),
+        ("helpers", ""),
+        ("${UNKNOWN_PACKAGES}", ""),
+    ],
+)
+def test_packages_that_are_nearly_one_that_is_found(name: str, near: str) -> None:
+    lines = (
+        "find_package(rclcpp REQUIRED)\nfind_package(Eigen3 REQUIRED)\nfind_package(helper_libs REQUIRED)\n"
+        f"add_library(core src/core.cpp)\nament_target_dependencies(core PUBLIC {name})\n"
+    )
+    found = said(package(lines, "  <depend>std_msgs</depend>\n"), "CMK110")
+    assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
+
+
+def test_a_mistyped_target_in_a_branch_is_left_alone_and_told_once() -> None:
+    start = "find_package(rclcpp REQUIRED)\nadd_library(core src/core.cpp)\nadd_library(base src/core.cpp)\n"
+    link = "target_link_libraries({} PUBLIC rclcpp::rclpcp)"
+    assert said(package(f"{start}if(SOMETHING_ELSE)\n  {link.format('core')}\nendif()"), "CMK110") == []
+    looped = f"{start}foreach(each core base)\n  {link.format('${each}')}\nendforeach()"
+    assert len(said(package(looped), "CMK110")) == 1

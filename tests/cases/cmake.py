@@ -36,6 +36,11 @@ def called(project: str, name: str) -> Example:
 LIBRARY = "add_library(core SHARED src/core.cpp)\n"
 EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
 
+TALKER = (
+    "find_package(rclcpp REQUIRED)\nadd_executable(talker src/talker.cpp)\n"
+    "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+)
+NEEDS_RCLCPP = "  <depend>rclcpp</depend>\n"
 GTEST = "find_package(ament_cmake_gtest REQUIRED)\n"
 NEEDS_GTEST = "  <test_depend>ament_cmake_gtest</test_depend>\n"
 
@@ -95,6 +100,15 @@ CASES = {
         cmake("install(FILES LICENCE DESTINATION share/${PROJECT_NAME})\n"),
         cmake("find_package(pluginlib REQUIRED)\npluginlib_export_plugin_description_file(nav2_core plugns.xml)\n"),
         cmake("if(SOMETHING_ELSE)\n  add_executable(talker src/a.cpp)\nendif()\n"),
+        cmake(f"if(BUILD_TESTING)\n  {GTEST}  ament_add_gtest(test_a TIMEOUT 60 test/a.cpp ENV a=b)\n"
+              "  ament_add_gmock(test_b SKIP_TEST test/b.cpp)\nendif()\n"),
+        cmake("if(BUILD_TESTING)\n  find_package(launch_testing_ament_cmake REQUIRED)\n"
+              "  add_launch_test(test/talker_launch.py TIMEOUT 60)\nendif()\n"),
+        cmake("find_package(generate_parameter_library REQUIRED)\n"
+              "generate_parameter_library(talker_parameters src/talker.yaml)\n"
+              "generate_parameter_module(listener_parameters src/listener.yaml)\n"),
+        cmake("execute_process(COMMAND make_tests ${CMAKE_CURRENT_SOURCE_DIR})\nif(BUILD_TESTING)\n"
+              "  ament_add_pytest_test(test_a test/test_a.py)\nendif()\n"),
     ),
     "CMK103": (
         cmake("add_library(core SHARED src/a.cpp)\nadd_library(base SHARED src/a.cpp)\n"
@@ -128,6 +142,10 @@ CASES = {
         cmake("add_executable(talker src/talker.cpp)\ninstall(TARGETS talkr DESTINATION lib/${PROJECT_NAME})\n",
               src__talker_DOT_cpp=cmk110.SOURCE),
         cmake("set_target_properties(talkr PROPERTIES CXX_STANDARD 17)\n"),
+        cmake(f"{TALKER}target_link_libraries(talker rclcp::rclcpp)\n", NEEDS_RCLCPP, src__talker_DOT_cpp=MAIN),
+        cmake(f"{TALKER}ament_target_dependencies(talker PUBLIC rclcp)\n", NEEDS_RCLCPP, src__talker_DOT_cpp=MAIN),
+        cmake(f"{LIBRARY}add_library(my_pkg::core ALIAS core)\nadd_library(base SHARED src/core.cpp)\n"
+              "target_link_libraries(base PUBLIC my_pkg::croe)\n", src__core_DOT_cpp="int core() {return 1;}\n"),
     ),
     "CMK111": (
         cmake("install(FILES LICENSE DESTINATION /usr/share/my_pkg)\n"),

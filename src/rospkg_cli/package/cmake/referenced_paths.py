@@ -1,4 +1,4 @@
-"""Files and folders that CMake commands refer to: sources of targets, and what is installed."""
+"""Files and folders that CMake commands refer to: sources of targets, tests, parameters, and what is installed."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass, replace
 from .cmake_project import CMake
 from .made_paths import MadePaths
+from .needed_files import needed_files
 
-Use = Literal["source", "install", "folder"]
+Use = Literal["source", "install", "folder", "test", "parameters"]
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,9 @@ class ReferencedPaths:
             yield from self.named(target.sources, "source", replace(target.call, maybe=True))
         for call in self.cmake.named("target_sources"):
             yield from self.named(sources_in(call), "source", call)
+        for call in self.cmake.calls:
+            for purpose, words in needed_files(call) if call.name not in self.cmake.functions else ():
+                yield from self.named(words, purpose, call)
         for rule in self.cmake.installs:
             if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not rule.optional and rule.call.name in INSTALLERS:
                 use: Use = "folder" if rule.kind == "DIRECTORY" else "install"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.missing_paths import MissingPaths
-from ...example import CMAKE, Example
+from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.referenced_paths import ReferencedPath
@@ -18,6 +18,11 @@ INSTALL = CMAKE.replace(
 SOURCE = CMAKE.replace(
     "ament_package",
     "add_executable(talker «src/talkr.cpp»)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\nament_package",
+)
+TEST = CMAKE.replace(
+    "ament_package",
+    "if(BUILD_TESTING)\n  find_package(ament_cmake_pytest REQUIRED)\n"
+    "  ament_add_pytest_test(test_hello «test/test_helo.py»)\nendif()\n\nament_package",
 )
 
 
@@ -41,13 +46,24 @@ SOURCE = CMAKE.replace(
             good={"CMakeLists.txt": SOURCE.replace("«src/talkr.cpp»", "src/talker.cpp")},
             on="ament_cmake",
         ),
+        Example(
+            bad={
+                "CMakeLists.txt": TEST,
+                "package.xml": manifest("  <test_depend>ament_cmake_pytest</test_depend>\n", "ament_cmake"),
+                "test/test_hello.py": "def test_hello(): pass\n",
+            },
+            good={"CMakeLists.txt": TEST.replace("«test/test_helo.py»", "test/test_hello.py")},
+            on="ament_cmake",
+        ),
     ),
 )
 def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds files and folders that CMake installs or compiles and that do not exist.
-    It reads `install()`, `add_executable()` and `add_library()`. What CMake or the build writes itself is left alone.
+    It reads `install()`, `add_executable()` and `add_library()`, tests (`ament_add_gtest()`, `ament_add_pytest_test()`,
+    `add_launch_test()` and the like) and the YAML of `generate_parameter_library()`. What CMake or the build writes
+    itself is left alone.
 
     ## Why is this bad?
     CMake stops: at once for a missing source, and only after everything was compiled for a missing folder ("file
@@ -69,6 +85,10 @@ def consequence(named: ReferencedPath) -> str:
     match named.use:
         case "source":
             return 'CMake stops with "Cannot find source file"; name an existing file, or remove it'
+        case "test":
+            return f"`{named.call.name}` stops CMake, since colcon builds with tests on; name an existing test"
+        case "parameters":
+            return "the build stops, since nothing makes it; name an existing file of parameters"
         case "folder":
             return (
                 "the build stops when it installs (git keeps no empty folder); add it with a file in it, or remove it"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.mistyped_links import MistypedLink, MistypedLinks
 from ...checks.cmake.target_references import TargetReference, TargetReferences
-from ...example import CMAKE, Example
+from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
@@ -20,6 +21,12 @@ EXPORT = """\
 add_library(core SHARED src/core.cpp)
 install(TARGETS core EXPORT core_targets DESTINATION lib)
 ament_export_targets(«export_core»)
+"""
+IMPORTED = """\
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker «rclcpp::rclpcp»)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
 """
 SOURCE = "int main() {return 0;}\n"
 
@@ -40,7 +47,7 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK110",
     "unknown-target",
-    over=CMakePackage,
+    over=MistypedLinks,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -53,23 +60,37 @@ def cmake(lines: str) -> str:
             good={"CMakeLists.txt": cmake(EXPORT.replace("«export_core»", "core_targets"))},
             on="ament_cmake",
         ),
+        Example(
+            bad={
+                "CMakeLists.txt": cmake(IMPORTED),
+                "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+                "src/talker.cpp": SOURCE,
+            },
+            good={"CMakeLists.txt": cmake(IMPORTED.replace("«rclcpp::rclpcp»", "rclcpp::rclcpp"))},
+            on="ament_cmake",
+        ),
     ),
 )
-def unknown_target(package: CMakePackage) -> Iterator[Hit]:
+def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     """
     ## What it does
     Finds targets and exports that CMake names and that nothing creates.
     It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
-    `install(… EXPORT …)` fills. In lists of packages it finds two names without a space between them.
+    `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`), and of packages that are given to
+    `ament_target_dependencies()`, it finds those that are one or two letters off. In lists of packages it finds two
+    names without a space between them.
 
     ## Why is this bad?
     CMake stops. This is what is left when a target was renamed or removed.
 
     ## When it is quiet
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
-    given the name, for names with `::`, for those of a package that is found, and for `gtest` and `gmock`. Under a
-    condition that can't be evaluated.
+    given the name, for names with `::` that are near to none of a package whose targets are known, for those of a
+    package that is found, and for `gtest` and `gmock`. Under a condition that can't be evaluated.
     """
+    package = links.package
+    for each in links.all():
+        yield Hit(each.link.word.path, each.link.word.span, mistyped(each))
     references = TargetReferences(package.cmake)
     for reference in references.broken():
         known = references.targets if reference.kind == "target" else references.exports
@@ -81,6 +102,19 @@ def unknown_target(package: CMakePackage) -> Iterator[Hit]:
         start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a space between them"
         message = f"{start}: users of this package stop because it is not found; separate them"
         yield Hit(reference.word.path, reference.word.span, message)
+
+
+def mistyped(each: MistypedLink) -> str:
+    text = each.link.word.text
+    if each.link.package:
+        return (
+            f"no `find_package` finds `{text}` (did you mean `{each.near}`?): `ament_target_dependencies` stops CMake "
+            'with "the passed package name … was not found before"; correct it'
+        )
+    return (
+        f"no package makes the target `{text}` (did you mean `{each.near}`?): CMake stops with "
+        '"the target was not found"; correct it'
+    )
 
 
 def said(package: CMakePackage, reference: TargetReference) -> str:

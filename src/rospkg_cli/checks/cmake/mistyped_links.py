@@ -1,0 +1,87 @@
+"""Imported targets and packages that something is linked with, and that are one or two letters off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.target_links import TargetLink, TargetLinks
+from ...package.workspace import Workspace
+from ...ros.link_targets import ROS_NAME, link_targets
+from ...ros.names import NameKind
+from ...suggest import near_names
+
+
+@dataclass(frozen=True)
+class MistypedLink:
+    link: TargetLink
+    near: str
+    """The target or the package that is certainly there."""
+
+
+@dataclass(frozen=True)
+class MistypedLinks:
+    package: CMakePackage
+    workspace: Workspace
+
+    def all(self) -> Iterator[MistypedLink]:
+        """Yield each argument once."""
+        seen: set[tuple[str, int, str]] = set()
+        for link in TargetLinks(self.package.cmake).all:
+            word = link.word
+            key = (word.path, word.span.start, word.text)
+            if word.is_known and not word.maybe and not link.call.maybe and key not in seen:
+                seen.add(key)
+                near = self.near_package(word.text) if link.package else self.near_target(word.text)
+                if near is not None:
+                    yield MistypedLink(link, near)
+
+    def near_target(self, text: str) -> str | None:
+        """Return what is meant by `package::target`; None where it may exist."""
+        package, colons, _ = text.partition("::")
+        if not colons or text in self.own:
+            return None
+        if known := self.targets_of(package):
+            return None if text in known else nearest(text, known, 2)
+        if package in self.found or self.is_known(package):
+            return None
+        return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
+
+    def near_package(self, text: str) -> str | None:
+        """Return what is meant by an argument of ament_target_dependencies; None where it may be found."""
+        return None if text in self.found or self.is_known(text) else nearest(text, self.found, 2)
+
+    def is_known(self, package: str) -> bool:
+        known = self.workspace.kind_of(package) in (NameKind.PACKAGE, NameKind.KEY)
+        return known or self.workspace.is_available(package)
+
+    def targets_of(self, package: str) -> frozenset[str]:
+        """Return the targets of a package that are known; some packages have more."""
+        if not ROS_NAME.fullmatch(package):
+            return frozenset()
+        facts = self.workspace.named(package)
+        targets = link_targets(package).targets if facts is None else facts.cmake_targets
+        return frozenset(each for each in (*targets, *self.own) if each.startswith(f"{package}::"))
+
+    @cached_property
+    def own(self) -> frozenset[str]:
+        """The targets that the package makes, under any name."""
+        return frozenset(target.name for target in self.package.cmake.targets)
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The packages that CMake finds, or that the manifest names, which `ament_auto_…` finds."""
+        named = {each.name for each in self.package.manifest.dependencies}
+        return frozenset({each.name for each in self.package.cmake.packages} | named)
+
+
+def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | None:
+    """Return the nearest name with the same digits: `Eigen` may be there beside `Eigen3`."""
+    near = near_names(text, (name for name in names if digits(name) == digits(text)), limit)
+    return near[0] if near else None
+
+
+def digits(text: str) -> str:
+    return "".join(filter(str.isdecimal, text))
