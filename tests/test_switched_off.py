@@ -143,4 +143,4 @@ def test_text_tells_it_behind_the_counts_and_it_never_fails(workspace: Path) -> 
 
 def test_an_empty_submodule_is_named(workspace: Path) -> None:
     (workspace / ".gitmodules").write_text('[submodule "x"]\n\tpath = src/x\n\turl = y\n')
-    assert notes(workspace)[0][3].endswith("is not checked: the submodule `src/x` is empty")
+    assert notes(workspace)[0][3].endswith("the submodule `src/x` is empty; `git submodule update --init` fills it")

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.nodes import nodes_of
+from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span
@@ -25,12 +26,7 @@ def expression_faults(file: LaunchFile) -> Iterator[Fault]:
     """Yield the bad expressions of a file, each place once, with the defaults of its own arguments filled in."""
     if not file.has_entry_point or file.is_ros1:
         return
-    assigned = {text.literal for text in file.assigned}
-    defaults: dict[str, str] = {}
-    for argument in file.arguments:
-        name, default = argument.name.literal, argument.default.literal if argument.default else None
-        if name and default is not None and name not in assigned:
-            defaults[name] = default
+    defaults = literal_defaults(file.arguments, file.assigned)
     found: dict[Span, Fault] = {}
     for each in file.substitutions:
         for fault in faults_of(each, defaults) if each.name == "eval" else ():

@@ -52,7 +52,7 @@ def missing_below(folder: Path, top: Path) -> str:
     except OSError:
         return ""
     empty = next((path for path in paths[:MAX_SUBMODULES] if is_empty(folder / path)), None)
-    return "" if empty is None else f"the submodule `{empty}` is empty"
+    return "" if empty is None else f"the submodule `{empty}` is empty; `git submodule update --init` fills it"
 
 
 def missing_of_list(path: Path, top: Path) -> str:
