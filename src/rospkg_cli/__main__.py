@@ -39,14 +39,28 @@ def lint(arguments: list[str]) -> int:
 
         status, text = found
         return guarded(lambda: sys.stdout.write(text) * 0 + status)
-    from .cli.app import run
-
     set_run(found)
-    status = run()
+    status = lint_anew(arguments)
     if isinstance(found, RunToKeep):
         found.keep(status)
     set_run(None)
     return status
+
+
+def lint_anew(arguments: list[str]) -> int:
+    """Lint, with typer only where the arguments need it; return the exit status."""
+    from .cli.lint.plain_arguments import plain_arguments
+
+    typed = plain_arguments(arguments[1:])
+    if typed is None:
+        from .cli.app import run
+
+        return run()
+    from .cli.exit_status import status_of
+    from .cli.lint.typed_options import lint_as_typed
+    from .cli.streams import guarded
+
+    return guarded(lambda: status_of(lambda: lint_as_typed(typed)))
 
 
 if __name__ == "__main__":

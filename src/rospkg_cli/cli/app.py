@@ -8,18 +8,15 @@ from typing import Annotated, Any
 import typer
 
 from .. import __version__
-from ..user_error import UserError
 from .cache import options as cache
+from .exit_status import CTRL_C, interrupted, status_of
 from .explain import options as explain
 from .format import options as format
 from .index import options as index
 from .inspect import options as inspect
 from .lint import options as lint
 from .new import options as new
-from .streams import OutputError, guarded, say
-
-CTRL_C = 130
-"""What a shell calls the exit status of a command that SIGINT ended: 128 and the number of the signal."""
+from .streams import guarded, say
 
 
 def without_verbs() -> typer.Typer:
@@ -86,55 +83,31 @@ def run() -> int:
 
 
 def status() -> int:
-    """Run the verb; return its exit status, or that of its error. Raises OutputError."""
-    from ..engine.fixing.signals import StoppedError
+    """Parse the command line and run the verb; return its exit status, or that of its error. Raises OutputError."""
+    return status_of(run_verb)
 
+
+def run_verb() -> int:
+    """Run the verb; return its exit status. Raises what the verb does."""
     try:
         left: Any = app_for("".join(sys.argv[1:2]))(prog_name="rospkg", standalone_mode=False)
-        if left == CTRL_C:  # what typer makes of a KeyboardInterrupt
-            return interrupted(CTRL_C)
-        return left if isinstance(left, int) else 0
     except typer.Exit as leave:
         return leave.exit_code
-    except UserError as error:
-        say(str(error))
-        return 2
-    except KeyboardInterrupt:
-        return interrupted(CTRL_C)
-    except StoppedError as stopped:
-        return interrupted(128 + stopped.number)
-    except OutputError:
-        raise
     except Exception as error:
-        return failed(error)
+        if hasattr(error, "format_message"):  # a click.ClickException
+            return used_wrongly(error)
+        raise
+    if left == CTRL_C:  # what typer makes of a KeyboardInterrupt
+        return interrupted(CTRL_C)
+    return left if isinstance(left, int) else 0
 
 
-def interrupted(status: int) -> int:
-    """Say so, and return the status."""
-    say("interrupted; no partial files were left")
-    return status
+def used_wrongly(error: Exception) -> int:
+    """Print a sentence on wrong use; return the exit status."""
+    from .wrong_use import wrong_use
 
-
-def failed(error: Exception) -> int:
-    """Print a sentence on wrong use or on an internal error; return the exit status."""
-    if hasattr(error, "format_message"):  # a click.ClickException: wrong use
-        from .wrong_use import wrong_use
-
-        commands = [each.name or getattr(each.callback, "__name__", "") for each in app.registered_commands]
-        verbs = [*commands, *(each.name or "" for each in app.registered_groups)]
-        if sentence := wrong_use(error, sys.argv[1:], verbs):
-            say(sentence)
-        return 2
-    if "--traceback" in sys.argv:
-        import traceback
-
-        from ..control_characters import visible_lines, without_workflow_commands
-
-        print(
-            without_workflow_commands(visible_lines("".join(traceback.format_exception(error)))),
-            end="",
-            file=sys.stderr,
-        )
-    what = f"{type(error).__name__}: {error}"
-    say(f"internal error: {what}; please report it with the output of --traceback")
-    return 3
+    commands = [each.name or getattr(each.callback, "__name__", "") for each in app.registered_commands]
+    verbs = [*commands, *(each.name or "" for each in app.registered_groups)]
+    if sentence := wrong_use(error, sys.argv[1:], verbs):
+        say(sentence)
+    return 2

@@ -14,7 +14,7 @@ def split(values: Iterable[str] | None) -> tuple[str, ...]:
 
 def one_of(option: str, value: str, allowed: tuple[str, ...]) -> None:
     """Raise UsageError where an option has a value that it can't have."""
-    from ..suggest import did_you_mean
-
     if value not in allowed:
+        from ..suggest import did_you_mean
+
         raise UsageError(f"{option} must be one of {', '.join(allowed)}; not `{value}`{did_you_mean(value, allowed)}")

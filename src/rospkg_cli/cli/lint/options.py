@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from typer import Argument, Option
 
-from .. import UsageError
-from ..arguments import one_of, split
+from .typed_options import lint_as_typed
 
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
 CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", "Fixes", "Output"
 CONFIG = "Configuration"
 FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
-
-SHOWN = ("info", "all")
 
 Names = list[str] | None
 
@@ -119,28 +115,4 @@ def lint(
     no_cache: Annotated[bool, Option("--no-cache", help="Use nothing of earlier runs, and keep nothing.")] = False,
 ) -> int:
     """Find mistakes in packages; --fix corrects them."""
-    typed: dict[str, Any] = dict(locals())
-    from ...disk_trace import is_file, is_folder
-    from ...report import FORMATS
-    from .lint_options import LintOptions
-    from .run import lint as run_lint
-
-    one_of("--format", format, FORMATS)
-    if statistics and format not in ("text", "json"):
-        raise UsageError(f"--statistics is printed as text or json, not as `{format}`; give --format text or json")
-    one_of("--color", color, ("auto", "always", "never"))
-    for option, level in (("--fail-on", fail_on), ("--fix-level", fix_level)):
-        if level is not None:
-            one_of(option, level, ("error", "warning", "info"))
-    if config is not None and not is_file(config):
-        raise UsageError(f"--config: there is no file `{config}`")
-    if config is not None and isolated:
-        raise UsageError("--config and --isolated contradict each other; give one of them")
-    if workspace is not None and not is_folder(workspace):
-        raise UsageError(f"--workspace: `{workspace}` is not a folder")
-    typed |= {name: split(typed[name]) for name in ("select", "ignore", "extend_select", "target", "show")}
-    for each in typed["show"]:
-        one_of("--show", each, SHOWN)
-    typed |= {name: tuple(typed[name] or ()) for name in ("paths", "output")}
-    typed["traceback"] |= "--traceback" in sys.argv  # typed before the verb
-    return run_lint(LintOptions.of(typed))
+    return lint_as_typed(dict(locals()))

@@ -1,0 +1,49 @@
+"""`rospkg lint` with the values of its options as they were typed; typer is not needed for it."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from ...disk_trace import is_file, is_folder
+from ...report import FORMATS
+from .. import UsageError
+from ..arguments import one_of, split
+from .lint_options import LintOptions
+
+LEVELS = ("error", "warning", "info")
+SHOWN = ("info", "all")
+WITH_COMMAS = ("select", "ignore", "extend_select", "target", "show")
+
+
+def lint_as_typed(typed: dict[str, Any]) -> int:
+    """Lint with values by the names of the options; return the exit status. Raises UsageError, and as `lint` does."""
+    from .run import lint
+
+    refuse_wrong_values(typed)
+    typed |= {name: split(typed[name]) for name in WITH_COMMAS}
+    for each in typed["show"]:
+        one_of("--show", each, SHOWN)
+    typed |= {name: tuple(typed[name] or ()) for name in ("paths", "output")}
+    typed["traceback"] |= "--traceback" in sys.argv  # typed before the verb
+    return lint(LintOptions.of(typed))
+
+
+def refuse_wrong_values(typed: dict[str, Any]) -> None:
+    """Raise UsageError for a value that an option can't have, or not together with another."""
+    config, workspace = typed["config"], typed["workspace"]
+    one_of("--format", typed["format"], FORMATS)
+    if typed["statistics"] and typed["format"] not in ("text", "json"):
+        raise UsageError(
+            f"--statistics is printed as text or json, not as `{typed['format']}`; give --format text or json"
+        )
+    one_of("--color", typed["color"], ("auto", "always", "never"))
+    for option, level in (("--fail-on", typed["fail_on"]), ("--fix-level", typed["fix_level"])):
+        if level is not None:
+            one_of(option, level, LEVELS)
+    if config is not None and not is_file(config):
+        raise UsageError(f"--config: there is no file `{config}`")
+    if config is not None and typed["isolated"]:
+        raise UsageError("--config and --isolated contradict each other; give one of them")
+    if workspace is not None and not is_folder(workspace):
+        raise UsageError(f"--workspace: `{workspace}` is not a folder")
