@@ -120,10 +120,11 @@ class PythonPackage:
         file = self.modules.at(self.setup.file_of(module) or "")
         return file is not None and file.runs_when_imported
 
-    def ends_at_ros1(self, module: str) -> bool:
-        """Return whether importing a module of the package ends at a module of ROS 1."""
+    def ros1_module(self, module: str) -> str:
+        """Return the module of ROS 1 at which importing a module of the package ends; "" for none."""
         file = self.modules.at(self.setup.file_of(module) or "")
-        return file is not None and ros1_import(file.imports) is not None
+        found = ros1_import(file.imports) if file is not None else None
+        return found.module if found is not None else ""
 
     def is_node(self, module: str) -> bool:
         """Return whether a module runs a node itself: it imports rclpy."""

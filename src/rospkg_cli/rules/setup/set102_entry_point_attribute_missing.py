@@ -39,16 +39,15 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
     are understood.
 
     ## Why is this bad?
-    The build is green; starting the executable raises AttributeError, or ImportError with an older setuptools.
+    The build is green; starting the executable raises AttributeError, or ImportError with an older setuptools. A module
+    that imports `rospy` ends there before: ModuleNotFoundError.
 
     ## When it is quiet
     Where the module is of another package, can't be read, has a star import of something unknown or a
-    `__getattr__`, or is generated. A module that imports `rospy` ends there, before its function is asked for (DEP101).
+    `__getattr__`, or is generated.
     """
     for entry in package.setup.entry_points:
         if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
-            continue
-        if package.ends_at_ros1(entry.module):
             continue
         path = package.setup.file_of(entry.module) or ""
         file = package.modules.at(path)
@@ -62,6 +61,13 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
                 "AttributeError; put that into a function"
             )
             yield Hit(entry.path, entry.attribute_span, message, Severity.WARNING)
+            continue
+        if module := package.ros1_module(entry.module):
+            message = (
+                f"`{path}` imports `{module}` of ROS 1 and has no top-level `{entry.attribute}`: {start} raises "
+                f"ModuleNotFoundError; port it, or take this line out"
+            )
+            yield Hit(entry.path, entry.attribute_span, message)
             continue
         message = (
             f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`: the build is green, and {start} raises "
