@@ -1,4 +1,4 @@
-"""Infos that say the same of several packages: one finding of a run, with the other places beside it."""
+"""Infos that say the same of several packages: one finding of a run, with the other places as related ones."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return the findings, sorted as they came, with each info that several packages share at its first place alone.
 
     An old `cmake_minimum_required` is written in all packages of a repository or in none: what is to be decided of it
-    is decided once. Errors and warnings are told one by one, since each of them is to be mended.
+    is decided once. Errors and warnings are listed one by one, since each of them is to be fixed.
     """
     found = tuple(findings)
     same: dict[tuple[str, str], list[Finding]] = defaultdict(list)

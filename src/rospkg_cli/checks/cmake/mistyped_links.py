@@ -39,7 +39,7 @@ class MistypedLinks:
                     yield MistypedLink(link, near)
 
     def near_target(self, text: str) -> str | None:
-        """Return what is meant by `package::target`; None where it may exist."""
+        """Return what to write for `package::target`; None where it may exist."""
         package, colons, _ = text.partition("::")
         if not colons or text in self.own:
             return None
@@ -50,7 +50,7 @@ class MistypedLinks:
         return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
 
     def near_package(self, text: str) -> str | None:
-        """Return what is meant by an argument of ament_target_dependencies; None where it may be found."""
+        """Return what to write for an argument of ament_target_dependencies; None where it may be found."""
         return None if text in self.found or self.is_known(text) else nearest(text, self.found, 2)
 
     def is_known(self, package: str) -> bool:
@@ -78,7 +78,7 @@ class MistypedLinks:
 
 
 def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | None:
-    """Return the nearest name with the same digits: `Eigen` may be there beside `Eigen3`."""
+    """Return the nearest name with the same digits: `Eigen` may be there along with `Eigen3`."""
     near = near_names(text, (name for name in names if digits(name) == digits(text)), limit)
     return near[0] if near else None
 

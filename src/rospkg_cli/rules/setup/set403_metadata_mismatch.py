@@ -35,7 +35,7 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     ## What it does
     Finds metadata in setup.py that differ from package.xml, and descriptions left by a template.
     The license, maintainer and e-mail address are compared: licenses by their SPDX id, names without regard to case;
-    where one of them names several maintainers, one that both name will do. Of another person the name is told, which
+    where one of them names several maintainers, one that both name will do. Of another person the name is given, which
     says enough of the address.
 
     ## Why is this bad?
