@@ -91,6 +91,6 @@ def test_only_the_neighbours_of_what_is_checked_wait() -> None:
         {f"{name}/{path}": text for name in ("a", "b") for path, text in Example(bad={}, good={}).bad_files().items()}
     )
     worker = Worker(tree, ("a", "b"), Targets(), RuleSettings(), selected=frozenset({"a"}))
-    assert [type(facts) for facts in worker.collect_facts()] == [PackageFacts, FactsOnDemand]
+    assert [type(facts) for facts in worker.collect_facts(("a", "b"))] == [PackageFacts, FactsOnDemand]
     worker = Worker(tree, ("a", "b"), Targets(), RuleSettings())
-    assert [type(facts) for facts in worker.collect_facts()] == [PackageFacts, PackageFacts]
+    assert [type(facts) for facts in worker.collect_facts(("a", "b"))] == [PackageFacts, PackageFacts]

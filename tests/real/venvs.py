@@ -49,10 +49,12 @@ def setuptools_for_this_python() -> tuple[str, ...]:
     return SETUPTOOLS[1:] if sys.version_info >= (3, 12) else SETUPTOOLS
 
 
+USERS_CACHE = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+"""Read before a test takes the user's cache away."""
+
+
 def cache_folder() -> Path:
-    if named := os.environ.get("ROSPKG_TEST_CACHE"):
-        return Path(named)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "rospkg-tests"
+    return Path(os.environ.get("ROSPKG_TEST_CACHE") or Path(USERS_CACHE, "rospkg-tests"))
 
 
 def venv(python: str, requirements: tuple[str, ...], folder_on_path: str = "") -> Path:
