@@ -338,3 +338,76 @@ def test_a_mistyped_target_in_a_branch_is_left_alone_and_told_once() -> None:
     assert said(package(f"{start}if(SOMETHING_ELSE)\n  {link.format('core')}\nendif()"), "CMK110") == []
     looped = f"{start}foreach(each core base)\n  {link.format('${each}')}\nendforeach()"
     assert len(said(package(looped), "CMK110")) == 1
+
+
+@pytest.mark.parametrize(
+    ("lines", "near"),
+    [
+        ("target_inclde_directoris(core PUBLIC include)", "target_include_directories"),
+        ("target_inclde_diretoris(core PUBLIC include)", ""),
+        ("ament_taget_dependencies(core rclcpp)", "ament_target_dependencies"),
+        ("mesage(STATUS hello)", "message"),
+        ("mesagge(STATUS hello)", ""),
+        ("prjoectt(other)", "project"),
+        ("messaeg1(STATUS hello)", ""),
+        ("mesag(STATUS hello)", ""),
+        ("lists(APPEND a b)", ""),
+        ("add_gtest(test_core)", ""),
+        ("qt4_wrap_cpp(core)", ""),
+        ("roslint_cpp()", ""),
+        ("function(add_my_robot)\nendfunction()\nadd_my_rboot()", "add_my_robot"),
+        ("function(add_exectable)\nendfunction()\nadd_exectable()", ""),
+        ("if(SOMETHING_ELSE)\n  mesage(STATUS hello)\nendif()", ""),
+        ("include(${WHEREVER})\nmesage(STATUS hello)", ""),
+        ("foreach(each a b)\n  mesage(STATUS hello)\nendforeach()", "message"),
+    ],
+)
+def test_commands_that_are_nearly_a_known_one(lines: str, near: str) -> None:
+    found = said(package(lines), "CMK114")
+    assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
+
+
+def test_a_misspelt_ament_package_is_one_finding() -> None:
+    files = package("")
+    for name, codes in (("ament_apckage", ["CMK114"]), ("ament_done", ["CMK003"]), ("mesage", ["CMK003", "CMK114"])):
+        cmake = files["CMakeLists.txt"].replace("ament_package()", f"{name}()")
+        found = lint_files({**files, "CMakeLists.txt": cmake}, ["CMK003", "CMK114"]).findings
+        assert sorted(finding.code for finding in found) == codes
+
+
+@pytest.mark.parametrize(
+    ("lines", "levels"),
+    [
+        ("install(FILES a.txt DESTINATION share/${PROJECTNAME})", [Severity.ERROR]),
+        ('include_directories("${CMAKE_CURENT_SOURCE_DIR}/include")', [Severity.WARNING]),
+        ("include_directories(${CMAKE_CURENT_SUORCE_DIR})", [Severity.WARNING]),
+        ("include_directories(${CMAKE_CURENT_SUORCE_DIRS})", []),
+        ("include_directories(${PROJECT_NAME} ${PROJECT_NAME2} ${SOMETHING})", []),
+        ("include_directories([[${PROJECTNAME}]])", []),
+        ("include_directories(\\${PROJECTNAME})", []),
+        ("include_directories(PROJECTNAMES)\ninclude_directories(${PROJECTNAMES})", []),
+        ("set(PROJECTNAME a)\ninclude_directories(${PROJECTNAME})", []),
+        ("message(STATUS ${PROJECTNAME})", []),
+        ("if(SOMETHING_ELSE)\n  include_directories(${PROJECTNAME})\nendif()", []),
+        ("include(${WHEREVER})\ninclude_directories(${PROJECTNAME})", []),
+        ('cmake_parse_arguments(PROJECT "NAMES" "" "" ${ARGN})\ninclude_directories(${PROJECT_NAMES})', []),
+        ("foreach(each a b)\n  include_directories(${PROJECTNAME})\nendforeach()", [Severity.WARNING]),
+        ("include_directories(${PROJECTNAME} ${ROJECT_NAME})", [Severity.WARNING, Severity.WARNING]),
+    ],
+)
+def test_variables_that_are_nearly_one_of_cmake(lines: str, levels: list[Severity]) -> None:
+    files = {**package(lines), "a.txt": ""}
+    assert [finding.severity for finding in lint_files(files, ["CMK115"]).findings] == levels
+
+
+def test_an_unset_variable_says_what_is_left() -> None:
+    (message,) = said(package('include_directories("${PROJECTNAME}/include")'), "CMK115")
+    assert "`${PROJECTNAME}/include` becomes `/include`" in message
+    (message,) = said(package("include_directories(${PROJECTNAME})"), "CMK115")
+    assert "becomes nothing" in message
+    (message,) = said(package('include_directories("${PROJECTNAME}\n")'), "CMK115")
+    assert "becomes" not in message
+    for length, count in ((60, 1), (61, 0)):
+        path = "${PROJECTNAME}/".ljust(length, "a")
+        (message,) = said(package(f"include_directories({path})"), "CMK115")
+        assert message.count("becomes") == count

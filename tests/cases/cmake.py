@@ -153,4 +153,7 @@ CASES = {
         cmake("install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_PREFIX}/share/my_pkg)\n"),
         cmake("install(FILES LICENSE DESTINATION /etc/my_pkg)\n"),
     ),
+    "CMK115": (
+        cmake('include_directories("${CMAKE_CURENT_SOURCE_DIR}/include")\n'),
+    ),
 }  # fmt: skip

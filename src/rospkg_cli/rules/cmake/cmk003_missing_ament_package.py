@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.unknown_commands import UnknownCommands
 from ...edits.cmake_commands import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.cmake_project import PACKAGE_ENDS
 from ...rule import rule
 
 GOOD = """\
@@ -53,7 +55,8 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
-    package whose name has `package` in it is called: both may call `ament_package()`.
+    package whose name has `package` in it is called: both may call `ament_package()`. Where its name is misspelt, which
+    CMK114 tells.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
@@ -62,6 +65,8 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
         return
     root = cmake.root
     projects = [command for command in root.syntax.commands if command.name == "project"]
+    if any(near in PACKAGE_ENDS for _, near in UnknownCommands(cmake).all()):
+        return
     place = projects[0].span if projects else root.source.line_span(1)
     message = (
         "CMakeLists.txt never calls `ament_package()`: the build is green, but "

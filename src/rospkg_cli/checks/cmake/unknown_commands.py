@@ -1,0 +1,56 @@
+"""Commands that nobody defines and that are one or two letters off a command that everybody has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.commands import COMMANDS
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.targets import MAKERS
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...ros.read_table import words
+from ...suggest import near_names
+from .mistyped_links import digits
+
+SHORTEST = 6
+"""Letters; a shorter name that is unknown may be anybody's."""
+SHORT = 8
+"""Letters of a name from which two may be wrong."""
+
+
+@dataclass(frozen=True)
+class UnknownCommands:
+    cmake: CMake
+
+    def all(self) -> Iterator[tuple[EvaluatedCommand, str]]:
+        """Yield what is certainly called, each place once, and the command that is meant."""
+        if self.cmake.reads_unknown_files:
+            return
+        seen: set[tuple[str, int]] = set()
+        for call in self.cmake.calls:
+            place = (call.path, call.command.span.start)
+            if call.maybe or call.name in self.known or place in seen:
+                continue
+            seen.add(place)
+            if near := self.nearest(call.name):
+                yield call, near
+
+    def nearest(self, name: str) -> str | None:
+        """Return the command that is meant by one that is unknown.
+
+        None where all its words are those of commands: `add_gtest` may be somebody's own.
+        """
+        if len(name) < SHORTEST or self.words.issuperset(name.split("_")):
+            return None
+        alike = (each for each in self.known if digits(each) == digits(name))
+        return next(iter(near_names(name, alike, 1 if len(name) < SHORT else 2)), None)
+
+    @cached_property
+    def known(self) -> frozenset[str]:
+        return frozenset({*words("cmake_commands.txt"), *COMMANDS, *MAKERS, *self.cmake.functions})
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        return frozenset(word for name in self.known for word in name.split("_"))

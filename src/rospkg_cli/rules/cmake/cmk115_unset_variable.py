@@ -1,0 +1,67 @@
+"""CMK115 unset-variable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...rule import rule
+
+LINES = """\
+install(DIRECTORY launch
+  DESTINATION share/«${PROJECTNAME}»
+)
+"""
+LONGEST = 60
+"""Characters of an argument that a message shows."""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK115",
+    "unset-variable",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    levels={Severity.ERROR: "it says where something is installed"},
+    examples=(
+        Example(
+            bad={
+                "CMakeLists.txt": cmake(LINES),
+                "launch/talker.launch.xml": "<launch/>\n",
+            },
+            good={"CMakeLists.txt": cmake(LINES.replace("«${PROJECTNAME}»", "${PROJECT_NAME}"))},
+            on="ament_cmake",
+        ),
+    ),
+)
+def unset_variable(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one of CMake.
+    Near is one or two letters: `PROJECTNAME`, `CMAKE_CURENT_SOURCE_DIR`.
+
+    ## Why is this bad?
+    A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
+    `share/`, and a flag or a folder is lost.
+
+    ## When it is quiet
+    Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
+    `cmake_parse_arguments()` sets. Where a file is included that can't be read. In `message()`, and under a condition
+    that can't be evaluated.
+    """
+    for each in UnsetVariables(package.cmake).all():
+        level = Severity.ERROR if each.call.name == "install" else None
+        yield Hit(each.call.path, each.span, message(each), level)
+
+
+def message(each: UnsetVariable) -> str:
+    shown = len(each.before) <= LONGEST and "\n" not in each.before
+    result = f"`{each.after}`" if each.after else "nothing"
+    becomes = f", and `{each.before}` becomes {result}" if shown else ""
+    return f"`{each.name}` is set nowhere (did you mean `{each.near}`?): it is empty{becomes}; correct the name"
