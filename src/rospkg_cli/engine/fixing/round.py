@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from zlib import crc32
 
 from ...checks.read_sentences import what_is_wrong
 from ...files import PackageFiles
-from ...finding import Finding
+from ...finding import Finding, Fix
 from ...light_dataclasses import dataclass
 from ...package.package import Package
 from ...package.run_events import RuleCrash
 from ...tree import Tree
-from .apply import Changes, apply_fixes
+from .apply import Changes, apply_fixes, paths_of
 from .overlay import Overlay
 
 MAX_TRIED = 50
@@ -104,13 +104,17 @@ def breaking_fixes(
     tree: Overlay, folders: Sequence[str], left: Sequence[Finding], broken: dict[str, str]
 ) -> list[Finding]:
     """Return the findings whose fix breaks a file by itself; all that touch one where only several together do."""
-    touching = [each for each in left if each.fix and any(o.path in broken for o in each.fix.operations)] or list(left)
+    touching = [each for each in left if each.fix and touches(each.fix, broken)]
     if len(touching) > MAX_TRIED:
         return touching
     guilty = [
         each for each in touching if each.fix and newly_unreadable(tree, apply_fixes(tree, [each.fix])[0], folders)
     ]
     return guilty or touching
+
+
+def touches(fix: Fix, paths: Collection[str]) -> bool:
+    return any(path in paths for operation in fix.operations for path in paths_of(operation))
 
 
 def newly_unreadable(tree: Overlay, changes: Changes, folders: Sequence[str]) -> dict[str, str]:
