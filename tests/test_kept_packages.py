@@ -198,8 +198,10 @@ def test_findings_come_back_as_they_were() -> None:
 
 def test_plain_data_makes_no_other_objects() -> None:
     for value in (Path("x"), {"a": 1}, 1.5, [1], KINDS):
-        with pytest.raises(TypeError):
+        with pytest.raises(TypeError, match=f"{type(value).__name__} can't be kept"):
             to_plain(value)
+    with pytest.raises(ValueError, match="Span has other fields"):
+        from_plain(["Span", 1])
     for data in (["Path", "x"], ["Span", 1], ["Severity", "none"], [], ["Workspace"]):
         with pytest.raises((LookupError, TypeError, ValueError)):
             from_plain(data)

@@ -46,7 +46,7 @@ def found_at(tree: DiskTree, path: str) -> Read:
 def found_again(tree: DiskTree, read: Read) -> Read:
     """Return what a tree has at a path of its listing now; a file that looks as it did is not read."""
     path, answer, signature = read
-    is_file = bool(signature) and tree.files().get(path) == "file"
+    is_file = tree.files().get(path) == "file"
     if is_file and recall(tree.root / path, answer.partition(" ")[2], signature):
         return read
     return found_at(tree, path)

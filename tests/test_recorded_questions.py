@@ -1,0 +1,114 @@
+"""What one package asks about the others: each question is noted, and has an answer of its own."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.engine.reuse.recorded_workspace import METHODS, AnswerDigests, Question, RecordedWorkspace
+from rospkg_cli.package.package_facts import PackageFacts, Plugin
+from rospkg_cli.package.workspace import Workspace
+
+ARM = PackageFacts("arm", "src/arm", loaders=frozenset({("arm", "arm::Tool")}))
+TOOL = Plugin("hand::Grip", "hand::Grip", "arm::Tool", frozenset({"arm"}), "plugins.xml")
+HAND = PackageFacts(
+    "hand", "src/hand", "ament_cmake", modules=frozenset({"gripping"}), headers=frozenset({"hand"}), plugins=(TOOL,)
+)
+REAL = Workspace((ARM, HAND), frozenset({"src/arm"}))
+
+
+def asked(ask: str) -> set[Question]:
+    seen = RecordedWorkspace(REAL, "src/arm")
+    eval(ask, {"w": seen})
+    return seen.noted
+
+
+@pytest.mark.parametrize(
+    "ask, noted",
+    [
+        ("w.at('src/arm').version", set()),
+        ("w.at('src/hand')", {("folders",)}),
+        ("w.at('src/hand').version", {("folders",), ("field", "src/hand", "version")}),
+        ("w.named('arm').version", {("named", "arm")}),
+        ("w.named('hand').version", {("named", "hand"), ("field", "src/hand", "version")}),
+        ("w.named('leg')", {("named", "leg")}),
+        ("w.packages", {("folders",)}),
+        ("w.selected", {("selected",)}),
+        ("w.names", {("names",)}),
+        ("w.package_at('src/hand/x')", {("package_at", "src/hand/x")}),
+        ("w.kind_of('hand')", {("is_name", "hand")}),
+        ("w.is_available('hand')", {("is_name", "hand")}),
+        ("w.loaders_of('arm::Tool')", {("loaders_of", "arm::Tool")}),
+        ("w.bases_loaded_from('arm')", {("bases_loaded_from", "arm")}),
+        ("w.plugins_of('arm::Tool')", {("plugins_of", "arm::Tool")}),
+        ("w.with_header('hand/x.hpp')", {("with_header", "hand/x.hpp")}),
+        ("w.providers_of('gripping')", {("providers_of", "gripping")}),
+    ],
+)
+def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
+    assert asked(ask) == noted
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        "w.named('hand').name", "w.named('leg')", "w.package_at('src/hand/x')", "w.kind_of('hand')",
+        "w.is_available('hand')", "w.loaders_of('arm::Tool')", "w.bases_loaded_from('arm')",
+        "w.plugins_of('arm::Tool')", "w.with_header('hand/x.hpp')", "w.providers_of('gripping')",
+        "w.selected", "w.names", "w.at('src/hand').plugins", "[each.folder for each in w.packages]",
+    ],
+)  # fmt: skip
+def test_the_answers_are_the_workspace_s(ask: str) -> None:
+    recorded, real = (eval(ask, {"w": w}) for w in (RecordedWorkspace(REAL, "src/arm"), REAL))
+    assert recorded == real
+    assert recorded is not None or "leg" in ask
+
+
+OTHER = Workspace((PackageFacts("hand", "src/arm", "cmake"), PackageFacts("leg", "src/leg", version="2")))
+QUESTIONS: list[Question] = [
+    ("folders",), ("all", "build_type"), ("field", "src/arm", "build_type"), ("named", "hand"), ("is_name", "arm"),
+    ("selected",), ("names",), ("package_at", "src/hand/x"), ("loaders_of", "arm::Tool"),
+    ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"), ("with_header", "hand/x.hpp"),
+    ("providers_of", "gripping"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_another_answer_has_another_digest(question: Question) -> None:
+    one, again, other = (AnswerDigests(each).digest(question) for each in (REAL, REAL, OTHER))
+    assert one == again != ""
+    assert "" != other != one
+
+
+def test_answers_in_plain_values() -> None:
+    answer = AnswerDigests(REAL).answer
+    assert answer("folders") == ("src/arm", "src/hand")
+    assert answer("all", "build_type") == ("", "ament_cmake")
+    assert answer("field", "src/hand", "build_type") == "ament_cmake"
+    assert (answer("named", "hand"), answer("named", "leg")) == ("src/hand", None)
+    assert (answer("is_name", "arm"), answer("is_name", "leg")) == (True, False)
+    assert answer("plugins_of", "arm::Tool") == (TOOL,)
+
+
+def test_there_is_a_question_for_each_method() -> None:
+    assert {question[0] for question in QUESTIONS} >= METHODS
+
+
+@pytest.mark.parametrize("question", [("all", "nothing"), ("field", "src/none", "name"), ("with_header",), ("at", "x")])
+def test_what_makes_no_sense_has_no_digest(question: Question) -> None:
+    assert AnswerDigests(REAL).digest(question) == ""
+
+
+@pytest.mark.parametrize("asked, of, is_common", [(9, 17, True), (9, 18, False), (8, 10, False), (10, 19, True)])
+def test_what_most_packages_are_asked_for_is_one_question(asked: int, of: int, is_common: bool) -> None:
+    packages = tuple(PackageFacts(f"p{number:02}", f"p{number:02}") for number in range(of))
+    every: set[Question] = {("field", each.folder, "version") for each in packages[:asked]}
+    questions = [each for each, _ in AnswerDigests(Workspace(packages)).of({*every, ("names",)})]
+    one: list[Question] = [("all", "version"), ("folders",), ("names",)]
+    assert questions == (one if is_common else sorted({*every, ("names",)}))
+
+
+def test_facts_are_recorded_once_and_computed_once() -> None:
+    seen, digests = RecordedWorkspace(REAL, "src/arm"), AnswerDigests(REAL)
+    assert seen.at("src/hand") is seen.at("src/hand")
+    assert digests.digest(("names",)) is digests.digest(("names",))
+    assert digests.known.keys() == {("names",)}
