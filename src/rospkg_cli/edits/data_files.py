@@ -85,7 +85,7 @@ def widen_glob(setup: SetupPy, glob: GlobResult, path: str) -> tuple[Edit, ...]:
     """Let a glob of launch files find one more, where its pattern is a plain text."""
     code = setup.source.slice(glob.span)
     at = code.find(glob.pattern)
-    if not fnmatchcase(path, LAUNCH_GLOB) or path.count("/") != 1 or at < 0 or code.count(glob.pattern) != 1:
+    if not fnmatchcase(path, LAUNCH_GLOB) or path.count("/") != 1 or at == -1 or code.count(glob.pattern) != 1:
         return ()
     if not all(fnmatchcase(match, LAUNCH_GLOB) for match in glob.matches):
         return ()

@@ -21,8 +21,8 @@ def import_name(file: PythonFile, module: str, name: str) -> tuple[Edit, ...]:
         start = file.span(every[0]).start if every else 0
         return (Edit(file.path, Span(start, start), line + newline),)
     end = text.find("\n", file.span(before[-1]).end)
-    at = len(text) if end < 0 else end + 1
-    return (Edit(file.path, Span(at, at), newline + line if end < 0 else line + newline),)
+    at = len(text) if end == -1 else end + 1
+    return (Edit(file.path, Span(at, at), newline + line if end == -1 else line + newline),)
 
 
 def module_of(node: ast.Import | ast.ImportFrom) -> str:
@@ -38,7 +38,7 @@ def pass_through(file: PythonFile, span: Span, call: str, last: str, width: int)
     line = text.rfind("\n", 0, span.start) + 1
     end = text.find("\n", span.end)
     indent = text[line : len(text) - len(text[line:].lstrip(" \t"))]
-    around = text[line : span.start], text[span.start : span.end], text[span.end : end if end >= 0 else len(text)]
+    around = text[line : span.start], text[span.start : span.end], text[span.end : end if end != -1 else len(text)]
     newline = "\r\n" if "\r\n" in text else "\n"
     inner = f"{newline}{indent}    "
     for before, after in ((f"{call}(", f", {last})"), (f"{call}({inner}", f",{inner}{last})")):

@@ -44,4 +44,4 @@ def rule_name_keys(config: Config) -> Iterator[Keys]:
 
 def first_occurrence(text: str, name: str) -> Span | None:
     at = text.find(name)
-    return Span(at, at + len(name)) if at >= 0 else None
+    return Span(at, at + len(name)) if at != -1 else None

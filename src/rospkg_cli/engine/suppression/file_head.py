@@ -30,7 +30,7 @@ class FileHead:
             end = self.step(at, place)
             if end is None or self.steps > MAX_STEPS:
                 return False
-            certain = certain and end >= 0
+            certain = certain and end == abs(end)
             at = abs(end)
             if certain:
                 self.at = at
@@ -43,10 +43,10 @@ class FileHead:
             return blank.end()
         if text.startswith("<!--", at):
             end = text.find("-->", at + 4, place)
-            return end + 3 if end >= 0 else -(at + 4)
+            return end + 3 if end != -1 else -(at + 4)
         if text.startswith("<?", at):
             end = text.find("?>", at + 2, place)
-            return end + 2 if end >= 0 else None
+            return end + 2 if end != -1 else None
         if text[text.rfind("\n", 0, at) + 1 : at].strip():
             return None
         rest = REST_OF_LINE.match(text, at)
