@@ -256,11 +256,20 @@ def test_faults_of_a_parameter_library(fields: str, said: str) -> None:
     assert all(said in fault.message for fault in faults)
 
 
-def test_definitions_declare_parameters() -> None:
+@pytest.mark.parametrize(
+    "path, call",
+    [
+        ("CMakeLists.txt", "generate_parameter_library(p src/p.yaml)"),
+        ("CMakeLists.txt", "Generate_Parameter_Library(p src/p.yaml)"),
+        ("cmake/parameters.cmake", "generate_parameter_library(p src/p.yaml)"),
+    ],
+)
+def test_definitions_declare_parameters(path: str, call: str) -> None:
     files = package("rate: 5; names: [a]", "")
     files["src/my_pkg/src/p.yaml"] = "my_pkg:\n  rate: {type: double}\n  names: {type: string_array}\n"
-    files["src/my_pkg/CMakeLists.txt"] = CMAKE.replace(
-        "ament_package", "generate_parameter_library(p src/p.yaml)\nament_package"
-    )
+    line = call if path == "CMakeLists.txt" else f"include({path})"
+    files["src/my_pkg/CMakeLists.txt"] = CMAKE.replace("ament_package", f"{line}\nament_package")
+    if path != "CMakeLists.txt":
+        files[f"src/my_pkg/{path}"] = f"{call}\n"
     (finding,) = lint_files(files, ["PRM006", "PRM009"]).findings
     assert (finding.code, "`src/p.yaml`" in finding.message) == ("PRM006", True)

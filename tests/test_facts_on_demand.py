@@ -72,6 +72,17 @@ def test_a_name_reads_the_manifest_alone() -> None:
         facts.nothing  # type: ignore[attr-defined]  # noqa: B018
 
 
+@pytest.mark.parametrize(
+    "line, is_evaluated",
+    [("", False), ("generate_parameter_library(p p.yaml)", True), ("cmake_language(CALL ${NAME} p p.yaml)", True)],
+)
+def test_cmake_is_evaluated_where_it_may_define_parameters(line: str, is_evaluated: bool) -> None:
+    files = Example(bad={}, good={}, on="ament_cmake").bad_files()
+    package = package_in(MemoryTree.of(files | {"CMakeLists.txt": f"{files['CMakeLists.txt']}\n{line}\n"}))
+    assert on_demand(package).parameters == ()
+    assert ("CMake" in [kind.__name__ for kind in package._parts]) == is_evaluated
+
+
 def test_what_raises_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(PARTS, ("interfaces",), lambda *_: 1 / 0)
     facts = on_demand(package_in(TREES[1]))

@@ -14,7 +14,6 @@ from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import read_in
 from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
-from ...package.params.parameter_index import ParameterIndex
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
 from ...source import Span
@@ -110,14 +109,13 @@ class ParameterContext:
             yield from self.groups_of(file)
 
     def groups_of(self, file: ParameterFile) -> Iterator[ParameterGroup]:
-        index = self.workspace.parameters
         for block in file.blocks:
             parts: dict[str, list[Parameter]] = {}
             for each in block.parameters:
                 if is_its_own(each.name):
                     parts.setdefault(each.name.rpartition(".")[0].partition(".")[0], []).append(each)
             for prefix, parameters in parts.items():
-                owners = self.owners(index, frozenset(each.name for each in parameters))
+                owners = self.owners(frozenset(each.name for each in parameters))
                 if owners:
                     yield ParameterGroup(file, block, prefix, tuple(parameters), tuple(owners))
 
@@ -126,9 +124,9 @@ class ParameterContext:
 
         That is what a source file declares without a default, of which the copy sets most.
         """
-        index = self.workspace.parameters
         for file in self.files:
             for block in file.blocks:
+                index = self.workspace.parameters
                 names = frozenset(each.name for each in block.parameters if is_its_own(each.name))
                 counts = index.counts(names)
                 own = max((count for facts, count in counts if facts.folder == self.package.folder), default=0)
@@ -165,16 +163,18 @@ class ParameterContext:
                     yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
 
     def is_declared(self, read: DeclaredParameter) -> bool:
+        if any(same(each, read) for each in self.package.parameters):
+            return True
         return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
 
-    def owners(self, index: ParameterIndex, names: frozenset[str]) -> list[PackageFacts]:
+    def owners(self, names: frozenset[str]) -> list[PackageFacts]:
         """Return the packages that declare most of the names.
 
         Of a single name only the own package is believed, of two only one that this package depends on: `type` and
         `frame_id` are declared by many.
         """
         found, near, is_certain = [], {each.name for each in self.package.dependencies}, False
-        for facts, count in index.counts(names):
+        for facts, count in self.workspace.parameters.counts(names):
             own = facts.folder == self.package.folder
             if count < ENOUGH * len(names):
                 break

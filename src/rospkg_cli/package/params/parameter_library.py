@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from ...files import ReaderInput
+from ...files import PackageFiles, ReaderInput
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.python.nodes import nodes_of
 from ...languages.yaml.nodes import MappingNode, ScalarNode, YamlNode, documents
@@ -70,7 +70,7 @@ def read_parameter_libraries(reading: ReaderInput) -> Iterator[ParameterLibrary 
 
 def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
     """Yield each file of definitions, and whether a header with validators is passed with it."""
-    cmake = reading.parts(CMake).only
+    cmake = reading.parts(CMake).only if may_generate(reading.files) else None
     for call in cmake.named(*COMMANDS) if cmake else ():
         if len(call.words) > 1 and (path := path_in_package(call.words[1].text, call.folder)):
             yield path, len(call.words) > 2
@@ -81,6 +81,19 @@ def library_files(reading: ReaderInput) -> Iterator[tuple[str, bool]]:
             words = [each.value if isinstance(each, ast.Constant) else None for each in node.args]
             if len(words) > 1 and isinstance(words[1], str):
                 yield words[1], len(words) > 2
+
+
+def may_generate(files: PackageFiles) -> bool:
+    """Return whether a CMake file may call the generator: few neighbours have to be evaluated for it."""
+    for path in files.paths:
+        if path.endswith(("CMakeLists.txt", ".cmake")):
+            try:
+                text = files.source(path).text.lower()
+            except UnreadableError:
+                return True
+            if any(each in text for each in (*COMMANDS, "cmake_language")):
+                return True
+    return False
 
 
 def library(source: Source, roots: list[YamlNode], has_validators: bool) -> ParameterLibrary:
