@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from difflib import SequenceMatcher
 from typing import ClassVar
 
 LONGEST = 200
@@ -117,7 +116,11 @@ def is_alike(word: str, letters: Mapping[str, int], name: str) -> bool:
     if 2 * min(len(word), len(name)) < least or 2 * letters_in_common(letters, name) < least:
         return False
     Effort.left -= MATCHER_STEPS + len(word) * len(name)
-    return Effort.left >= 0 and SequenceMatcher(None, word, name).ratio() >= ALIKE
+    if Effort.left < 0:
+        return False
+    from difflib import SequenceMatcher
+
+    return SequenceMatcher(None, word, name).ratio() >= ALIKE
 
 
 def did_you_mean(word: str, names: Iterable[str]) -> str:

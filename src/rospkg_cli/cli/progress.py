@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from threading import Lock, Timer
 from typing import TYPE_CHECKING
 
 from ..control_characters import visible
@@ -24,6 +23,8 @@ class ProgressLine:
         self.text = ""
         self.shown: Status | None = None
         self.over = False
+        from threading import Lock
+
         self.lock = Lock()
 
     def say(self, text: str) -> None:
@@ -58,11 +59,15 @@ def plain_text(text: str) -> Text:
 @contextmanager
 def progress(wanted: bool = True) -> Iterator[Callable[[str], None]]:
     """Give a function that shows the text of a step; nothing is shown where stderr is no terminal."""
+    if not wanted or not sys.stderr.isatty():
+        yield lambda text: None
+        return
+    from threading import Timer
+
     line = ProgressLine()
     timer = Timer(DELAY, line.show)
     timer.daemon = True
-    if wanted and sys.stderr.isatty():
-        timer.start()
+    timer.start()
     try:
         yield line.say
     finally:

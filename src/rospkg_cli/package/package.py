@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Iterable
 from typing import Any, TypeVar, cast
 
@@ -53,6 +52,8 @@ class Package:
         except UnreadableError as error:
             broken.append(error.unreadable)
         except Exception:  # a fault of ours in one reader leaves the package's other models as they are
+            import traceback
+
             self.crashes[kind.__name__] = traceback.format_exc()
             crash = Unreadable("package.xml", Span(0, 0), ReadProblem.READER_CRASH, (kind.__name__,))
             return ReadModels((), (crash,))

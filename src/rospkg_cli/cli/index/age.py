@@ -21,6 +21,7 @@ ASKS = "DEP001"
 
 def age(index: Index) -> int:
     """Return how many days ago an index was fetched."""
+
     then = datetime.strptime(index.fetched, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=timezone.utc)
     return max(0, (datetime.now(timezone.utc) - then).days)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import signal
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
@@ -41,6 +40,8 @@ def stop(number: int, frame: FrameType | None) -> None:
 def handled_by(handler: object, numbers: tuple[signal.Signals, ...]) -> Iterator[None]:
     """Have a handler for some signals in the block; those that are ignored from outside (nohup) stay so."""
     before = {}
+    import threading
+
     if threading.current_thread() is threading.main_thread():
         before = {number: signal.getsignal(number) for number in numbers}
     taken = {number: old for number, old in before.items() if old not in (signal.SIG_IGN, None)}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
@@ -40,4 +39,6 @@ def run_rules(inputs: InputsOf, rules: Iterable[Rule[Any]], builder: FindingBuil
             for hit in run_rule(rule, inputs(rule.over), builder.package):
                 yield builder.build(rule, hit)
         except Exception:  # a bug of one rule must not hide what other rules found
+            import traceback
+
             yield RuleCrash(rule.code, builder.package, builder.crash_path, traceback.format_exc())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from zlib import crc32
@@ -88,6 +87,8 @@ class Worker:
             collect = facts_on_demand if on_demand else collect_facts
             return collect(package, self.targets, folder, self.name)
         except Exception:
+            import traceback
+
             package.crashes["PackageFacts"] = traceback.format_exc()
             return unknown_facts(folder, self.name)
 

@@ -14,6 +14,7 @@ from ...languages.xml.elements import Document, Element
 from ...light_dataclasses import dataclass
 from ...resources import resources
 from ...ros.manifest import ORDER, place_of
+from .plainly_valid import is_plainly_valid
 from .violation import Violation
 
 Item = TypeVar("Item")
@@ -33,7 +34,7 @@ VALID = Verdict(True)
 
 def validate(document: Document, format: int) -> Verdict:
     """Validate by the schema of a format (1, 2, 3); children in a wrong order are no violation by themselves."""
-    if accepts(document.source.text, format):
+    if is_plainly_valid(document, format) or accepts(document.source.text, format):
         return VALID
     ordered = not misplaced(document.root.children)
     if not ordered and accepts(document.source.text, format, in_order=True):
