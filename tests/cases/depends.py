@@ -29,4 +29,9 @@ CASES = {
             src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
         ),
     ),
+    "DEP104": (
+        cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),
+        cmake("find_package(nobody REQUIRED)\nament_add_gmock(test_a test/a.cpp)\n", "", test__a_DOT_cpp=""),
+        cmake("ament_add_pytest_test(test_a test/a.py)\n", "", test__a_DOT_py=""),
+    ),
 }

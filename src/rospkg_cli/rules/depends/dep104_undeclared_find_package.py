@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.undeclared_find_package import FindPackageDependencies, UndeclaredFindPackage
+from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -53,7 +54,8 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     ## What it does
     Finds required `find_package()` calls for packages that package.xml does not declare.
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
-    counts where a target or an export uses the package all the same.
+    counts where a target or an export uses the package all the same. A command for tests (`ament_add_gtest()`) counts
+    where its package is neither found nor declared.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -88,6 +90,20 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
         level = Severity.INFO if name in declared.commented_out else level
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "required by CMake")
+    for each in CommandsForTests(declared, dependencies.cmake).undeclared():
+        level = Severity.WARNING if each.call.testing or each.may_be_brought else None
+        yield Hit(each.call.path, each.call.command.name_span, unknown_command(each), level)
+
+
+def unknown_command(each: UndeclaredTestCommand) -> str:
+    start = (
+        f"`{each.call.name}` comes with `{each.package}`, which CMake does not find and package.xml does not declare"
+    )
+    if each.may_be_brought:
+        stops = "it is known only if another package finds it"
+    else:
+        stops = 'CMake stops with "Unknown CMake command"'
+    return f"{start}: {stops}; find it, and declare it as `<test_depend>`"
 
 
 def consequence(missing: UndeclaredFindPackage) -> str:

@@ -1,0 +1,56 @@
+"""Commands for tests whose package CMake does not find and package.xml does not declare (DEP104)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...ros.implied_dependencies import IN_CMAKE, implied_by
+from .declared_dependencies import DeclaredDependencies
+
+PROVIDERS = {
+    "ament_add_gtest": "ament_cmake_gtest",
+    "ament_add_gtest_executable": "ament_cmake_gtest",
+    "ament_add_gmock": "ament_cmake_gmock",
+    "ament_add_gmock_executable": "ament_cmake_gmock",
+    "ament_add_pytest_test": "ament_cmake_pytest",
+    "ament_add_google_benchmark": "ament_cmake_google_benchmark",
+    "add_launch_test": "launch_testing_ament_cmake",
+    "add_ros_test": "ros_testing",
+    "ament_lint_auto_find_test_dependencies": "ament_lint_auto",
+}
+"""The one package that defines each command."""
+
+
+@dataclass(frozen=True, slots=True)
+class UndeclaredTestCommand:
+    call: EvaluatedCommand
+    package: str
+    may_be_brought: bool
+    """Whether it is not known of every package that is found what it finds in turn."""
+
+
+@dataclass(frozen=True)
+class CommandsForTests:
+    declared: DeclaredDependencies
+    cmake: CMake
+
+    def undeclared(self) -> Iterator[UndeclaredTestCommand]:
+        """Yield the first call for each package that neither CMake nor package.xml names, and that no other brings.
+
+        A package that is declared is found by `ament_lint_auto_find_test_dependencies()` and the like.
+        """
+        if not self.declared.is_checked or not self.cmake.is_complete or self.cmake.reads_unknown_files:
+            return
+        found = {each.name for each in self.cmake.packages}
+        brought, known = self.declared.transitive_names_of(found)
+        seen = found | brought | self.cmake.functions | implied_by(found | self.declared.names, IN_CMAKE)
+        for call in self.cmake.calls:
+            package = PROVIDERS.get(call.name, "")
+            if not package or call.maybe or {package, call.name} & seen:
+                continue
+            seen.add(package)
+            if not self.declared.has([package]) and not self.declared.bringer([package], runs=False):
+                yield UndeclaredTestCommand(call, package, not known)
