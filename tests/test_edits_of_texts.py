@@ -11,11 +11,17 @@ from rospkg_cli.edits import cmake_commands
 from rospkg_cli.edits.entry_points import strings
 from rospkg_cli.edits.launch_file import import_name, pass_through
 from rospkg_cli.edits.manifest_tags import remove_attribute, set_attribute
+from rospkg_cli.edits.setup_py import move_tests_require
 from rospkg_cli.edits.toml import find_entry
+from rospkg_cli.example import manifest
+from rospkg_cli.files import PackageFiles
 from rospkg_cli.finding import Edit
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.package.manifest import manifest_of
+from rospkg_cli.package.package import Package
+from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.source import Source, Span
+from rospkg_cli.tree import MemoryTree
 
 
 def applied(text: str, edits: Iterable[Edit]) -> str:
@@ -214,3 +220,31 @@ def test_an_attribute_is_removed_with_the_blanks_before_it() -> None:
     manifest = manifest_of(Source("package.xml", "<package><a  b='x'\n c='y'/></package>"))
     edits = [remove_attribute(manifest, manifest.root.children[0], name) for name in "bc"]
     assert applied(manifest.source.text, edits) == "<package><a/></package>"
+
+
+def setup_of(arguments: str) -> SetupPy:
+    text = f"from setuptools import setup\nimport given\nsetup({arguments})\n"
+    package = Package(
+        PackageFiles(MemoryTree.of({"package.xml": manifest(build_type="ament_python"), "setup.py": text}))
+    )
+    (found,) = package.parts(SetupPy).good
+    return found
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("tests_require=['pytest']", "extras_require={'test': ['pytest']}"),
+        ("tests_require=['pytest'], extras_require={}", "extras_require={'test': ['pytest']}"),
+        (
+            "tests_require=['pytest'], extras_require={'doc': ['sphinx']}",
+            "extras_require={'doc': ['sphinx'], 'test': ['pytest']}",
+        ),
+        ("tests_require=['pytest'], extras_require=given.extras()", None),
+        ("tests_require=['pytest'], extras_require=dict(doc=['sphinx'])", None),
+    ],
+)
+def test_what_tests_require_is_an_extra(before: str, after: str | None) -> None:
+    setup = setup_of(before)
+    edited = applied(setup.source.text, move_tests_require(setup))
+    assert edited == setup.source.text.replace(before, before if after is None else after)

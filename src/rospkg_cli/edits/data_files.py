@@ -100,7 +100,7 @@ def remove_source(setup: SetupPy, file: DataFile) -> tuple[Edit, ...]:
         return ()
     entry = setup.data_entries[file.entry]
     if len(entry.files) == 1:
-        inside = value.span.start < entry.position.start and entry.position.end < value.span.end
+        inside = value.span.start < entry.position.start < value.span.end
         return (commas.remove(setup.source, entry.position),) if inside else ()
     sources = entry.sources
     inside = sources is not None and sources.is_display and sources.span.start < file.position.start < sources.span.end

@@ -64,7 +64,7 @@ def add_argument(setup: SetupPy, code: str) -> tuple[Edit, ...]:
 def own_arguments(setup: SetupPy) -> list[Argument]:
     """Return the arguments that are written in the call itself."""
     call = setup.call
-    return [a for a in call.arguments if call.span.start < a.span.start and a.span.end < call.span.end] if call else []
+    return [a for a in call.arguments if call.span.start < a.span.start < call.span.end] if call else []
 
 
 def replace_argument(setup: SetupPy, name: str, code: str) -> tuple[Edit, ...]:
