@@ -290,6 +290,9 @@ def test_what_tests_and_parameters_need(lines: str, count: int) -> None:
         ("base::bsaic", "base::basic"),
         ("my_pkg::coer", "my_pkg::core"),
         ("tf2::tf22", ""),
+        ("nav_msgs::nav_smgs", "nav_msgs::nav_msgs"),
+        ("nav_msgs::nav_msgs", ""),
+        ("nav_msgs::nav_msg", ""),
     ],
 )
 def test_targets_that_are_nearly_those_of_a_package(arguments: str, near: str) -> None:

@@ -40,13 +40,14 @@ class MistypedLinks:
 
     def near_target(self, text: str) -> str | None:
         """Return what to write for `package::target`; None where it may exist."""
-        package, colons, _ = text.partition("::")
+        package, colons, target = text.partition("::")
         if not colons or text in self.own:
             return None
         if known := self.targets_of(package):
             return None if text in known else nearest(text, known, 2)
         if package in self.found or self.is_known(package):
-            return None
+            is_swapped = target != package and sorted(target) == sorted(package)
+            return f"{package}::{package}" if is_swapped else None
         return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
 
     def near_package(self, text: str) -> str | None:

@@ -85,8 +85,9 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
-    given the name, for names with `::` that are near to none of a package whose targets are known, for those of a
-    package that is found, and for `gtest` and `gmock`. Under a condition that can't be evaluated.
+    given the name, for names with `::` that are near to none of a package whose targets are known (of others only
+    their own name with letters swapped is told), for those of a package that is found, and for `gtest` and `gmock`.
+    Under a condition that can't be evaluated.
     """
     package = links.package
     for each in links.all():
