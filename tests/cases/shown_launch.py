@@ -23,7 +23,8 @@ def broken(*lines: str) -> Example:
     """A Python launch file with functions that use names."""
     body = "".join(f"    {line}\n" for line in lines)
     return names(
-        f"{HEAD}def setup(context):\n{body}\n\ndef generate_launch_description():\n    return LaunchDescription()\n"
+        f"{HEAD}def setup(context):\n{body}\n\ndef generate_launch_description():\n    setup(None)\n"
+        "    return LaunchDescription()\n"
     )
 
 

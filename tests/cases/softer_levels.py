@@ -87,6 +87,63 @@ def called(text: str) -> Example:
     return Example(bad={"package.xml": manifest(lch014.NEEDED), "launch/a.launch.py": text}, good={})
 
 
+HELPERS = """\
+from launch import LaunchDescription
+from launch.actions import OpaqueFunction
+
+
+def load(path):
+    return other(path)
+
+
+def load_all(path=None):
+    return [load(path)]
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+UNREACHED = HELPERS
+UNREACHED_TWICE = HELPERS.replace("Description([])", "Description([other])")
+REACHED = HELPERS.replace("Description([])", "Description(load_all())")
+BY_NAME = HELPERS.replace("Description([])", "Description([OpaqueFunction(function=load)])")
+OTHER_WAYS = """\
+from launch import LaunchDescription
+
+
+def default(path=first):
+    return None
+
+
+@third
+def registered():
+    return second
+
+
+class Loader:
+    def load(self):
+        return by_method()
+
+
+def by_method():
+    return fourth
+
+
+def outer():
+    def inner():
+        return fifth
+
+    return inner
+
+
+def by_attribute():
+    return sixth
+
+
+def generate_launch_description():
+    return LaunchDescription([Loader.by_attribute()])
+"""
+
 CASES = {
     "LCH002": (started(OFF, "b.launch.xml"), started(NEVER_ADDED, "b.launch.py")),
     "LCH003": (
@@ -103,6 +160,7 @@ CASES = {
             "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    names = []\n"
             "    if names:\n        names.append(other)\n    return LaunchDescription([])\n"
         ),
+        *map(called, (UNREACHED, UNREACHED_TWICE, REACHED, BY_NAME, OTHER_WAYS)),
     ),
     "LCH011": tuple(
         Example(

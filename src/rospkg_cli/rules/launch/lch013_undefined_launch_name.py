@@ -7,7 +7,10 @@ from collections.abc import Iterator
 from ...checks.launch.wrong_imports import wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...languages.python.file import PythonFile
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
+from ...languages.python.unreached_functions import unreached_functions
+from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_exports import exporting_module
 from ...rule import rule
@@ -35,13 +38,28 @@ def generate_launch_description():
     return LaunchDescription([LogInfo(msg=FindPackageShare('my_pkg'))])
 """
 
+ENTRY_POINT = "generate_launch_description"
+LEVELS = (None, Severity.WARNING, Severity.INFO)
+
+
+@dataclass(frozen=True, slots=True)
+class UseOfName:
+    """A use of an undefined name, and how bad it is."""
+
+    found: UndefinedName
+    level: Severity | None
+    ends: str
+
 
 @rule(
     "LCH013",
     "undefined-launch-name",
     over=LaunchFile,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the name is used in one branch of an `if`"},
+    levels={
+        Severity.WARNING: "the name is used in one branch of an `if`",
+        Severity.INFO: "the function that uses it is never called",
+    },
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.py": BAD},
@@ -69,22 +87,33 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
-    ImportError`), are left alone.
+    ImportError`), are left alone. A function that neither `generate_launch_description` nor the module level leads to,
+    by calls or by its name (`OpaqueFunction(function=setup)`), is one info.
     """
     if file.python is None or not file.has_entry_point:
         return
-    reported = set()
-    for found in undefined_names(file.python):
-        if found.name not in reported:
-            reported.add(found.name)
-            some = is_in_branch(file.python, found.span)
-            ends = "the launch stops with NameError" + (" where it gets here" if some else "")
-            message = f"`{found.name}` is defined nowhere: {ends}{hint(found)}"
-            yield Hit(file.path, found.span, message, Severity.WARNING if some else None)
+    found: dict[str, list[UseOfName]] = {}
+    for name in undefined_names(file.python):
+        found.setdefault(name.name, []).append(weighed(file.python, name))
+    for uses in found.values():
+        use = min(uses, key=lambda one: LEVELS.index(one.level))
+        message = f"`{use.found.name}` is defined nowhere: {use.ends}{hint(use.found)}"
+        yield Hit(file.path, use.found.span, message, use.level)
     for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"
         yield Hit(file.path, each.span, message)
+
+
+def weighed(file: PythonFile, found: UndefinedName) -> UseOfName:
+    """Return a use with its level, and with what happens there."""
+    for each in unreached_functions(file, (ENTRY_POINT,)):
+        if file.span(each.body[0]).start <= found.span.start < file.span(each.body[-1]).end:
+            ends = f"`{each.name}` raises NameError once something calls it, which nothing here does"
+            return UseOfName(found, Severity.INFO, ends)
+    if is_in_branch(file, found.span):
+        return UseOfName(found, Severity.WARNING, "the launch stops with NameError where it gets here")
+    return UseOfName(found, None, "the launch stops with NameError")
 
 
 def hint(found: UndefinedName) -> str:
