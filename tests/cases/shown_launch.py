@@ -322,12 +322,28 @@ MODULES = Example(
     good={},
 )
 
+ROS1_PARAM = '<launch>\n  <param name="speed" value="1.0"/>\n</launch>\n'
+CATKIN = "  <buildtool_depend>catkin</buildtool_depend>\n"
+
+
+def for_ros1(body: str, build_type: str = "catkin") -> Example:
+    text = manifest(body, build_type)
+    return Example(bad={"package.xml": text, "launch/a.launch": ROS1_PARAM}, good={}, on="")
+
+
+ROS1_PACKAGES = (
+    for_ros1(CATKIN),
+    for_ros1("  <depend>catkin</depend>\n"),
+    for_ros1(CATKIN + "  <buildtool_depend>ament_cmake</buildtool_depend>\n"),
+    for_ros1(CATKIN, "ament_cmake"),
+)
+
 CASES = {
     "LCH002": (MODULES,),
     "LCH003": (ALSO, ELSEWHERE),
     "LCH004": (ALSO, ELSEWHERE, SHARED),
     "LCH005": (REMOVED, REMOVED_XML, ASKS),
-    "LCH006": (OLD,),
+    "LCH006": (OLD, *ROS1_PACKAGES),
     "LCH007": (
         ENTITIES, REFUSED, QUOTED, EXPRESSIONS, IN_PYTHON,
         Example(bad={"package.xml": NEEDED, "launch/a.launch.yaml": YAML}, good={}),

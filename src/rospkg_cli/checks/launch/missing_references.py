@@ -63,6 +63,13 @@ class LaunchContext:
         return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
     @property
+    def is_in_ros1_package(self) -> bool:
+        """Whether the package is built by catkin and by nothing of ament: then its launch files are for roslaunch."""
+        names = {each.name for each in self.package.dependencies if each.tag == "buildtool_depend"}
+        ament = any(name.startswith("ament_") for name in names)
+        return self.package.build_type == "catkin" and "catkin" in names and not ament
+
+    @property
     def is_ros1_leftover(self) -> bool:
         """Whether the file is one for ROS 1 that a package for ROS 2 alone installs."""
         try:

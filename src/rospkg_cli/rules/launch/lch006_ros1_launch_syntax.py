@@ -69,9 +69,11 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
 
     ## When it is quiet
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
-    names catkin in its manifest.
+    names catkin in its manifest. So are all launch files of a package that catkin alone builds.
     """
     file = scope.file
+    if scope.is_in_ros1_package:
+        return
     yield from hits(file.path, ros1_syntax(file))
     if scope.is_ros1_leftover:
         message = (
