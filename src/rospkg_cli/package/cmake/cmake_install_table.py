@@ -15,6 +15,7 @@ from .ament_python_install import python_scripts
 from .artifacts import Artifacts
 from .cmake_project import CMake
 from .copied_files import copied_files
+from .foreign_commands import foreign_commands
 from .install_rules import InstallRule
 from .macro_installs import PACKAGE, installed_by_macros
 
@@ -110,6 +111,9 @@ class CMakeTableBuilder:
             if self.may_install(call):
                 for what in ALL[:1] if call.name == FETCHES else ALL[:2]:
                     yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
+        for call in foreign_commands(self.cmake):
+            why = f"`{call.name}` of another package may install anything"
+            yield UnknownPart("share", why, call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())

@@ -54,7 +54,8 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     'my_pkg'": only what `install()` names is installed.
 
     ## When it is quiet
-    Where install rules can't be evaluated, where another command names the folder, and where git ignores its files.
+    Where install rules can't be evaluated, where a macro of another package is called, which may install files, where
+    another command names the folder, and where git ignores its files.
     Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is an info. It is
     one, too, where neither the package nor one of the workspace that depends on it seems to open the folder: it may
     be a leftover.

@@ -44,6 +44,7 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
     """
     ## What it does
     Reports an expression of setup.py or CMakeLists.txt that can't be evaluated without running it.
+    A CMake macro of another package that is given something may install files too.
     It is not known then what is installed where; the message names the rules that are skipped for that.
 
     ## Why is this bad?

@@ -1,0 +1,29 @@
+"""Commands that neither CMake nor the usual packages define: macros of other packages, which may install anything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...lazy_regex import regex
+from .cmake_project import CMake
+
+FAMILIAR = regex(
+    r"_?(?:ament|rosidl|rclcpp|pluginlib|catkin|xacro|generate_parameter|protobuf|pybind11|nanobind|python3?|swig|cuda"
+    r"|qt\d?|pkg|cmake|fetchcontent|externalproject|gtest|find|check|target|get|set|enable|print|write_basic"
+    r"|configure_package_config|generate_export|nav2_add|call_for_each)_\w+"
+    r"|add_\w*test|autoware_ament_\w+|cpmaddpackage|feature_summary|exec_program|make_directory|include_external_msproject"
+)
+"""Commands of CMake's modules, ament and well-known libraries, which put nothing into the share directory, or whose
+files are read by other means; and those whose verb is not one of installing."""
+
+
+def foreign_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
+    """Yield the first call of each macro of another package that is given something; those for tests are left out."""
+    from ...languages.cmake.commands import COMMANDS  # two dozen modules that other packages need not import
+
+    seen = {*COMMANDS, *cmake.functions}
+    for call in cmake.calls:
+        if call.name not in seen and call.words and not call.testing and not FAMILIAR.fullmatch(call.name):
+            seen.add(call.name)
+            yield call
