@@ -136,3 +136,35 @@ def test_a_folder_that_setup_py_leaves_out_is_reported_there_alone() -> None:
         "urdf/robot.xacro": f"{HEAD}{mesh('meshes/leg.dae')}</robot>\n",
     }
     assert {each.code for each in lint_files(files, ["URD002", "SET207"]).findings} == {"SET207"}
+
+
+GIVES = "Command(['xacro ', 'urdf/robot.xacro', ' config:=', config])\n"
+MAPS = "xacro.process_file('urdf/robot.xacro', mappings={'config': config})\n"
+LEAVES = "Command(['xacro ', 'urdf/robot.xacro', ' other_config:=', config])\n"
+NO_ROBOT = "Command(['xacro ', 'urdf/wheel.xacro'])\n"
+
+
+@pytest.mark.parametrize(
+    "launches, level",
+    [
+        ((GIVES,), "info"),
+        ((MAPS,), "info"),
+        ((GIVES, MAPS, NO_ROBOT, "config = 'robot'\n"), "info"),
+        ((GIVES, LEAVES), "error"),
+        ((LEAVES,), "error"),
+        ((LEAVES, "other = {'config': config}\n"), "error"),
+    ],
+)
+def test_a_default_that_each_launch_file_replaces_is_an_info(launches: tuple[str, ...], level: str) -> None:
+    default = '<xacro:arg name="config" default="$(find robot)/meshes/arm.yaml"/>'
+    files = {f"robot/launch/{at}.launch.py": text for at, text in enumerate(launches)}
+    (finding,) = lint(default, others=files)
+    assert finding.severity.value == level
+    assert ("where no `config:=` is given" in finding.message) is (level == "info")
+
+
+def test_a_default_beside_another_use_is_an_error() -> None:
+    use = '"$(find robot)/meshes/arm.yaml"/>'
+    default = f'<xacro:arg name="config" default={use}<xacro:property name="c" lazy_eval="false" value={use}'
+    (finding,) = lint(default, others={"robot/launch/a.launch.py": GIVES})
+    assert finding.severity.value == "error"

@@ -16,9 +16,10 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
+from ..fault import Fault, softer
 from ..install_faults import InstallFaults
 from .opened_robots import OpenedRobots
-from .xacro_calls import XacroCalls
+from .xacro_calls import XacroCalls, ancestors
 
 State = Literal["absent", "not installed"]
 
@@ -65,6 +66,14 @@ class RobotInWorkspace:
         if self.table is None or not self.table.knows("share"):
             return True
         return any(row.source == self.robot.path for row in self.table.rows)
+
+    def weighed(self, fault: Fault) -> Fault:
+        """Return a fault at the level of its place; a default that each launch file replaces is no harm there."""
+        for around in ancestors(self.robot.document.root, fault.span):
+            name = around.get("name") or ""
+            if around.tag == "xacro:arg" and self.opened.is_always_given(self.robot.path, name):
+                return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
+        return self.calls.weighed(self.robot.document.root, fault)
 
     def missing(self) -> Iterator[MissingResource]:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""

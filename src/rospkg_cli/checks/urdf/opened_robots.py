@@ -15,6 +15,7 @@ from ...unreadable import UnreadableError
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
+LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,14 @@ class OpenedRobots:
             if names and other != path:
                 return True
         return self.workspace.is_needed(self.package.name)
+
+    def is_always_given(self, path: str, argument: str) -> bool:
+        """Return whether each launch file that runs xacro and names a robot gives it an argument, and one does."""
+        stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
+        given = re.compile(rf"\b{re.escape(argument)}:=|mappings\b[^)]{{0,500}}[\"']{re.escape(argument)}[\"']")
+        names = [text for other, text in self.texts if other.endswith(LAUNCH) and "xacro" in text]
+        opening = [text for text in names if stem.search(text)]
+        return bool(opening) and all(map(given.search, opening))
 
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:

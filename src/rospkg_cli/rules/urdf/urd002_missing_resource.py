@@ -43,7 +43,7 @@ LEVELS = (None, "warning", "info")
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a condition, or a macro without a call, is around it, or nothing opens the robot",
-        Severity.INFO: "it is in a property that nothing reads",
+        Severity.INFO: "it is in a property that nothing reads, or a default that each launch file replaces",
     },
     examples=(
         Example(
@@ -84,9 +84,10 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
     files that the build writes, git ignores or a submodule holds that is not checked out, and where install rules are
-    not all known. Where another rule reports that the folder is not installed, it says so alone. In a condition of
-    xacro, and in a macro that nothing here calls, it is a warning; so it is in a robot that no file of the package
-    names, where no other package of the workspace needs this one.
+    not all known (a CMake macro of another package may install files). Where another rule reports that the folder is
+    not installed, it says so alone. In a condition of xacro, and in a macro that nothing here calls, it is a warning;
+    so it is in a robot that no file of the package names, where no other package of the workspace needs this one. The
+    default of an argument is an info where each launch file that opens the robot gives another value.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
@@ -98,7 +99,7 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     """Return the level and the message: those of the place that xacro is most certain to reach."""
     harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
-    each = [scope.calls.weighed(scope.robot.document.root, replace(fault, span=span)) for span in missing.spans]
+    each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
     best = min(each, key=lambda one: LEVELS.index(one.level))
     if best.level is None and not scope.is_installed:
         best = softer(best, "warning", "where the robot is read from the source: it is not installed")
