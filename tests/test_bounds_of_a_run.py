@@ -10,16 +10,19 @@ from types import SimpleNamespace
 import pytest
 from cmaking import read
 
+from rospkg_cli import disk_trace
 from rospkg_cli.edits.cmake_commands import guard
 from rospkg_cli.edits.undeclared_hits import related
 from rospkg_cli.engine.discovery import discover, exclusions, incomplete_workspace, listed_repositories
 from rospkg_cli.engine.fixing import remove_leftovers
 from rospkg_cli.engine.run import run_rules
+from rospkg_cli.engine.run.process_pool import asked_of_the_disk
 from rospkg_cli.engine.run.session import SERIAL_BELOW, Pool, Scope, Session
 from rospkg_cli.engine.suppression import comments, file_head
+from rospkg_cli.engine.suppression.insert_ignores import ignore_comments
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
-from rospkg_cli.finding import Fix, Hit, Related
+from rospkg_cli.finding import Edit, Finding, Fix, Hit, Location, Related, Severity
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.rule_table import rule_by_code
 from rospkg_cli.source import Source, Span
@@ -149,6 +152,37 @@ def test_few_packages_are_checked_in_this_process(packages: int, is_serial: bool
         session = Session(tree, scope, frozenset(), make_pool=Several, kept=kept)  # type: ignore[arg-type]
         session.pool_for(folders)
         assert made == expected
+
+
+@pytest.mark.parametrize(
+    "path, text, line, put",
+    [
+        ("a.py", "#!/usr/bin/env python3\nx = 1\n", 1, None),
+        ("a.py", "x = 1\n#! y\n", 1, "# rospkg: ignore[SET101] why not\n"),
+        ("a.py", "x = 1\n  #! y\n", 2, "  # rospkg: ignore[SET101] why not\n"),
+        ("a.py", "x = 1\n#! y\n", 2, "# rospkg: ignore[SET101] why not\n"),
+        ("a.xml", "<?xml version='1.0'?>\n<a/>\n", 1, None),
+        ("a.xml", "<a>\n\t<b/>\n", 2, "\t<!-- rospkg: ignore[SET101] why not -->\n"),
+        ("a.cpp", "int x;\n", 1, "// rospkg: ignore[SET101] why not\n"),
+        ("a.md", "x\n", 1, None),
+    ],
+)
+def test_an_ignore_comment_never_comes_before_the_first_line_s_mark(
+    path: str, text: str, line: int, put: str | None
+) -> None:
+    at = Location(path, Span(0, 1), line, 1, line, 2)
+    found = [Finding(code, "x", Severity.ERROR, "x", at, "a") for code in ("SET101", "RPK001")]
+    fixes = list(ignore_comments(MemoryTree.of({path: text}), found, " why\n not "))
+    start = Source(path, text).line_span(line).start
+    edits = () if put is None else (Edit(path, Span(start, start), put),)
+    assert [(fix.title, fix.operations) for fix in fixes] == ([("Ignore SET101", edits)] if edits else [])
+
+
+def test_a_process_gives_its_trace() -> None:
+    assert asked_of_the_disk() == []
+    trace = disk_trace.start_trace()
+    assert asked_of_the_disk() == [trace]
+    disk_trace.stop_trace()
 
 
 @pytest.mark.parametrize("age, has_ended", [(600.0, False), (601.0, True)])

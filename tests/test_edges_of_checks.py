@@ -1,0 +1,88 @@
+"""Where a check is not sure, or stops looking: the last that it still says, and the first that it does not."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from cmaking import read
+
+from rospkg_cli.checks.cmake.misplaced_executables import MAX_DEPTH, MisplacedExecutables
+from rospkg_cli.checks.depends.compiled_sources import among
+from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
+from rospkg_cli.checks.launch.entity_schema import substitution_faults
+from rospkg_cli.checks.plugins.unknown_plugins import is_something_else
+from rospkg_cli.checks.share_references import references_folder
+from rospkg_cli.package.package_facts import PackageFacts
+
+
+def test_where_the_sources_of_a_target_are_unknown_every_file_counts() -> None:
+    source: Any = SimpleNamespace(includes=())
+    files = {"src/a.cpp": source, "src/b.cpp": source}
+    assert among(read("add_executable(a ${unheard_of})\n"), files) == [(source, "run")] * 2
+    assert among(read("add_executable(a src/a.cpp)\n"), files) == [(source, "run")]
+
+
+@pytest.mark.parametrize(
+    "text, needed",
+    [
+        ("ament_target_dependencies(a rclcpp ${x})\n", {"rclcpp"}),
+        ("if(UNHEARD_OF)\n  ament_target_dependencies(a rclcpp)\nendif()\n", set()),
+        ("target_link_libraries(a tf2::tf2 m)\n", {"tf2"}),
+        ("if(UNHEARD_OF)\n  target_link_libraries(a tf2::tf2)\nendif()\n", set()),
+        ("if(UNHEARD_OF)\n  set(l tf2::tf2)\nendif()\ntarget_link_libraries(a ${l} rclcpp::rclcpp)\n", {"rclcpp"}),
+    ],
+)
+def test_packages_that_a_target_certainly_needs(text: str, needed: set[str]) -> None:
+    model: Any = SimpleNamespace(cmake=read(f"add_library(a a.cpp)\n{text}"))
+    assert FindPackageDependencies.needed_names.func(model) & {"rclcpp", "tf2"} == needed
+
+
+@pytest.mark.parametrize(
+    "unknown, name, is_other",
+    [
+        ((), "arm::Tool", False),
+        (("components",), "arm::Tool", True),
+        (("interfaces",), "arm::Tool", True),
+        (("components", "interfaces"), "arm::Tool", True),
+        ((), "arm::Node", True),
+        ((), "arm/Pose", True),
+    ],
+)
+def test_a_name_that_may_be_no_plugin_s(unknown: tuple[Any, ...], name: str, is_other: bool) -> None:
+    owner = PackageFacts(
+        "arm",
+        "arm",
+        components=frozenset({"arm::Node"}),
+        interfaces=frozenset({"msg/Pose"}),
+        unknown=frozenset(unknown),
+    )
+    assert is_something_else(owner, name) is is_other
+
+
+@pytest.mark.parametrize("name, arguments, says", [
+    ("zqrname", 1, None), ("dirnome", 1, "did you mean `$(dirname …)`?"), ("var", 1, None),
+    ("var", 0, "takes 1 to 2 arguments"),
+])  # fmt: skip
+def test_a_substitution_that_is_nearly_one(name: str, arguments: int, says: str | None) -> None:
+    found: Any = SimpleNamespace(name=name, arguments=[()] * arguments, span=None)
+    told = [fault.message for fault in substitution_faults(found)]
+    assert told == [] if says is None else says in told[0]
+
+
+@pytest.mark.parametrize("distance, is_found", [(200, True), (201, False)])
+def test_a_folder_far_behind_the_share_directory(distance: int, is_found: bool) -> None:
+    lookup = "get_package_share_directory('arm')"
+    text = f"{lookup}{' ' * (distance - len(lookup))}'config'"
+    assert references_folder(text, "arm", "config") is is_found
+
+
+@pytest.mark.parametrize("between, is_node", [(MAX_DEPTH, True), (MAX_DEPTH + 1, False)])
+def test_ros_behind_other_targets(between: int, is_node: bool) -> None:
+    lines = ["add_executable(l0 a.cpp)", *(f"add_library(l{n} a.cpp)" for n in range(1, between + 1))]
+    lines += [f"target_link_libraries(l{n} l{n + 1})" for n in range(between)]
+    model: Any = SimpleNamespace(
+        cmake=read("\n".join([*lines, f"target_link_libraries(l{between} rclcpp::rclcpp)", ""]))
+    )
+    assert MisplacedExecutables(model).uses_ros("l0") is is_node
