@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from cmaking import read
 
 from rospkg_cli.edits import cmake_commands
+from rospkg_cli.edits.data_files import LAUNCH_GLOB, widen_glob
 from rospkg_cli.edits.entry_points import strings
 from rospkg_cli.edits.launch_file import import_name, pass_through
 from rospkg_cli.edits.manifest_tags import remove_attribute, set_attribute
@@ -248,3 +251,24 @@ def test_what_tests_require_is_an_extra(before: str, after: str | None) -> None:
     setup = setup_of(before)
     edited = applied(setup.source.text, move_tests_require(setup))
     assert edited == setup.source.text.replace(before, before if after is None else after)
+
+
+@pytest.mark.parametrize(
+    "code, pattern, path, matches, is_widened",
+    [
+        ("glob('launch/*.py')", "launch/*.py", "launch/a.launch.xml", ["launch/b.launch.py"], True),
+        ("glob('launch/*.py')", "launch/*.py", "launch/a.txt", [], False),
+        ("glob('launch/*.py')", "launch/*.py", "launch/deep/a.launch.xml", [], False),
+        ("glob('launch/*' + '.py')", "launch/*.py", "launch/a.launch.xml", [], False),
+        ("glob('*', '*')", "*", "launch/a.launch.xml", [], False),
+        ("glob('launch/*.py')", "launch/*.py", "launch/a.launch.xml", ["launch/tool.py"], False),
+    ],
+)
+def test_a_glob_is_widened_where_it_is_a_plain_text(
+    code: str, pattern: str, path: str, matches: list[str], is_widened: bool
+) -> None:
+    setup = setup_of(f"data_files=[('x', {code})]")
+    start = setup.source.text.index(code)
+    glob: Any = SimpleNamespace(span=Span(start, start + len(code)), pattern=pattern, matches=matches)
+    edited = applied(setup.source.text, widen_glob(setup, glob, path))
+    assert edited == setup.source.text.replace(pattern, LAUNCH_GLOB if is_widened else pattern)
