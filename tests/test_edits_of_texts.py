@@ -272,3 +272,10 @@ def test_a_glob_is_widened_where_it_is_a_plain_text(
     glob: Any = SimpleNamespace(span=Span(start, start + len(code)), pattern=pattern, matches=matches)
     edited = applied(setup.source.text, widen_glob(setup, glob, path))
     assert edited == setup.source.text.replace(pattern, LAUNCH_GLOB if is_widened else pattern)
+
+
+@pytest.mark.parametrize("width, is_one_line", [(23, True), (22, False)])
+def test_the_width_counts_to_the_end_of_a_file_without_a_line_break(width: int, is_one_line: bool) -> None:
+    text = "x = (value)"
+    edited = applied(text, pass_through(parse_python(Source("a.py", text)), Span(5, 10), "call", "more", width))
+    assert edited == ("x = (call(value, more))" if is_one_line else "x = (call(\n    value,\n    more))")
