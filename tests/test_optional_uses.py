@@ -197,3 +197,21 @@ def test_a_use_by_default_is_named_before_one_that_an_argument_turns_on() -> Non
     text = f'<launch><arg name="sim" default="false"/>\n{nodes}</launch>\n'
     (finding,) = lint_files({**PYTHON, "package.xml": DECLARED, "launch/a.launch.xml": text}, ["DEP103"]).findings
     assert (finding.severity.value, finding.location.line) == ("warning", 3)
+
+
+NEVER = f"joy = {NODE}"
+
+
+@pytest.mark.parametrize(
+    "lines, level",
+    [
+        ((NEVER, "return LaunchDescription([])"), None),
+        ((NEVER, "nodes = [", "    # joy,", "]", "return LaunchDescription(nodes)"), None),
+        ((NEVER, "return LaunchDescription([joy])"), "warning"),
+        ((NEVER, f"return LaunchDescription([{NODE}])"), "warning"),
+        (("share = FindPackageShare('joy')", "return LaunchDescription([])"), None),
+        (("share = get_package_share_directory('joy')", "return LaunchDescription([])"), "warning"),
+    ],
+)
+def test_what_is_never_added_is_no_use(lines: tuple[str, ...], level: str | None) -> None:
+    assert [found for found, _ in launch(described(*lines))] == ([level] if level else [])

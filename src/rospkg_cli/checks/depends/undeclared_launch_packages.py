@@ -17,6 +17,7 @@ from ...package.python.python_imports import PackageImports, own_modules
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
+from ..launch.idle_actions import contains, never_added
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by, brought_by_others
 from .compiled_sources import named_sources
@@ -153,9 +154,15 @@ class LaunchDependencies:
 
 
 def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
-    """Yield what a launch file needs, each with the argument that it takes where that is off by default."""
+    """Yield what a launch file needs, each with the argument that it takes where that is off by default.
+
+    What is built and never added to the launch description is not visited: it needs nothing.
+    """
     off = tuple(off_by_default(file))
+    idle = tuple(never_added(file.python)) if file.python is not None else ()
     for use in package_references(file):
+        if use.is_late and any(contains(each, use.span) for each in idle):
+            continue
         inside = (part.argument for part in off if part.span.start <= use.span.start < part.span.end)
         yield replace(use, only_with=next(inside, "")) if use.is_late else use
 

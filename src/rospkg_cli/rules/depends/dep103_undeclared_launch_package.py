@@ -70,10 +70,10 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     not name, and the launch stops with "package 'robot_state_publisher' not found".
 
     ## When it is quiet
-    Whatever `ros2 launch` itself needs (launch, launch_ros, rclpy, PyYAML) is there wherever it is run. What a declared
-    dependency certainly installs is one info, which names who brings it; what only an argument turns on (`sim:=true`)
-    is an info that names the argument. Left out are names that are computed, uses that catch PackageNotFoundError or
-    ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, and what a module imports too (DEP101).
+    What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
+    is one info; what only an argument turns on (`sim:=true`) is an info that names the argument. Left out are computed
+    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS
+    1, actions that nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or where another name may be intended.
