@@ -122,5 +122,9 @@ CASES = {
         depend('version_eq="1.0" version_lt="2.0"'),
         depend('version_gte="two"'),
     ),
+    "XML208": (
+        Example(bad={"package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake").replace(
+            "  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")}, good={}, on="ament_cmake"),
+    ),
     "XML307": (Example(bad={"package.xml": PLAIN, "CMakeLists.txt": CMAKE}, good={}),),
 }  # fmt: skip

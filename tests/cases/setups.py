@@ -40,6 +40,10 @@ OTHER_NAME = SETUP_PY.replace("package_name = 'my_pkg'", "package_name = 'your_p
 WITH_OPTIONS = setup_py(scripts("a = my_pkg.talker:main"), OPTIONS)
 NARROW = set207.launch("glob('launch/*.launch.xml')")
 
+YAML = "from glob import glob\n" + SETUP_PY.replace(
+    ENTRY, ENTRY + "        ('share/' + package_name + '/config', glob('config/*.yaml')),\n"
+)
+
 SPIN = "import rclpy\n\nrclpy.init()\n"
 RUNNING = (
     f"{SPIN}rclpy.spin(None)\n",
@@ -103,6 +107,7 @@ CASES = {
         python({**set207.FILES, "launch/b_launch.xml": set207.LAUNCH, "setup.py": NARROW}),
         python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),
         python({**ROBOTS, "setup.py": GLOBS}),
+        python({**CONFIG, "config/view.rviz": "Panels: []\n", "setup.py": YAML}),
     ),
     "SET209": (
         python({"setup.py": setup_py().replace(ENTRY, ENTRY + ENTRY)}),

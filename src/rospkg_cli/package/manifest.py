@@ -8,6 +8,7 @@ from functools import cached_property
 from ..files import ReaderInput
 from ..languages.rep149_condition import may_hold
 from ..languages.xml.parser import Attribute, Document, Element, Instruction, read_xml
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..read_problem import ReadProblem
 from ..ros.distros import Targets
@@ -15,6 +16,12 @@ from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, F
 from ..source import Source, Span
 from ..unreadable import UnreadableError
 from .schema.schema import Verdict, validate
+
+SCHEMA_OF_XML = (
+    regex(r"""\bhref\s*=\s*["']\s*[^\s"']"""),
+    regex(r"""\bschematypens\s*=\s*["']http://www\.w3\.org/2001/XMLSchema["']"""),
+)
+"""What a `<?xml-model?>` line has that names a schema (ament_xmllint/main.py)."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +102,11 @@ class Manifest:
     def xml_model(self) -> Instruction | None:
         """The first `<?xml-model …?>` line."""
         return next((each for each in self.document.instructions if each.target == "xml-model"), None)
+
+    @property
+    def names_schema(self) -> bool:
+        """Whether the line names an XML schema to ament_xmllint, which reads its `href` and its `schematypens`."""
+        return self.xml_model is not None and all(pattern.search(self.xml_model.data) for pattern in SCHEMA_OF_XML)
 
     def all(self, *tags: str) -> list[Element]:
         """Return the children that have one of some tags, in order."""

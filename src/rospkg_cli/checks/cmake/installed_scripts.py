@@ -16,6 +16,8 @@ from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...ros.share_layout import LAUNCH
 from ...unreadable import UnreadableError
 
+SHELL = (".sh", ".bash")
+"""Scripts that are mostly helpers of developers."""
 ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
@@ -79,9 +81,11 @@ class InstalledScripts:
         return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
 
     def is_wanted(self, path: str) -> bool:
-        """Return whether a script uses rclpy, or a launch file, a README or another installed script names it."""
-        if USES_ROS.search(self.text(path)):
-            return True
+        """Return whether a script uses rclpy, or something names it."""
+        return USES_ROS.search(self.text(path)) is not None or self.is_named(path)
+
+    def is_named(self, path: str) -> bool:
+        """Return whether a launch file, a README or an installed script names a script."""
         readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
         texts = (*self.launch_texts, *self.texts, *map(self.text, readmes))
         return any(posixpath.basename(path) in text for text in texts)
@@ -145,7 +149,9 @@ class InstalledScripts:
             installed = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
             for path in cmake.package_files.paths:
                 fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
-                if fits and not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
+                if not fits or (path.endswith(SHELL) and not self.is_named(path)):
+                    continue
+                if not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
                     yield path, installed
 
     def is_installed(self, path: str) -> bool:

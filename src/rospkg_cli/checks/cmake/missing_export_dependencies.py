@@ -16,8 +16,10 @@ from ...package.workspace import Workspace
 from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
+TABLES = ("exported_dependencies", "runtime_dependencies")
 REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
-VARIABLE = regex(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS)\}")
+VARIABLE = regex(r"\$\{([\w.+-]+?)_TARGETS\}")
+"""Targets by a variable. `${std_msgs_LIBRARIES}` are paths of libraries, which nobody has to find again."""
 BY_MACRO = {
     "generate_parameter_library": frozenset(
         "fmt rclcpp rclcpp_lifecycle rsl tcb_span tl_expected parameter_traits generate_parameter_library".split()
@@ -49,6 +51,7 @@ class ExportedDependencies:
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
         unclear = not cmake.is_complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
+        unclear = unclear or not self.there[1]
         plugins = bool(cmake.named(PLUGINS))
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
         if unclear or not self.headers.installed or unused:
@@ -58,7 +61,7 @@ class ExportedDependencies:
         for link in TargetLinks(cmake).all:
             package = self.package_of(link)
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
-            if passed and package in self.needed and package not in self.there | seen:
+            if passed and package in self.needed and package not in self.there[0] | seen:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
                 loaded = loads and not self.is_built_against
@@ -125,9 +128,10 @@ class ExportedDependencies:
         return frozenset(names)
 
     @cached_property
-    def there(self) -> frozenset[str]:
-        """What is exported, directly or through another package."""
+    def there(self) -> tuple[frozenset[str], bool]:
+        """What is exported, directly or through another package, and whether that is known of all ROS packages."""
         found: set[str] = set()
+        known, tables = True, [rows(f"{name}.txt") for name in TABLES]
         waiting = list(self.exported)
         while waiting:
             name = waiting.pop()
@@ -135,8 +139,13 @@ class ExportedDependencies:
                 found.add(name)
                 facts = self.workspace.named(name)
                 waiting += rows("cmake_exports.txt").get(name, ())
-                waiting += rows("exported_dependencies.txt").get(name, ()) if facts is None else built_against(facts)
-        return frozenset(found)
+                if facts is not None:
+                    waiting += built_against(facts)
+                    continue
+                waiting += [need for table in tables for need in table.get(name, ())]
+                listed = any(name in table for table in tables)
+                known &= listed or name not in self.exported or not self.workspace.index.is_package(name)
+        return frozenset(found), known
 
     @cached_property
     def needed(self) -> frozenset[str]:

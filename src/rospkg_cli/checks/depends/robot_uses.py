@@ -25,6 +25,7 @@ LOADS_PLUGINS = regex(
     r"controller_manager$|gz_ros2_control|ign_ros2_control|gazebo_ros2_control|nav2_|moveit|navigation2$|.*_bringup$"
 )
 """Packages that load plugins by the names in parameter files, or whose launch files start such."""
+EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 
@@ -76,6 +77,7 @@ class RobotUses:
             name = self.package_of(use) if self.is_used(use.path) else None
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
+                is_optional = is_optional or self.is_unused_example(use.path)
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
@@ -100,6 +102,12 @@ class RobotUses:
     def started(self) -> frozenset[str]:
         """The packages whose nodes or files the launch files use."""
         return frozenset(use.name for file in self.launch.launch_files for use in every_reference(file))
+
+    def is_unused_example(self, path: str) -> bool:
+        """Return whether a file is an example by its name, and no launch file names it: it is there to be copied."""
+        name = path.rpartition("/")[2]
+        named = (name in file.source.text for file in self.launch.launch_files)
+        return EXAMPLE.search(path) is not None and not any(named)
 
     @property
     def loads_plugins(self) -> bool:

@@ -17,6 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
+from ...ros.read_table import rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +107,7 @@ class RosidlTargets:
         Actions pass `action_msgs` on; since Iron, services pass `service_msgs` on too.
         """
         found: set[str] = set()
+        brought = rows("runtime_dependencies.txt")
         certain, waiting = True, [word.text for word in target.dependencies]
         services_do = not self.targets.named(lambda distro: distro.name == "humble")
         if any(word.text.endswith((".srv", ".action") if services_do else ".action") for word in target.files):
@@ -119,6 +121,8 @@ class RosidlTargets:
                     waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
                 elif name in CORE_DEPENDENCIES:
                     waiting += CORE_DEPENDENCIES[name]
+                elif name in brought:
+                    waiting += brought[name]
                 else:
                     certain = False
         return found, certain

@@ -8,8 +8,9 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency, Manifest
-from ...ros.interfaces import GROUP
+from ...ros.interfaces import GROUP, RUNTIMES
 from ...ros.manifest import RUNS
+from ..depends.declared_dependencies import DeclaredDependencies
 
 GENERATORS = "rosidl_default_generators"
 GENERATE = "rosidl_generate_interfaces"
@@ -21,6 +22,7 @@ SKIP_INSTALL, SKIP_CHECK = "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"
 class InterfacePackage:
     manifest: Manifest
     cmake: CMake
+    declared: DeclaredDependencies
 
     @cached_property
     def installed(self) -> tuple[EvaluatedCommand, ...]:
@@ -43,6 +45,11 @@ class InterfacePackage:
         """The generators where they are declared for running, which brings the runtime as well."""
         found = (each for each in self.manifest.dependencies if each.name == GENERATORS and each.tag in RUNS)
         return next(found, None)
+
+    @property
+    def runtime_bringer(self) -> str:
+        """The declared dependency that the runtime certainly comes with, as messages that these use do; else ""."""
+        return self.declared.bringer(RUNTIMES, runs=True)
 
     @property
     def is_member(self) -> bool:

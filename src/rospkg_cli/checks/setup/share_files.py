@@ -12,7 +12,7 @@ from ...languages.python.evaluate.values import GlobResult
 from ...light_dataclasses import dataclass
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
-from ...ros.share_layout import FOLDERS
+from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ..share_uses import ShareUses
 from .python_package import PythonPackage
@@ -147,6 +147,14 @@ class ShareFiles:
             found.setdefault(f"{folder}/", missed)
         return tuple(found.values())
 
+    def is_wanted(self, missed: UninstalledNeighbour) -> bool:
+        """Return whether a file is of the kind of its installed neighbours, or code or a README names it."""
+        path, kinds = missed.path, {kind_of(each) for each in missed.glob.matches}
+        name = posixpath.basename(path)
+        if path.endswith("/") or LAUNCH.fullmatch(name) or kind_of(path) in kinds:
+            return True
+        return any(name in text for text in (*self.uses.code, *self.uses.readmes))
+
     def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where at least two folders next to them have a glob each."""
         entries = self.package.setup.data_entries
@@ -170,6 +178,11 @@ class ShareFiles:
             fits = path not in self.covered and pattern.fullmatch(path.rpartition("/")[2])
             if fits and not self.package.files.absent.is_ignored(path):
                 yield path
+
+
+def kind_of(path: str) -> str:
+    """Return the kind of a file, by its suffix."""
+    return posixpath.splitext(path)[1].replace(".yml", ".yaml")
 
 
 def folder_of(pattern: str) -> str:

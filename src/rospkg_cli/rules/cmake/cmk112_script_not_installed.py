@@ -46,7 +46,7 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     ## When it is quiet
     Where install rules can't be evaluated, where another command names the script, for scripts of tests, and for those
     whose names begin with `_`. Where it neither uses rclpy nor is named in a launch file, a README or another script,
-    it may be for developers: an info.
+    it may be for developers: an info; a shell script is then left alone.
     """
     if not scripts.package.is_ament:
         return

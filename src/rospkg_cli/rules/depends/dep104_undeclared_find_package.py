@@ -25,8 +25,10 @@ FOUND_IN_TESTS = CMAKE.replace(
     over=FindPackageDependencies,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "where only tests need it, or a declared dependency may bring it",
-        Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment",
+        Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
+        "is a command that nothing defines",
+        Severity.INFO: "where a declared dependency brings it, package.xml has it in a comment, or its rosdep key has "
+        "no rule for a supported distribution",
     },
     examples=(
         Example(
@@ -62,9 +64,10 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it; where it is not known what a
-    declared one installs, the error is a warning. What is optional (QUIET, without use) or under a condition that
-    depends on the machine is left alone, and so is what comes with the build tools.
+    What a declared dependency certainly installs is one info, which names who brings it; so is a key of rosdep that no
+    supported distribution has a rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET,
+    without use) or under a condition that depends on the machine is left alone, and so is what comes with the build
+    tools.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -82,16 +85,18 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
             brought.append(BroughtUse(name, missing.bringer, kind, found.word.path, found.word.span))
             continue
         known = "" if name == found.name else f" (`{name}` for rosdep)"
+        if not missing.is_installable:
+            yield Hit(found.word.path, found.word.span, not_installable(missing), Severity.INFO)
+            continue
         message = (
             f"CMake requires `{found.name}`{known}, and package.xml does not declare it: {consequence(missing)}; "
             f"{advice(declared, kind, name)}"
         )
-        level = Severity.WARNING if tests or missing.may_be_brought else None
-        level = Severity.INFO if name in declared.commented_out else level
+        level = Severity.INFO if name in declared.commented_out else Severity.WARNING
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "required by CMake")
     for each in CommandsForTests(declared, dependencies.cmake).undeclared():
-        level = Severity.WARNING if each.call.testing or each.may_be_brought else None
+        level = Severity.WARNING if each.call.testing or each.may_be_brought else Severity.ERROR
         yield Hit(each.call.path, each.call.command.name_span, unknown_command(each), level)
 
 
@@ -104,6 +109,13 @@ def unknown_command(each: UndeclaredTestCommand) -> str:
     else:
         stops = 'CMake stops with "Unknown CMake command"'
     return f"{start}: {stops}; find it, and declare it as `<test_depend>`"
+
+
+def not_installable(missing: UndeclaredFindPackage) -> str:
+    return (
+        f"CMake requires `{missing.found.name}`, and package.xml does not declare it: rosdep installs nothing for "
+        f"`{missing.names[0]}` on supported distributions; declare the vendor package that brings it"
+    )
 
 
 def consequence(missing: UndeclaredFindPackage) -> str:

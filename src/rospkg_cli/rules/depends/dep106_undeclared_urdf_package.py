@@ -64,8 +64,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     What a declared dependency certainly installs is one info, which names who brings it. Left alone are files that are
     not installed, what comes with RViz itself, plugins of a metapackage or of a package whose node is launched, and
     what launch files need as well (DEP103). Plugins of robots and RViz configs are infos, and so are those of parameter
-    files in a package that launches nothing that loads plugins (controller_manager, nav2, MoveIt): others may use the
-    file without them.
+    files in a package that launches nothing that loads plugins (controller_manager, nav2, MoveIt), or in an example
+    that no launch file names: others may use the file without them.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.

@@ -57,8 +57,9 @@ def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
     does not compile. A listed package must be found first: the fix adds `find_package()` where it is missing.
 
     ## When it is quiet
-    Where a listed package is known to pass the interfaces on, as actions do with `action_msgs`. Where the DEPENDENCIES
-    can't be evaluated. Where a listed package is not available and may pass them on, it is a warning.
+    Where a listed package is known to pass the interfaces on, as actions do with `action_msgs`, and `vision_msgs` with
+    `std_msgs`. Where the DEPENDENCIES can't be evaluated. Where a listed package is not available and may pass them on,
+    it is a warning.
     """
     offered: set[int] = set()
     for need in generated.unlisted_needs():

@@ -38,7 +38,7 @@ BAD = CHECKED.replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</
     "element-order",
     over=Manifest,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where no test checks it: the package declares no ament_xmllint"},
+    levels={Severity.INFO: "where no test checks it: the package declares no ament_xmllint, or names no schema"},
     examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
 )
 def element_order(manifest: Manifest) -> Iterator[Hit]:
@@ -54,8 +54,8 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
 
     ## When it is quiet
     Where no `<?xml-model …?>` line names the schema, no tool checks the order, and nothing is said. It is an info where
-    the package declares neither ament_lint_common nor ament_xmllint. What stands wrong in a row under one tag is one
-    finding.
+    the package declares neither ament_lint_common nor ament_xmllint, and where that line has an empty `href` or no
+    `schematypens` of XML Schema. What stands wrong in a row under one tag is one finding.
 
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
@@ -68,7 +68,9 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-    if not any(manifest.depends_on(name) for name in CHECKERS):
+    if not manifest.names_schema:
+        level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema"
+    elif not any(manifest.depends_on(name) for name in CHECKERS):
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
     else:
         level, ends = None, "`colcon test` fails on it, since the tests run ament_xmllint"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_inputs import ManifestAndCMake
+from ...checks.manifest.build_tools import BuildTools
 from ...edits.manifest import add_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -22,8 +22,9 @@ NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
 @rule(
     "XML208",
     "missing-buildtool",
-    over=ManifestAndCMake,
+    over=BuildTools,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where a dependency that is declared for building brings it"},
     examples=(
         Example(
             on="ament_cmake",
@@ -33,7 +34,7 @@ NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
         ),
     ),
 )
-def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
+def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     """
     ## What it does
     Finds ament_cmake packages that declare no dependency on ament_cmake.
@@ -46,12 +47,13 @@ def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
 
     ## When it is quiet
     A build tool of the ament_cmake family under any tag that is there when the package is built is enough. A
-    CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone.
+    CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone. Where a dependency that
+    is there to build certainly brings it, as the generators of interfaces do, it is an info.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
-    manifest = package.manifest
+    package, manifest = tools.package, tools.package.manifest
     if any(FAMILY.fullmatch(each.name) and each.tag not in NOT_FOR_BUILDING for each in manifest.dependencies):
         return
     asked = sorted(name for name in package.found if name.startswith("ament_cmake"))
@@ -60,10 +62,13 @@ def missing_buildtool(package: ManifestAndCMake) -> Iterator[Hit]:
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
     for element in manifest.build_types(package.targets):
         if element.text == "ament_cmake":
+            bringer = tools.bringer(name)
+            harm = f"it comes with `{bringer}` today" if bringer else "on the build farm `find_package` fails"
             message = (
-                f"package.xml does not declare `{name}`, which CMakeLists.txt needs: on the build farm `find_package` "
-                f"fails; add `<buildtool_depend>{name}</buildtool_depend>`"
+                f"package.xml does not declare `{name}`, which CMakeLists.txt needs: {harm}; "
+                f"add `<buildtool_depend>{name}</buildtool_depend>`"
             )
+            level = Severity.INFO if bringer else None
             fix = Fix(f"Add `{name}`", (add_dependency(manifest, "buildtool_depend", name),))
-            yield Hit(manifest.path, manifest.span(element), message, fix=fix)
+            yield Hit(manifest.path, manifest.span(element), message, level, fix=fix)
             return

@@ -44,8 +44,8 @@ def without(line: str) -> Example:
     over=InterfacePackage,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the runtime alone is missing: the package builds, and is broken for its users",
-        Severity.INFO: "the generators are declared in the place of the runtime, which they bring",
+        Severity.WARNING: "the group is there: the package builds wherever ROS is installed with its generators",
+        Severity.INFO: "the runtime comes with a declared dependency, or with generators in its place",
     },
     examples=(
         without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
@@ -67,7 +67,8 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Interfaces that are not installed (SKIP_INSTALL) or built for tests alone need neither the runtime nor the group,
-    and SKIP_GROUP_MEMBERSHIP_CHECK needs no group. Generators that are declared to run bring the runtime: an info.
+    and SKIP_GROUP_MEMBERSHIP_CHECK needs no group. Where a declared dependency certainly brings the runtime, as
+    std_msgs and generators that are declared to run do, it is an info.
 
     ## References
     - [Interfaces, package.xml](https://docs.ros.org/en/rolling/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html)
@@ -79,9 +80,11 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         message = f"interfaces are generated and the group is missing: CMake stops at the first of them; add `{line}`"
         edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
+    bringer = package.runtime_bringer
+    harm_to_users = f"it comes with `{bringer}` today" if bringer else "users of the package can't use its messages"
     for tag, names, harm, level in (
-        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", None),
-        ("exec_depend", RUNTIMES, "users of the package can't use its messages", Severity.WARNING),
+        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", Severity.WARNING),
+        ("exec_depend", RUNTIMES, harm_to_users, Severity.INFO if bringer else Severity.WARNING),
     ):
         if not package.installs or any(manifest.depends_on(name) for name in names):
             continue

@@ -13,6 +13,9 @@ from ...rule import rule
 INSTALL = re.compile(r"install\w*\s*\(", re.I)
 """A call of `install()` or of a command that is named after it: of an ignored file only the text is looked at."""
 
+INSTALLED = re.compile(r"\b(?:packages|package_dir|py_modules|scripts|data_files|entry_points|ext_modules)\b")
+"""What setup.py or setup.cfg says of files to install."""
+
 INSTALLING = CMAKE.replace("ament_package()", CONFIG_INSTALL + "ament_package()")
 PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")
 MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<build_type>«ament_cmake»")
@@ -23,7 +26,7 @@ MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<
     "conflicting-build-files",
     over=ManifestAndCMake,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where the CMakeLists.txt that is ignored installs nothing"},
+    levels={Severity.INFO: "where the file that is ignored installs nothing"},
     examples=(
         Example(bad={"package.xml": PYTHON, "CMakeLists.txt": INSTALLING}, good={"CMakeLists.txt": None}),
         Example(on="ament_cmake", bad={"package.xml": MIXED, "setup.py": SETUP_PY}, good={"setup.py": None}),
@@ -40,9 +43,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     package seems to install it.
 
     ## When it is quiet
-    A CMakeLists.txt without an install rule, left from ROS 1 often, is an info: nothing of it is missed. Packages for
-    ROS 1 and ROS 2 (catkin, conditions) are left alone, and so is a setup.py that CMake installs by
-    `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
+    A CMakeLists.txt without an install rule is an info, and so is a setup.py without packages, modules, scripts and
+    data files: left from ROS 1 often, nothing of them is missed. Packages for ROS 1 and ROS 2 (catkin, conditions) are
+    left alone, and so is a setup.py that CMake installs by `ament_python_install_package()`, or that a CMakeLists.txt
+    of unknown parts may use.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
@@ -57,6 +61,8 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
         level = None if INSTALL.search(files.source("CMakeLists.txt").text) else Severity.INFO
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
+        texts = (files.source(path).text for path in ("setup.py", "setup.cfg") if files.exists(path))
+        level = None if any(INSTALLED.search(text) for text in texts) else Severity.INFO
     if other:
         ends = ", which installs nothing" if level else ": what it installs is missing"
         message = f"the build type is `{used}`, so colcon ignores `{other}`{ends}; {advice}"

@@ -26,6 +26,7 @@ def launch(pattern: str) -> str:
     "file-not-installed",
     over=ShareFiles,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where they are of another kind than their neighbours, and nothing names them"},
     examples=(
         Example(
             bad={**FILES, "setup.py": launch("«glob('launch/*.launch.xml')»")},
@@ -45,8 +46,9 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     The build is green, the other files are found, and this one "was not found in the share directory".
 
     ## When it is quiet
-    Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those
-    of other kinds than their neighbours. All files that one glob misses are one finding.
+    Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
+    other kinds than the folder is for. All files that one glob misses are one finding, an info where no code and no
+    README names them and the glob is for another kind: `robot.rviz` beside `*.yaml`.
 
     ## Fix safety
     A wider glob may install more than is wanted.
@@ -65,7 +67,8 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
             f"{'them' if others else 'it'}; add {'a glob' if is_folder else 'them' if others else 'it'} to `data_files`"
         )
         related = tuple(Related(place, Span(0, 0), "not installed either") for place in places(shared, others))
-        yield Hit(package.setup.path, span, message, related=related, fix=fix)
+        level = None if any(shared.is_wanted(each) for each in (first, *others)) else Severity.INFO
+        yield Hit(package.setup.path, span, message, level, related=related, fix=fix)
 
 
 def places(shared: ShareFiles, missed: Sequence[UninstalledNeighbour]) -> Iterator[str]:

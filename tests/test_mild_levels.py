@@ -1,0 +1,219 @@
+"""What fails for nobody today is an info at most: something declared brings it, or nothing asks for it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, existing_files, manifest, setup_py
+from rospkg_cli.finding import Finding, Safety
+from rospkg_cli.rules.cmake import cmk112_script_not_installed as cmk112
+from rospkg_cli.rules.cmake import cmk113_missing_export_dependency as cmk113
+from rospkg_cli.rules.interfaces import idl007_missing_interface_dependency as idl007
+from rospkg_cli.rules.manifest import xml002_element_order as xml002
+from rospkg_cli.rules.manifest import xml208_missing_buildtool as xml208
+from rospkg_cli.rules.manifest import xml305_missing_interface_group as xml305
+from rospkg_cli.testing import lint_files
+
+NATIVE = existing_files(BACKDROPS["ament_cmake"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
+INTERFACES = existing_files(BACKDROPS["interfaces"])
+
+
+def found(code: str, on: dict[str, str], files: dict[str, str]) -> list[Finding]:
+    return list(lint_files({**on, **files}, [code]).findings)
+
+
+def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
+    return [each.severity.value for each in found(code, on, files)]
+
+
+@pytest.mark.parametrize(
+    ("tag", "name", "level"),
+    [
+        ("depend", "rclcpp", "info"),
+        ("build_depend", "rosidl_default_generators", "info"),
+        ("exec_depend", "rclcpp", "warning"),
+        ("test_depend", "rclcpp", "warning"),
+        ("depend", "eigen", "warning"),
+    ],
+)
+def test_ament_cmake_comes_with_what_is_there_to_build(tag: str, name: str, level: str) -> None:
+    text = xml208.BAD.replace("  <export>", f"  <{tag}>{name}</{tag}>\n  <export>")
+    (finding,) = found("XML208", NATIVE, {"package.xml": text})
+    assert finding.severity.value == level
+    assert (f"it comes with `{name}` today" in finding.message) is (level == "info")
+
+
+@pytest.mark.parametrize(
+    ("line", "body", "level"),
+    [
+        ("group", "", "error"),
+        ("generators", "", "warning"),
+        ("runtime", "", "warning"),
+        ("runtime", "  <depend>std_msgs</depend>\n", "info"),
+        ("runtime", "  <build_depend>std_msgs</build_depend>\n", "warning"),
+    ],
+)
+def test_what_an_interface_package_lacks(line: str, body: str, level: str) -> None:
+    lines = [each for each in xml305.GOOD.splitlines(keepends=True) if line not in each]
+    text = "".join(lines).replace("  <export>", f"{body}  <export>")
+    files = {"package.xml": text, "CMakeLists.txt": xml305.CMAKE, "msg/Battery.msg": "float32 level\n"}
+    (finding,) = found("XML305", NATIVE, files)
+    assert finding.severity.value == level
+    assert ("it comes with `std_msgs` today" in finding.message) is (level == "info")
+
+
+MODEL = '<?xml-model href="http://download.ros.org/schema/package_format3.xsd" '
+XSD = 'schematypens="http://www.w3.org/2001/XMLSchema"?>'
+
+
+@pytest.mark.parametrize(
+    ("model", "level"),
+    [
+        (MODEL + XSD, "warning"),
+        ('<?xml-model href="" ' + XSD, "info"),
+        (MODEL + "?>", "info"),
+        (MODEL + 'schematypens="http://relaxng.org/ns/structure/1.0"?>', "info"),
+    ],
+)
+def test_an_order_that_ament_xmllint_has_no_schema_for(model: str, level: str) -> None:
+    text = xml002.BAD.replace("«", "").replace("»", "")
+    assert MODEL + XSD in text
+    (finding,) = found("XML002", PYTHON, {"package.xml": text.replace(MODEL + XSD, model)})
+    assert finding.severity.value == level
+    assert ("names no schema" in finding.message) is (level == "info")
+
+
+@pytest.mark.parametrize(
+    ("setup", "level"),
+    [
+        (SETUP_PY, "warning"),
+        ("from setuptools import setup\nsetup(name='my_pkg', py_modules=['a'])\n", "warning"),
+        ("from catkin_pkg.python_setup import generate_distutils_setup as g\nsetup(**g(scripts=['a']))\n", "warning"),
+        ("from catkin_pkg.python_setup import generate_distutils_setup as g\nsetup(**g())\n", "info"),
+    ],
+)
+def test_an_ignored_setup_py_that_installs_nothing(setup: str, level: str) -> None:
+    (finding,) = found("XML307", NATIVE, {"setup.py": setup})
+    assert finding.severity.value == level
+    assert ("which installs nothing" in finding.message) is (level == "info")
+
+
+def test_an_ignored_setup_py_whose_setup_cfg_installs() -> None:
+    files = {"setup.py": "import setuptools\nsetuptools.setup()\n", "setup.cfg": "[options]\npackages = find:\n"}
+    assert levels("XML307", NATIVE, files) == ["warning"]
+    assert levels("XML307", NATIVE, {**files, "setup.cfg": "[metadata]\nname = my_pkg\n"}) == ["info"]
+
+
+def exporting(link: str, exported: str, **more: str) -> dict[str, str]:
+    lines = cmk113.LINES.replace("${std_msgs_TARGETS}", link).replace("cies(rclcpp)", f"cies({exported})")
+    text = cmk113.cmake(lines).replace("«", "").replace("»", "")
+    return {**cmk113.FILES, "CMakeLists.txt": text, **more}
+
+
+@pytest.mark.parametrize(
+    ("link", "exported", "expected"),
+    [
+        ("${std_msgs_TARGETS}", "rclcpp", ["warning"]),
+        ("std_msgs::std_msgs", "rclcpp", ["warning"]),
+        ("std_msgs::std_msgs", "rclcpp Eigen3", ["warning"]),
+        ("${std_msgs_LIBRARIES}", "rclcpp", []),
+        ("std_msgs::std_msgs", "rclcpp rmf_traffic", []),
+        ("std_msgs::std_msgs", "rclcpp vision_msgs", []),
+    ],
+)
+def test_what_users_of_a_library_must_find(link: str, exported: str, expected: list[str]) -> None:
+    assert levels("CMK113", NATIVE, exporting(link, exported)) == expected
+
+
+@pytest.mark.parametrize(("listed", "expected"), [("action_msgs", ["error"]), ("vision_msgs", []),
+                                                  ("rmf_fleet_msgs", ["warning"])])  # fmt: skip
+def test_dependencies_of_interfaces_are_recursive(listed: str, expected: list[str]) -> None:
+    text = idl007.GOOD.replace("DEPENDENCIES std_msgs", f"DEPENDENCIES {listed}")
+    assert levels("IDL007", INTERFACES, {**idl007.FILES, "CMakeLists.txt": text}) == expected
+
+
+def finding_package(name: str, *declared: str) -> Finding:
+    body = "".join(f"  <depend>{each}</depend>\n" for each in declared)
+    text = CMAKE.replace("ament_package()", f"find_package({name} REQUIRED)\nament_package()")
+    (finding,) = found("DEP104", NATIVE, {"CMakeLists.txt": text, "package.xml": manifest(body, "ament_cmake")})
+    return finding
+
+
+def test_a_key_without_a_rule_is_not_asked_for() -> None:
+    finding = finding_package("gz-math7")
+    assert (finding.severity.value, finding.fix) == ("info", None)
+    assert "declare the vendor package that brings it" in finding.message
+    installable = finding_package("Eigen3")
+    assert installable.severity.value == "warning"
+    assert installable.fix is not None
+    assert installable.fix.safety is Safety.SAFE
+
+
+@pytest.mark.parametrize(
+    ("declared", "uncertain"), [("ignition-gui6", True), ("libpcl-all-dev", True), ("python3-numpy", False)]
+)
+def test_a_library_of_the_system_may_bring_others(declared: str, uncertain: bool) -> None:
+    message = finding_package("Qt5", declared).message
+    assert ("only if another dependency brings it" in message) is uncertain
+    assert ("on a clean machine the build stops" in message) is not uncertain
+
+
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+GLOB = "from glob import glob\n" + setup_py().replace(
+    ENTRY, ENTRY + "        ('share/' + package_name + '/config', glob('config/*.yaml')),\n"
+)
+CONFIG = {"setup.py": GLOB, "config/a.yaml": "a: 1\n"}
+
+
+@pytest.mark.parametrize(
+    ("files", "level"),
+    [
+        ({"config/view.rviz": "Panels: []\n"}, "info"),
+        ({"config/b.yml": "a: 1\n"}, "warning"),
+        ({"config/view.rviz": "Panels: []\n", "config/b.yml": "a: 1\n"}, "warning"),
+        ({"config/view.rviz": "Panels: []\n", "launch/a.launch.py": "x = 'view.rviz'\n"}, "warning"),
+        ({"config/view.rviz": "Panels: []\n", "README.md": "Open view.rviz\n"}, "warning"),
+    ],
+)
+def test_a_file_of_another_kind_that_nothing_names(files: dict[str, str], level: str) -> None:
+    assert levels("SET207", PYTHON, {**CONFIG, **files}) == [level]
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "expected"),
+    [
+        ("save.sh", {}, []),
+        ("save.bash", {}, []),
+        ("save.sh", {"README.md": "Run save.sh\n"}, ["warning"]),
+        ("save.py", {}, ["warning"]),
+    ],
+)
+def test_a_shell_helper_that_nothing_names(name: str, more: dict[str, str], expected: list[str]) -> None:
+    files = {"CMakeLists.txt": cmk112.ONE.replace("«", "").replace("»", ""), "scripts/hello.py": cmk112.SCRIPT, **more}
+    text = "#!/bin/sh\nros2 topic list\n"
+    script = {f"scripts/{name}": text}
+    assert levels("CMK112", NATIVE, {**files, **script}) == expected
+
+
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    arm:
+      type: joint_trajectory_controller/JointTrajectoryController
+"""
+STARTS = '<launch><node pkg="controller_manager" exec="x">{}</node></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("name", "launch", "level"),
+    [
+        ("arm", STARTS.format(""), "warning"),
+        ("arm_example", STARTS.format(""), "info"),
+        ("arm_example", STARTS.format('<param from="$(find-pkg-share my_pkg)/config/arm_example.yaml"/>'), "warning"),
+    ],
+)
+def test_an_example_of_parameters_that_no_launch_file_loads(name: str, launch: str, level: str) -> None:
+    files = {"package.xml": manifest("  <exec_depend>controller_manager</exec_depend>\n")}
+    files |= {f"config/{name}.yaml": CONTROLLERS, "launch/a.launch.xml": launch}
+    assert levels("DEP106", PYTHON, files) == [level]
