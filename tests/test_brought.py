@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.depends.brought_dependencies import brought_by, brought_by_others
+from rospkg_cli.checks.depends.brought_dependencies import brought_by, brought_by_others, everything, running
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Safety
 from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts
@@ -142,6 +142,18 @@ def test_of_two_that_bring_each_other_one_is_asked_for() -> None:
     workspace = Workspace((package("a", "b"), package("b", "a"), package("c", "d"), package("d")))
     assert brought_by_others(["a", "b", "c", "d"], workspace) == {"a": "b", "d": "c"}
     assert brought_by(["a"], workspace) == {"b": "a", "a": "a"}
+
+
+def test_what_is_there_at_run_time_and_at_any_time() -> None:
+    tags = ("build_depend", "exec_depend", "test_depend", "doc_depend")
+    needs = [
+        ActiveDependency(tag, f"{tag[:4]}_{certain}", certain=certain) for tag in tags for certain in (True, False)
+    ]
+    facts = PackageFacts("a", "a", dependencies=tuple(needs))
+    assert running(facts) == ["exec_True"]
+    assert everything(facts) == ["buil_True", "exec_True", "test_True"]
+    workspace = Workspace((facts,))
+    assert brought_by(["a"], workspace) == {"exec_True": "a"}
 
 
 def package(name: str, *needs: str) -> PackageFacts:

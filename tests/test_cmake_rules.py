@@ -293,12 +293,15 @@ def test_what_tests_and_parameters_need(lines: str, count: int) -> None:
         ("nav_msgs::nav_smgs", "nav_msgs::nav_msgs"),
         ("nav_msgs::nav_msgs", ""),
         ("nav_msgs::nav_msg", ""),
+        ("Rclcpp::rclcpp", "rclcpp::rclcpp"),
+        ("rclcpP::rclcpp", ""),
     ],
 )
 def test_targets_that_are_nearly_those_of_a_package(arguments: str, near: str) -> None:
     link = (
         "find_package(rclcpp REQUIRED)\nfind_package(OpenMP REQUIRED)\nfind_package(base REQUIRED)\n"
         "add_library(core src/core.cpp)\nadd_library(my_pkg::core ALIAS core)\nadd_library(base::basics ALIAS core)\n"
+        "add_library(rclcpP::rclcpp ALIAS core)\n"
         f"add_library(user src/core.cpp)\ntarget_link_libraries(user PUBLIC {arguments})\n"
     )
     export = "install(TARGETS basic EXPORT export_base DESTINATION lib)\nament_export_targets(export_base)"
@@ -323,12 +326,19 @@ def test_targets_that_are_nearly_those_of_a_package(arguments: str, near: str) -
         ("Eigen", ""),
         ("helper_lib", "helper_libs"),
         ("helpers", ""),
+        ("hepler_ilbs", "helper_libs"),
+        ("hepler_ilsb", ""),
+        ("helper_libs", ""),
+        ("rclc", ""),
+        ("std_srvs", ""),
+        ("std_msgs_", "std_msgs"),
         ("${UNKNOWN_PACKAGES}", ""),
     ],
 )
 def test_packages_that_are_nearly_one_that_is_found(name: str, near: str) -> None:
     lines = (
         "find_package(rclcpp REQUIRED)\nfind_package(Eigen3 REQUIRED)\nfind_package(helper_libs REQUIRED)\n"
+        "find_package(helper_libz REQUIRED)\n"
         f"add_library(core src/core.cpp)\nament_target_dependencies(core PUBLIC {name})\n"
     )
     found = said(package(lines, "  <depend>std_msgs</depend>\n"), "CMK110")

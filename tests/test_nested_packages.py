@@ -38,7 +38,14 @@ def test_several_are_one_finding() -> None:
     (finding,) = lint(["WSP005"], **files)
     assert finding.location.path == "a/package.xml"
     assert finding.message.startswith("`a` (and 1 more) is a package inside of `my_pkg`: colcon does not look there")
-    assert [where.path for where, _ in finding.related] == ["c/package.xml"]
+    (other,) = (where for where, _ in finding.related)
+    assert other.path == "c/package.xml"
+    assert [(where.line, where.column, where.end_column) for where in (finding.location, other)] == [(1, 1, 1)] * 2
+
+
+def test_a_manifest_that_can_not_be_read_is_none() -> None:
+    unreadable = INNER.encode().replace(b"my", b"\xff") + b"\xff"
+    assert lint_files({**FILES, "a/package.xml": unreadable}, ["WSP005"]).findings == ()
 
 
 @pytest.mark.parametrize(

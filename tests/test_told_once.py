@@ -10,6 +10,9 @@ import pytest
 from in_process import run_here
 
 from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.finding import Finding, Location, Severity
+from rospkg_cli.report.told_once import told_once
+from rospkg_cli.source import Span
 
 
 @pytest.fixture
@@ -50,3 +53,25 @@ def test_all_of_them_are_in_a_baseline(workspace: Path) -> None:
     run_here("lint", workspace, "--select", "CMK002", "--no-cache", "--write-baseline", baseline, cwd=workspace)
     assert len(json.loads(baseline.read_text())["findings"]) == 3
     assert told(workspace, "--baseline", str(baseline)) == []
+
+
+def info(package: str, line: int, message: str = "old (3.5)", severity: Severity = Severity.INFO) -> Finding:
+    at = Location(f"{package}/CMakeLists.txt", Span(0, 1), line, 1, line, 2)
+    return Finding("CMK002", "old-cmake-minimum", severity, message, at, package)
+
+
+@pytest.mark.parametrize(
+    "found, lines",
+    [
+        ([info("a", 1), info("b", 2)], {1: [2]}),
+        ([info("a", 1), info("a", 2)], {1: [], 2: []}),
+        ([info("a", 1), info("a", 2), info("b", 3)], {1: [2, 3]}),
+        ([info("a", 1), info("b", 2, "old (3.8)"), info("c", 3, "older (3.5)")], {1: [2], 3: []}),
+        ([info("a", 1, severity=Severity.WARNING), info("b", 2, severity=Severity.WARNING)], {1: [], 2: []}),
+        ([info("a", 1), info("b", 2, severity=Severity.WARNING), info("c", 3)], {1: [3], 2: []}),
+    ],
+)
+def test_what_is_told_at_another_place(found: list[Finding], lines: dict[int, list[int]]) -> None:
+    told = told_once(found)
+    assert {each.location.line: [at.line for at, _ in each.related] for each in told} == lines
+    assert {text for each in told for _, text in each.related} <= {"and here"}
