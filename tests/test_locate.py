@@ -101,9 +101,11 @@ def test_exclude(workspace: Path) -> None:
 
 
 def test_a_lone_package_is_its_own_workspace(tmp_path: Path) -> None:
-    (tmp_path / "package.xml").touch()
-    located = locate([tmp_path])
-    assert (located.root, located.scope.folders) == (tmp_path.resolve(), ("",))
+    lone = tmp_path / "nobody_beside/lone"
+    lone.mkdir(parents=True)
+    (lone / "package.xml").touch()
+    located = locate([lone])
+    assert (located.root, located.scope.folders) == (lone.resolve(), ("",))
 
 
 def test_a_missing_path_is_said(tmp_path: Path) -> None:

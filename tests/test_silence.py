@@ -87,7 +87,7 @@ def test_a_comment_without_a_reason_silences_and_is_told(clean) -> None:
     comment = "<!-- rospkg: ignore[XML104, SET101] -->"
     results = lint_files(with_comment(clean, comment), ["XML104", "RPK009"])
     assert [(f.code, f.message) for f in results.findings] == [
-        ("RPK009", "the ignore of `XML104, SET101` gives no reason; write it behind the bracket")
+        ("RPK009", "the ignore of `XML104, SET101` gives no reason; write one after the bracket")
     ]
     assert [f.code for f in results.suppressed] == ["XML104"]
     assert lint_files(with_comment(clean, comment.replace("]", "] soon")), ["XML104", "RPK009"]).findings == ()
@@ -107,7 +107,7 @@ def test_a_comment_without_a_reason_silences_and_is_told(clean) -> None:
 )
 def test_a_comment_that_names_no_rule_is_told(clean, comment: str) -> None:
     (finding,) = lint_files({**clean, "setup.py": f"{comment}\n{clean['setup.py']}"}, ["RPK003"]).findings
-    assert finding.message.startswith("this comment names no rule and ignores nothing; write `rospkg: ignore[CODE]")
+    assert finding.message == "this comment names no rule, so it ignores nothing; write `rospkg: ignore[CODE] reason`"
     assert (finding.location.line, finding.location.column, finding.location.end_column) == (1, 1, len(comment) + 1)
 
 
