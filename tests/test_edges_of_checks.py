@@ -9,9 +9,13 @@ import pytest
 from cmaking import read
 
 from rospkg_cli.checks.cmake.misplaced_executables import MAX_DEPTH, MisplacedExecutables
+from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, ExportedDependencies
+from rospkg_cli.checks.depends import declared_dependencies
 from rospkg_cli.checks.depends.compiled_sources import among
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
+from rospkg_cli.checks.depends.undeclared_includes import IncludeDependencies
 from rospkg_cli.checks.launch.entity_schema import substitution_faults
+from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.unknown_plugins import is_something_else
 from rospkg_cli.checks.share_references import references_folder
 from rospkg_cli.package.package_facts import PackageFacts
@@ -86,3 +90,50 @@ def test_ros_behind_other_targets(between: int, is_node: bool) -> None:
         cmake=read("\n".join([*lines, f"target_link_libraries(l{between} rclcpp::rclcpp)", ""]))
     )
     assert MisplacedExecutables(model).uses_ros("l0") is is_node
+
+
+@pytest.mark.parametrize("depth", [1, declared_dependencies.MAX_DEPTH])
+def test_metapackages_of_metapackages(monkeypatch: pytest.MonkeyPatch, depth: int) -> None:
+    monkeypatch.setattr(declared_dependencies, "metapackage_members", lambda name, _: (str(int(name) + 1),))
+    model: Any = SimpleNamespace(workspace=SimpleNamespace(named=lambda _: None))
+    monkeypatch.setattr(declared_dependencies, "MAX_DEPTH", depth)
+    assert declared_dependencies.DeclaredDependencies.closure(model, ["0"]) == {str(n) for n in range(depth + 1)}
+
+
+@pytest.mark.parametrize(
+    "header, is_own",
+    [
+        ("my_pkg/made.hpp", True),
+        ("parts/made.hpp", True),
+        ("parts/deep/made.hpp", False),
+        ("there.hpp", True),
+        ("made.hpp", False),
+        ("other/made.hpp", False),
+    ],
+)
+def test_a_header_that_the_build_may_make(header: str, is_own: bool) -> None:
+    model: Any = SimpleNamespace(
+        declared=SimpleNamespace(facts=SimpleNamespace(name="my_pkg")), path_endings={"parts", "there.hpp"}
+    )
+    assert IncludeDependencies.is_own(model, header) is is_own
+
+
+def test_interfaces_stand_in_the_folder_of_their_kind() -> None:
+    names = ["msg/A.msg", "msg/sub/B.msg", "msg/README.md", "msg/C.srv", "srv/C.srv", "action/D.action", "E.msg"]
+    below = {kind: [name for name in names if name.startswith(f"{kind}/")] for kind in ("msg", "srv", "action")}
+    model: Any = SimpleNamespace(files=SimpleNamespace(below=below.__getitem__))
+    found = ManifestAndFiles.interface_files.func(model)
+    assert sorted(found) == ["action/D.action", "msg/A.msg", "srv/C.srv"]
+
+
+def test_what_an_interface_target_passes_on() -> None:
+    text = f"{UNKNOWN}_targets"
+    target = SimpleNamespace(dependencies=[SimpleNamespace(text="rclcpp"), SimpleNamespace(text=text)])
+    calls = [SimpleNamespace(texts=["tf2", f"a{UNKNOWN}"])]
+    for given, targets, expected in (
+        (calls, [], {"tf2", UNKNOWN}),
+        ([], [target], {"rclcpp", UNKNOWN}),
+    ):
+        cmake = SimpleNamespace(interface_targets=targets, named=lambda _: [])
+        model: Any = SimpleNamespace(calls=given, headers=SimpleNamespace(package=SimpleNamespace(cmake=cmake)))
+        assert ExportedDependencies.exported.func(model) == expected
