@@ -104,7 +104,7 @@ def test_what_was_mended_builds_and_installs_what_was_missing(shell_with_message
     for path, text in USER.items():
         (tmp_path / "src/user_pkg").mkdir(exist_ok=True)
         (tmp_path / "src/user_pkg" / path).write_text(text)
-    options = ("--fix", "--unsafe-fixes", "--target", "humble,lyrical")
+    options = ("--fix", "--fix-level", "info", "--unsafe-fixes", "--target", "humble,lyrical")
     shell_with_messages.run(
         sys.executable, "-m", "rospkg_cli", "lint", *options, tmp_path, cwd=tmp_path, PYTHONPATH=str(SOURCE)
     )
