@@ -18,7 +18,9 @@ from rospkg_cli.checks.launch.entity_schema import substitution_faults
 from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.unknown_plugins import is_something_else
 from rospkg_cli.checks.share_references import references_folder
+from rospkg_cli.example import CMAKE, SETUP_PY, manifest
 from rospkg_cli.package.package_facts import PackageFacts
+from rospkg_cli.testing import lint_files
 
 
 def test_where_the_sources_of_a_target_are_unknown_every_file_counts() -> None:
@@ -137,3 +139,18 @@ def test_what_an_interface_target_passes_on() -> None:
         cmake = SimpleNamespace(interface_targets=targets, named=lambda _: [])
         model: Any = SimpleNamespace(calls=given, headers=SimpleNamespace(package=SimpleNamespace(cmake=cmake)))
         assert ExportedDependencies.exported.func(model) == expected
+
+
+@pytest.mark.parametrize(
+    "old, new, count",
+    [
+        ("", "", 1),
+        ("  <export>", "  <buildtool_depend>catkin</buildtool_depend>\n  <export>", 0),
+        ("<build_type>", '<build_type condition="$ROS_VERSION == 2">', 0),
+    ],
+)
+def test_build_files_of_a_package_for_ros_1_and_2(old: str, new: str, count: int) -> None:
+    text = manifest(build_type="ament_cmake").replace(old, new) if old else manifest(build_type="ament_cmake")
+    assert text.count(new)
+    files = {"package.xml": text, "CMakeLists.txt": CMAKE, "setup.py": SETUP_PY}
+    assert len(lint_files(files, ["XML307"]).findings) == count
