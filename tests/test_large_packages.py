@@ -6,6 +6,7 @@ No test looks at a clock: what is done is counted.
 from __future__ import annotations
 
 import ast
+import difflib
 import gc
 from collections.abc import Iterator
 
@@ -75,7 +76,7 @@ def test_no_name_is_looked_at_once_effort_is_used_up() -> None:
 
 def test_words_that_share_few_letters_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
     """The effort for one rule is enough for 100 wrong names among 1,000."""
-    monkeypatch.setattr(suggest, "SequenceMatcher", None)
+    monkeypatch.setattr(difflib, "SequenceMatcher", None)
     monkeypatch.setattr(suggest, "distance", None)
     names = [f"{first}_driver_{n}" for n in range(500) for first in ("camera", "gripper")]
     assert {nearest(f"ouzouz_hook_{n}", names) for n in range(100)} == {None}
