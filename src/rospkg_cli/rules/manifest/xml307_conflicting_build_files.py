@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...example import CMAKE, CONFIG_INSTALL, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...rule import rule
 
-INSTALL = re.compile(r"install\w*\s*\(", re.I)
+INSTALL = regex(r"install\w*\s*\(", re.I)
 """A call of `install()` or of a command that is named after it: of an ignored file only the text is looked at."""
 
-INSTALLED = re.compile(r"\b(?:packages|package_dir|py_modules|scripts|data_files|entry_points|ext_modules)\b")
+INSTALLED = regex(r"\b(?:packages|package_dir|py_modules|scripts|data_files|entry_points|ext_modules)\b")
 """What setup.py or setup.cfg says of files to install."""
 
 INSTALLING = CMAKE.replace("ament_package()", CONFIG_INSTALL + "ament_package()")
