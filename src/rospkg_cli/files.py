@@ -130,6 +130,13 @@ class PackageFiles:
             self._sources[path] = Source(path, text)
         return self._sources[path]
 
+    def readable_text(self, path: str) -> str:
+        """Return a file's text, "" where it has none: for what only looks for a word."""
+        try:
+            return self.source(path).text
+        except UnreadableError:
+            return ""
+
 
 def has_file(tree: Tree, path: str) -> bool:
     """Return whether a file is there, without listing the whole tree."""

@@ -9,7 +9,6 @@ from ..files import PackageFiles
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.workspace import Workspace
-from ..unreadable import UnreadableError
 from .share_references import references_folder
 
 CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
@@ -47,18 +46,12 @@ class ShareUses:
     @cached_property
     def code(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
-        return tuple(map(self.text, paths))
+        return tuple(map(self.files.readable_text, paths))
 
     @cached_property
     def readmes(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.rpartition("/")[2].lower().startswith("readme"))
-        return tuple(map(self.text, paths))
-
-    def text(self, path: str) -> str:
-        try:
-            return self.files.source(path).text
-        except UnreadableError:
-            return ""
+        return tuple(map(self.files.readable_text, paths))
 
     def level(self, folder: str) -> str | None:
         """Return `error` where the package opens a folder, `info` where nothing seems to; None between them."""

@@ -14,7 +14,6 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...ros.share_layout import LAUNCH
-from ...unreadable import UnreadableError
 
 SHELL = (".sh", ".bash")
 """Scripts that are mostly helpers of developers."""
@@ -82,17 +81,17 @@ class InstalledScripts:
 
     def is_wanted(self, path: str) -> bool:
         """Return whether a script uses rclpy, or something names it."""
-        return USES_ROS.search(self.text(path)) is not None or self.is_named(path)
+        return USES_ROS.search(self.package.cmake.package_files.readable_text(path)) is not None or self.is_named(path)
 
     def is_named(self, path: str) -> bool:
         """Return whether a launch file, a README or an installed script names a script."""
         readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
-        texts = (*self.launch_texts, *self.texts, *map(self.text, readmes))
+        texts = (*self.launch_texts, *self.texts, *map(self.package.cmake.package_files.readable_text, readmes))
         return any(posixpath.basename(path) in text for text in texts)
 
     def does_something(self, path: str) -> bool:
         """Return whether a Python file is more than definitions, which are there to be imported."""
-        return STARTS.search(self.text(path)) is not None
+        return STARTS.search(self.package.cmake.package_files.readable_text(path)) is not None
 
     def is_no_program(self, path: str) -> bool:
         """Return whether another installed script imports a file, or a launch file hands it to Python."""
@@ -114,13 +113,11 @@ class InstalledScripts:
     @cached_property
     def launch_texts(self) -> tuple[str, ...]:
         paths = self.package.cmake.package_files.paths
-        return tuple(self.text(path) for path in paths if LAUNCH.fullmatch(posixpath.basename(path)))
-
-    def text(self, path: str) -> str:
-        try:
-            return self.package.cmake.package_files.source(path).text
-        except UnreadableError:
-            return ""
+        return tuple(
+            self.package.cmake.package_files.readable_text(path)
+            for path in paths
+            if LAUNCH.fullmatch(posixpath.basename(path))
+        )
 
     def is_runnable(self, path: str) -> bool:
         """Return whether a file is a program, by its name."""
@@ -168,7 +165,7 @@ class InstalledScripts:
     @cached_property
     def texts(self) -> tuple[str, ...]:
         """The installed scripts' texts."""
-        return tuple(self.text(copy.source) for copy in self.copies)
+        return tuple(self.package.cmake.package_files.readable_text(copy.source) for copy in self.copies)
 
 
 def is_readme(path: str) -> bool:

@@ -15,7 +15,6 @@ from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...package.cmake.target_links import TargetLinks
 from ...ros.share_layout import LAUNCH
-from ...unreadable import UnreadableError
 
 # Linear: it has to fit a whole name, from its start.
 ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
@@ -73,7 +72,7 @@ class MisplacedExecutables:
     def scripts(self, rule: InstallRule, place: str) -> Iterator[MisplacedExecutable]:
         for copy in copied_files(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
-            ros = IMPORTS_ROS.search(self.text(copy.source)) is not None
+            ros = IMPORTS_ROS.search(self.package.cmake.package_files.readable_text(copy.source)) is not None
             if self.starts(name) or ((ros or place == "bin") and not self.runs_by_path(name)):
                 yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), ros)
 
@@ -105,7 +104,11 @@ class MisplacedExecutables:
     @cached_property
     def launch_texts(self) -> tuple[str, ...]:
         paths = self.package.cmake.package_files.paths
-        return tuple(self.text(path) for path in paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return tuple(
+            self.package.cmake.package_files.readable_text(path)
+            for path in paths
+            if LAUNCH.fullmatch(path.rpartition("/")[2])
+        )
 
     def starts(self, name: str) -> bool:
         return name in self.started
@@ -118,13 +121,7 @@ class MisplacedExecutables:
         for path in self.package.cmake.package_files.paths:
             name = path.rpartition("/")[2]
             if LAUNCH.fullmatch(name):
-                found |= set(EXECUTABLE.findall(self.text(path)))
+                found |= set(EXECUTABLE.findall(self.package.cmake.package_files.readable_text(path)))
             elif name.lower().startswith("readme"):
-                found |= set(run.findall(self.text(path)))
+                found |= set(run.findall(self.package.cmake.package_files.readable_text(path)))
         return frozenset(found)
-
-    def text(self, path: str) -> str:
-        try:
-            return self.package.cmake.package_files.source(path).text
-        except UnreadableError:
-            return ""

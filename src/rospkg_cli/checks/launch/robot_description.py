@@ -21,7 +21,6 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
 from ...source import Span
-from ...unreadable import UnreadableError
 
 PRINTS_ROBOT = ("xacro", ".urdf")
 ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
@@ -70,18 +69,12 @@ class RobotDescriptions:
             current = queue.pop()
             for path in self.files.paths:
                 if path.rpartition("/")[2] == current:
-                    text = self.text(path)
+                    text = self.files.readable_text(path)
                     if NO_PLAIN_SCALAR.search(printed(text)):
                         yield path
                     found = [each for each in INCLUDED.findall(text) if each not in seen]
                     seen.update(found)
                     queue += found
-
-    def text(self, path: str) -> str:
-        try:
-            return self.files.source(path).text
-        except UnreadableError:
-            return ""
 
 
 def printed(text: str) -> str:

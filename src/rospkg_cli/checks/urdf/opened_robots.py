@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -11,7 +10,6 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ...unreadable import UnreadableError
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
@@ -48,12 +46,8 @@ class OpenedRobots:
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:
         """The path and the text of each file that may open a robot."""
-        return tuple(self._texts())
-
-    def _texts(self) -> Iterator[tuple[str, str]]:
-        for path in self.files.paths:
-            if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside"):
-                try:
-                    yield path, self.files.source(path).text
-                except UnreadableError:
-                    continue
+        return tuple(
+            (path, self.files.readable_text(path))
+            for path in self.files.paths
+            if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside")
+        )

@@ -15,7 +15,6 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
-from ...unreadable import UnreadableError
 from ..fault import Fault, softer
 
 CALL = regex(r"<xacro:([^\s<>/\"']+)")
@@ -76,15 +75,8 @@ class XacroCalls:
 
     @cached_property
     def texts(self) -> tuple[str, ...]:
-        return tuple(self._texts())
-
-    def _texts(self) -> Iterator[str]:
-        for path in self.files.paths:
-            if path.endswith((".xacro", ".urdf", ".xml")):
-                try:
-                    yield self.files.source(path).text
-                except UnreadableError:
-                    continue
+        paths = (path for path in self.files.paths if path.endswith((".xacro", ".urdf", ".xml")))
+        return tuple(map(self.files.readable_text, paths))
 
 
 def read_in(text: str) -> Counter[str]:

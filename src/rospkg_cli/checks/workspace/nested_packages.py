@@ -10,7 +10,6 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
-from ...unreadable import UnreadableError
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 COPIES = frozenset({"fixtures", "resource", "resources", "example", "examples"})
@@ -44,7 +43,4 @@ class NestedPackages:
         return marked or installed or not COPIES.isdisjoint(parts) or self.files.absent.is_ignored(folder)
 
     def is_manifest(self, path: str) -> bool:
-        try:
-            return "<package" in self.files.source(path).text
-        except UnreadableError:
-            return False
+        return "<package" in self.files.readable_text(path)

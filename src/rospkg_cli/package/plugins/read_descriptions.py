@@ -39,10 +39,7 @@ def read_plugin_descriptions(reading: ReaderInput) -> Iterator[PluginDescription
 
 
 def is_like_one(files: PackageFiles, path: str) -> bool:
-    try:
-        text = files.source(path).text
-    except UnreadableError:
-        return False
+    text = files.readable_text(path)
     return "base_class_type" in text and "<library" in text
 
 
