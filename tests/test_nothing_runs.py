@@ -20,6 +20,7 @@ COMMANDS = [
     ["format"],
     ["inspect"],
     ["inspect", "--format", "json"],
+    ["doctor"],
     ["explain", "XML104"],
     ["rules"],
     ["index", "status"],

@@ -9,6 +9,7 @@ import typer
 
 from .. import __version__
 from .cache import options as cache
+from .doctor import options as doctor
 from .exit_status import CTRL_C, interrupted, status_of
 from .explain import options as explain
 from .format import options as format
@@ -36,6 +37,7 @@ app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
 app.command(epilog=inspect.EPILOG)(inspect.inspect)
+app.command(epilog=doctor.EPILOG)(doctor.doctor)
 indexing = typer.Typer(no_args_is_help=True, help=index.HELP, epilog=index.EPILOG)
 indexing.command(epilog=index.UPDATE_EPILOG)(index.update)
 indexing.command(epilog=index.STATUS_EPILOG)(index.status)

@@ -119,8 +119,12 @@ def is_built(folder: Path) -> bool:
 
 def looks_like_one(folder: Path, holds: Path) -> bool:
     """Return whether a folder is a colcon workspace, the parent of the `src` that holds the paths, or a git root."""
+    return bool(mark_of_workspace(folder, holds))
+
+
+def mark_of_workspace(folder: Path, holds: Path) -> str:
+    """Return what makes a folder that holds something look like a workspace; "" where nothing does."""
     if is_built(folder):
-        return True
-    if any(exists(folder / name) for name in ("colcon.meta", ".colcon", ".git")):
-        return True
-    return holds.is_relative_to(folder / "src")
+        return "build, install, log"
+    found = next((name for name in ("colcon.meta", ".colcon", ".git") if exists(folder / name)), "")
+    return found or ("src" if holds.is_relative_to(folder / "src") else "")

@@ -1,0 +1,1 @@
+"""`rospkg doctor`: what decides about a run, on one screen."""
