@@ -55,6 +55,7 @@ FLOORS = (
     {"engine"},
     {"rule_docs"},
     {"report", "scaffold", "index"},
+    {"change"},
     {"cli"},
     {"testing"},
     {"__main__"},
