@@ -21,8 +21,7 @@ from ...package.launch.launch_classes import (
 from ...ros.launch_calls import ACTIONS, OUTPUTS, Kind
 from ...source import Span
 from ..fault import Fault, TextRepair, replacement
-
-RAISES = "launch_ros raises TypeError"
+from .parameter_types import RAISES, parameters_faults
 
 
 def constant_fault(value: Constant, place: Span, message: str, better: str) -> Fault:
@@ -139,36 +138,6 @@ def period_faults(argument: Argument, what: str) -> Iterator[Fault]:
     if isinstance(value, Constant) and type(value.value) is int:
         message = f"{what} takes a float, and launch raises TypeError for {type_name(value)}"
         yield constant_fault(value, value_span(argument), message, f"{value.value}.0")
-
-
-def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
-    """launch_ros takes a list of dicts and of files."""
-    value, place = argument.value, value_span(argument)
-    if isinstance(value, Dict | Text | PartialText | Constant) or is_substitution(value):
-        yield Fault(place, f"{what} takes a list of dicts and files, not {type_name(value)}: write `[…]`")
-    for item in value.items if isinstance(value, Sequence) else ():
-        at, holds = span_within(item, place), f"{what} holds dicts and files"
-        if isinstance(item, Sequence) and item.kind == "set":
-            yield Fault(at, f"this is a set and no dict of {what}: write `:` between a name and its value")
-        elif isinstance(item, Sequence) and any(isinstance(each, Dict) for each in item.items):
-            yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
-        elif isinstance(item, Constant):
-            yield Fault(at, f"{holds}, not {type_name(item)}: {RAISES}")
-        elif isinstance(item, Dict):
-            yield from parameter_value_faults(item, at)
-
-
-def parameter_value_faults(values: Dict, place: Span) -> Iterator[Fault]:
-    for key, value in values.items.values():
-        name, at = key.text if isinstance(key, Text) else "a parameter", span_within(value, place)
-        if isinstance(value, Dict):
-            yield from parameter_value_faults(value, place)
-        elif isinstance(value, Constant) and value.value is None:
-            yield Fault(at, f"`{name}` is None, and a parameter has no such type: {RAISES}")
-        elif isinstance(value, Sequence) and value.kind == "set":
-            yield Fault(at, f"`{name}` is a set, and a parameter has no such type: {RAISES}; use a list")
-        elif isinstance(value, Sequence) and not value.items:
-            yield Fault(at, f"`{name}` is an empty list, which has no type: {RAISES}")
 
 
 def remappings_faults(argument: Argument, what: str) -> Iterator[Fault]:

@@ -54,11 +54,33 @@ def unknown_action(entity: Entity) -> Iterator[Fault]:
 def part_faults(entity: Entity, parent: str) -> Iterator[Fault]:
     kind = INCLUDE_ARGUMENT if parent == "include" else PARTS[entity.name]
     yield from attribute_faults(entity, kind)
+    if entity.name == "param":
+        yield from parameter_faults(entity, is_nested=parent == "param")
     for child in entity.children:
         if child.name in kind.inside:
             yield from part_faults(child, entity.name)
         else:
             yield Fault(child.name_span, f"`{child.name}` is not allowed inside `{entity.name}`")
+
+
+def parameter_faults(entity: Entity, *, is_nested: bool) -> Iterator[Fault]:
+    """Yield why launch_ros refuses a `<param>`: a file, or a name with a value or others inside (actions/node.py)."""
+    given = entity.attribute_spans.keys()
+    what = f"the parameter `{entity.attributes['name'].text}`" if "name" in entity.attributes else "`param`"
+    if any(nearest(name, PARTS["param"].attributes) for name in given - PARTS["param"].attributes):
+        return
+    values = [name for name in ("value", "param") if name in given or (name == "param" and entity.named("param"))]
+    message = ""
+    if "name" in given and "from" in given:
+        message = f"{what} has `name` and `from`, and launch takes one of them"
+    elif "name" not in given and (is_nested or "from" not in given):
+        message = "`param` has no `name`" + ("" if is_nested else " and no `from`")
+    elif "name" in given and not values:
+        message = f"{what} has no `value`"
+    elif len(values) > 1:
+        message = f"{what} has a `value` and parameters inside, and launch takes one of them"
+    if message:
+        yield Fault(entity.name_span, f"{message}: launch refuses the whole file")
 
 
 def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:

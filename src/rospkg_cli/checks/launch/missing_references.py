@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Literal
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
@@ -21,6 +22,8 @@ from ...unreadable import UnreadableError
 from ..closest_path import closest_path
 from .unset_configurations import LaunchConfigurations
 
+DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
+"""An extension that stands twice, which no file is given on purpose."""
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
 
@@ -107,6 +110,8 @@ class LaunchContext:
             return self.local_missing(named)
         own = named.package == self.package.name
         facts = self.package if own else self.workspace.named(named.package)
+        if facts is None and (better := DOUBLED.sub(r"\1", named.path)) != named.path:
+            return MissingReference(named.span, named.package, named.path, "absent", named.use, better)
         if facts is None or not facts.knows("share_files") or facts.may_write(named.path):
             return None
         there = named.path in facts.share_files

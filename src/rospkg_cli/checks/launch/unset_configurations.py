@@ -31,6 +31,8 @@ class UnsetConfiguration:
     """The arguments that the file declares."""
     is_passed_on: bool = False
     """Whether it is only passed on to an included file, under its own name."""
+    is_lookup: bool = False
+    """Whether Python looks it up in a dict."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,9 @@ class LaunchConfigurations:
                 seen.add(event.name)
                 state = self.state(event.name, index)
                 if state is not None:
-                    yield UnsetConfiguration(event.name, event.span, state, declared, event.passed_as == event.name)
+                    yield UnsetConfiguration(
+                        event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup
+                    )
 
     def state(self, name: str, index: int) -> State | None:
         """Return why a name is not set at an event; None where it may be set in some scope."""

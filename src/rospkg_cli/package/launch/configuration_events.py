@@ -26,6 +26,8 @@ class LaunchEvent:
     """Of a use: it has a default; of a declaration: it has none, so that the user has to set it."""
     passed_as: str = ""
     """Of a use: the argument of an include that is all that it becomes."""
+    is_lookup: bool = False
+    """Of a use: whether Python looks it up in a dict, and raises KeyError."""
 
 
 def uses_of(*texts: LaunchText | None) -> Iterator[LaunchEvent]:

@@ -87,7 +87,7 @@ def package_reference(
     if base.name == "find-pkg-prefix":
         share = f"share/{package.text}/"
         path = path[len(share) :] if path.startswith(share) else ""
-    if is_file(path):
+    if is_file(path, is_read=use == "include"):
         use = "default" if written.by_default or package.by_default else use
         yield FileReference(written.span, package.text, path, use, written.text.startswith("/"))
 
@@ -97,7 +97,7 @@ def local_reference(
 ) -> Iterator[FileReference]:
     if written is not None and written.text.startswith("/"):
         path = normal_path(f"{folder}/{written.text[skip:].lstrip('/')}")
-        if is_file(path):
+        if is_file(path, is_read=use == "include"):
             yield FileReference(written.span, "", path, "default" if written.by_default else use)
 
 
@@ -105,10 +105,13 @@ def normal_path(text: str) -> str:
     return posixpath.normpath(text.lstrip("/")) if text.strip("/") else ""
 
 
-def is_file(path: str) -> bool:
-    """Return whether a path is that of a file below its base: it has a suffix and does not begin with `..`."""
+def is_file(path: str, *, is_read: bool = False) -> bool:
+    """Return whether a path is that of a file below its base: it has a suffix and does not begin with `..`.
+
+    One that is certainly read, as an included file is, may be called as files are that a launch writes.
+    """
     name = posixpath.basename(path)
-    if len(path) > MAX_PATH or OUTPUT_FILE.fullmatch(path):
+    if len(path) > MAX_PATH or (not is_read and OUTPUT_FILE.fullmatch(path)):
         return False
     return "." in name.strip(".") and not path.startswith("..") and not PATTERN.search(path)
 

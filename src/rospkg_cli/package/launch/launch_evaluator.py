@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...languages.python.evaluate.operators import path_join
+from ...languages.python.evaluate.path_functions import PATH_FUNCTIONS
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState
 from ...languages.python.evaluate.values import Call, Class, Function, Namespace, PartialText, Value
@@ -28,12 +30,29 @@ def as_path(machine: EvaluationState, call: Call) -> Value | None:
     return PartialText(call.span, (path,), is_path=True) if isinstance(path, Call) else None
 
 
+def passed_on(machine: EvaluationState, call: Call) -> Value | None:
+    """os.path.realpath and the like: of a path that is known only in part, the same path."""
+    first = call.positional[0] if call.positional else None
+    return first if isinstance(first, Call | PartialText) else PATH_FUNCTIONS[call.callee](machine, call)
+
+
+def joined(receiver: PartialText, call: Call) -> Value | None:
+    """Return what a method makes of a path in a share directory; None for a method that makes no path of it."""
+    if call.callee == "joinpath":
+        return path_join([receiver, *call.positional], call.span, path=True)
+    return receiver if call.callee in SAME_PATH else None
+
+
+SAME_PATH = frozenset({"resolve", "absolute", "expanduser"})
 PATHS = {
     "ament_index_python.get_package_share_path": found_path,
     "ament_index_python.packages.get_package_share_path": found_path,
     "launch.substitutions.PathSubstitution": as_path,
+    "os.path.abspath": passed_on,
+    "os.path.realpath": passed_on,
+    "os.path.normpath": passed_on,
 }
-"""What makes a path that others are joined to."""
+"""What makes a path that others are joined to, and what gives it back."""
 
 
 class LaunchEvaluator(SubstitutionTracker):
@@ -47,6 +66,11 @@ class LaunchEvaluator(SubstitutionTracker):
         """What each function that launch calls returned, by the `id` of its node."""
         self.deferred: list[Span] = []
         """The functions that were not called by the file itself, nor by what launch calls of it."""
+
+    def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
+        if isinstance(receiver, PartialText) and receiver.is_path and (found := joined(receiver, call)) is not None:
+            return found
+        return super().known_call(function, receiver, call)
 
     def run(self, function: Function, call: Call) -> Value:
         """Run a function; one that calls itself under an unknown condition is not followed."""

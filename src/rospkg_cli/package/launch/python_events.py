@@ -18,6 +18,7 @@ from ...languages.python.evaluate.values import (
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from .configuration_events import LaunchEvent, file_name, passed_uses
+from .configuration_lookups import DICT, has_other_use, lookups
 from .launch_classes import class_of
 from .launch_evaluator import ENTRIES, LaunchEvaluator
 from .python_to_text import text_of
@@ -139,10 +140,12 @@ class ExecutionOrder:
         for each in self.performed if self.visits <= MAX_VISITS else ():
             if inside(each.span, function.span):
                 yield from uses_in_value(each, 0)
+        if DICT in self.evaluator.file.source.text:
+            yield from lookups(function.node, self.evaluator.file)
         _, value = self.evaluator.results.get(id(function.node), (None, None))
         if value is not None:
             yield from self.visit(value, depth + 1)
-        if "launch_configurations" in self.evaluator.file.source.text:
+        if DICT in self.evaluator.file.source.text and has_other_use(self.evaluator.file):
             yield LaunchEvent("open")
 
 

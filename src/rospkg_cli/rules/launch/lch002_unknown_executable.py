@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.node_executables import ExecutableUse, NodeExecutables
+from ...checks.launch.without_package import NodesWithoutPackage, PathUse
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -40,6 +41,10 @@ FILES = {
             good={"launch/a.launch.xml": BAD.replace("«taker»", "talker")},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            bad={**FILES, "launch/a.launch.xml": BAD.replace('pkg="my_pkg" exec="«taker»"', 'exec="«talker»"')},
+            good={"launch/a.launch.xml": BAD.replace("«taker»", "talker")},
+        ),
     ),
 )
 def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
@@ -47,7 +52,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## What it does
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
-    script that CMake installs.
+    script that CMake installs. A node without a package is looked for on the PATH, where only what packages put into
+    `bin/` is.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
@@ -68,6 +74,16 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node)}"
         yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
+    for use in NodesWithoutPackage(started.scope).uses():
+        level = Severity(use.level) if use.level else None
+        yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)
+
+
+def without_package(use: PathUse) -> str:
+    name, when = use.executable.literal, f", {use.why}" if use.why else ""
+    ends = f"the launch stops with \"executable '{name}' not found on the PATH\"{when}"
+    packages = " or ".join(f"`{each}`" for each in use.packages[:3])
+    return f"the node has no package, so `{name}` is looked for on the PATH: {ends}; name the package: {packages}"
 
 
 def hint(node: ExecutableUse) -> str:

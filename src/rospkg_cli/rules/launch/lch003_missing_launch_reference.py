@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import LaunchContext, MissingReference
+from ...checks.launch.relative_parameter_files import relative_parameter_files
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.launch.file_references import ReferenceKind
@@ -52,7 +53,7 @@ HARM: dict[ReferenceKind, str] = {
     over=LaunchContext,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is or holds the default of an argument, is for RViz, or under a condition that is off",
+        Severity.WARNING: "it is the default of an argument, for RViz, in the current directory, or its action is off",
         Severity.INFO: "the action that names it is never added to the launch description, the argument never used",
     },
     examples=(
@@ -75,7 +76,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     ## What it does
     Finds files that a launch file names and that do not exist.
     It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
-    `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file.
+    `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file. A parameter file that is
+    given by a bare name, while the package installs one of that name, is looked for in the current directory.
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened. A node whose parameter file is
@@ -97,6 +99,14 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(each, why), level, others)
+    for found in relative_parameter_files(scope):
+        softer, why = level_at(scope.file, found.span)
+        where = f"the share directory of `{scope.package.name}`"
+        text = f"`{found.path}` is looked for in the current directory: elsewhere the node does not find its parameters"
+        level = Severity(softer or "warning")
+        yield Hit(
+            scope.file.path, found.span, f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`", level
+        )
 
 
 def message(missing: MissingReference, why: str) -> str:

@@ -52,7 +52,8 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     """
     ## What it does
     Finds launch configurations that are used without a default and that nothing sets.
-    They are used as `LaunchConfiguration('x')` or `$(var x)`, and no argument of that name is declared in the file, in
+    They are used as `LaunchConfiguration('x')`, `$(var x)` or, in an OpaqueFunction,
+    `context.launch_configurations['x']`, and no argument of that name is declared in the file, in
     the files that it includes, or in those of the workspace that include it. Arguments that are declared and never
     added to the launch description count as not declared. Where that can't be determined, nothing is reported.
 
@@ -77,5 +78,6 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
         else:
             message = f"no file declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
             better = "declare it, or give it a default"
-        ends = f"unless given, the launch stops (\"launch configuration '{each.name}' does not exist\")"
+        raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
+        ends = f'unless given, the launch stops ("{raised}")'
         yield Hit(file.path, each.span, f"{message}: {ends}; {better}", level)

@@ -1,0 +1,58 @@
+"""What is passed as `parameters`, compared with what launch_ros takes (normalize_parameters): dicts and files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.values import Argument, Call, Constant, PartialText, Sequence, Text, Unknown, Value
+from ...languages.python.evaluate.values import Mapping as Dict
+from ...package.launch.launch_classes import class_of, is_substitution, span_within, type_name, value_span
+from ...source import Span
+from ..fault import Fault
+
+RAISES = "launch_ros raises TypeError"
+ONE_FILE = frozenset({"ParameterFile"})
+REWRITTEN = frozenset({"nav2_common.launch.RewrittenYaml", "nav2_common.launch.ReplaceString"})
+"""Substitutions of navigation that are the path of a parameter file."""
+
+
+def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
+    """launch_ros takes a list of dicts and of files."""
+    value, place = argument.value, value_span(argument)
+    if name := single_parameters(value):
+        yield Fault(place, f"{what} takes a list of dicts and files, not {name}: write `[…]`")
+    for item in value.items if isinstance(value, Sequence) else ():
+        at, holds = span_within(item, place), f"{what} holds dicts and files"
+        if isinstance(item, Sequence) and item.kind == "set":
+            yield Fault(at, f"this is a set and no dict of {what}: write `:` between a name and its value")
+        elif isinstance(item, Sequence) and any(isinstance(each, Dict) for each in item.items):
+            yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
+        elif isinstance(item, Constant):
+            yield Fault(at, f"{holds}, not {type_name(item)}: {RAISES}")
+        elif isinstance(item, Dict):
+            yield from parameter_value_faults(item, at)
+
+
+def single_parameters(value: Value) -> str:
+    """Return what a value is that belongs into a list of parameters, and is none; "" for anything else."""
+    if isinstance(value, Unknown) and value.options:
+        names = {single_parameters(each) for each in value.options}
+        return names.pop() if len(names) == 1 else ""
+    if isinstance(value, Dict | Text | PartialText | Constant) or is_substitution(value):
+        return type_name(value)
+    if isinstance(value, Call) and (class_of(value) in ONE_FILE or value.callee in REWRITTEN):
+        return f"`{value.callee.rpartition('.')[2]}`"
+    return "a dict" if isinstance(value, Call) and value.receiver is not None and value.callee == "to_dict" else ""
+
+
+def parameter_value_faults(values: Dict, place: Span) -> Iterator[Fault]:
+    for key, value in values.items.values():
+        name, at = key.text if isinstance(key, Text) else "a parameter", span_within(value, place)
+        if isinstance(value, Dict):
+            yield from parameter_value_faults(value, place)
+        elif isinstance(value, Constant) and value.value is None:
+            yield Fault(at, f"`{name}` is None, and a parameter has no such type: {RAISES}")
+        elif isinstance(value, Sequence) and value.kind == "set":
+            yield Fault(at, f"`{name}` is a set, and a parameter has no such type: {RAISES}; use a list")
+        elif isinstance(value, Sequence) and not value.items:
+            yield Fault(at, f"`{name}` is an empty list, which has no type: {RAISES}")

@@ -1,0 +1,54 @@
+"""Parameter files that a node is given by a relative path: it is looked for in the current directory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.launch.argument_defaults import literal_defaults
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.text import LaunchText, Substitution
+from ...source import Span
+from .missing_references import LaunchContext
+
+RELATIVE = regex(r"\w[\w.-]*(?:/[\w.-]+)*\.ya?ml")
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeParameterFile:
+    span: Span
+    path: str
+    installed: str
+    """The file that is probably meant, relative to the share directory."""
+    is_default: bool
+    """Whether it is the default of an argument."""
+
+
+def relative_parameter_files(scope: LaunchContext) -> Iterator[RelativeParameterFile]:
+    """Yield the relative paths among `parameters` for which the package installs a file of that name."""
+    file = scope.file
+    if file.is_ros1 or scope.is_unused_test:
+        return
+    seen = set()
+    for text, is_default in given_files(file):
+        path = text.literal or ""
+        installed = scope.package.share_files if RELATIVE.fullmatch(path) else frozenset[str]()
+        found = sorted(each for each in installed if f"/{each}".endswith(f"/{path}"))
+        if found and text.span not in seen:
+            seen.add(text.span)
+            yield RelativeParameterFile(text.span, path, found[0], is_default)
+
+
+def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
+    """Yield the files among the parameters of nodes, and whether each is the default of an argument."""
+    known = literal_defaults(file.arguments, file.assigned)
+    defaults = {each.name.literal: each.default for each in file.arguments if each.name.literal in known}
+    for given in (each for node in file.nodes for each in node.parameters):
+        match given.file.parts if given.file else ():
+            case (Substitution(name="var", arguments=(name,)),):
+                default = defaults.get(name.literal)
+                if default is not None:
+                    yield default, True
+            case _ if given.file is not None:
+                yield given.file, False

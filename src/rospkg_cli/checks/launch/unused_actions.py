@@ -1,0 +1,89 @@
+"""Actions that a Python launch file makes and that nothing adds to its launch description."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.values import Call
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
+from ...light_dataclasses import dataclass
+from ...package.launch.launch_classes import class_of
+from ...package.launch.python_to_text import text_of
+from ...ros.launch_calls import ACTIONS
+from ...source import Span
+from .idle_actions import is_stored
+from .unset_configurations import LaunchConfigurations
+
+HARM = {
+    "Node": "it is never started",
+    "LifecycleNode": "it is never started",
+    "ComposableNodeContainer": "it is never started",
+    "ExecuteProcess": "it is never started",
+    "IncludeLaunchDescription": "nothing is included",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class UnusedAction:
+    span: Span
+    what: str
+    harm: str
+    is_argument: bool
+    """Whether it declares an argument, which the user can set nevertheless."""
+
+
+def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
+    """Yield the actions that are bound to a local name which nothing reads, or that are a statement of their own."""
+    file, launch = configurations.file.python, configurations.file.evaluated
+    if file is None or launch is None or not configurations.file.has_entry_point:
+        return
+    calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
+    told = told_arguments(configurations)
+    for name, node, value in unread(file):
+        call = calls.get(file.span(value))
+        if call is not None and not is_told(call, told) and not is_mentioned(name, file):
+            what = f"`{name}`" if name else f"this `{class_of(call)}`"
+            kind = class_of(call)
+            harm = HARM.get(kind, "it has no effect")
+            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument")
+
+
+def unread(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr]]:
+    """Yield what functions bind to a name that nothing reads, with the name's node; statements that bind nothing."""
+    nodes = list(nodes_of(file.tree))
+    read = {node.id for node in nodes if isinstance(node, ast.Name) and not is_stored(node)}
+    if read & {"locals", "vars", "eval", "exec"}:
+        return
+    for function in nodes:
+        for node in nodes_of(function) if isinstance(function, ast.FunctionDef) else ():
+            match node:
+                case ast.Assign(targets=[ast.Name(id=name) as target], value=value) if name not in read:
+                    yield name, target, value
+                case ast.Expr(value=ast.Call(func=function_name) as value):
+                    yield "", function_name, value
+
+
+def is_mentioned(name: str, file: PythonFile) -> bool:
+    """Return whether a name is taken out on purpose: by a comment, a text that is no value, or a leading `_`."""
+    word = re.compile(rf"\b{re.escape(name)}\b")
+    comments = re.findall(r"#.*", file.source.text)
+    texts = [
+        node.value.value
+        for node in nodes_of(file.tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+    ]
+    return name.startswith("_") or (bool(name) and any(word.search(each) for each in (*comments, *texts)))
+
+
+def told_arguments(configurations: LaunchConfigurations) -> frozenset[str]:
+    """Return the arguments that LCH008 and LCH017 report."""
+    unset = {each.name for each in configurations.unset()}
+    return frozenset(unset | {argument.name.literal or "" for argument in configurations.unused()})
+
+
+def is_told(call: Call, told: frozenset[str]) -> bool:
+    name = call.get("name", 0) if class_of(call) == "DeclareLaunchArgument" else None
+    return name is not None and (text_of(name).literal or "") in told

@@ -1,0 +1,50 @@
+"""Nodes without a package, whose executable is none that the PATH has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...light_dataclasses import dataclass
+from ...package.launch.launch_file import LaunchedNode
+from ...package.launch.text import LaunchText
+from ..fault import Level
+from .idle_actions import level_at
+from .missing_references import LaunchContext
+
+PROGRAMS = ("node", "lifecycle_node", "node_container")
+
+
+@dataclass(frozen=True, slots=True)
+class PathUse:
+    """A node that launch looks for on the PATH, though a package installs it into its own folder."""
+
+    executable: LaunchText
+    packages: tuple[str, ...]
+    level: Level | None
+    why: str
+
+
+@dataclass(frozen=True)
+class NodesWithoutPackage:
+    scope: LaunchContext
+
+    def uses(self) -> Iterator[PathUse]:
+        """Yield the nodes that need a package: one of the workspace has the executable, and none puts it into bin/."""
+        file = self.scope.file
+        for node in file.nodes if not self.scope.is_unused_test else ():
+            executable = node.executable
+            if is_without_package(node) and executable is not None and executable.literal:
+                packages = self.packages_with(executable.literal)
+                if packages:
+                    yield PathUse(executable, packages, *level_at(file, node.span))
+
+    def packages_with(self, executable: str) -> tuple[str, ...]:
+        """Return the packages that have an executable in lib/<package>; none where it may be on the PATH."""
+        every = self.scope.workspace.packages
+        if any(executable in each.misplaced_executables for each in every):
+            return ()
+        return tuple(sorted(each.name for each in every if executable in each.executables))
+
+
+def is_without_package(node: LaunchedNode) -> bool:
+    return node.kind in PROGRAMS and node.package is None and node.is_complete

@@ -1,0 +1,54 @@
+"""LCH018 unused-action."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.unused_actions import unused_actions
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...rule import rule
+
+BAD = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+
+
+def generate_launch_description():
+    first = LogInfo(msg='up')
+    «second» = LogInfo(msg='ready')
+    return LaunchDescription([first])
+"""
+
+
+@rule(
+    "LCH018",
+    "unused-action",
+    over=LaunchConfigurations,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "it declares an argument"},
+    examples=(
+        Example(
+            bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": BAD},
+            good={"launch/a.launch.py": BAD.replace("[first]", "[first, second]").replace("«second»", "second")},
+        ),
+    ),
+)
+def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds nodes, includes and other actions of a Python launch file that are made and never added.
+    The action is bound to a local name that nothing reads, or to none at all.
+
+    ## Why is this bad?
+    launch visits only what the launch description holds: the node is never started, and nothing says so.
+
+    ## When it is quiet
+    A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
+    LCH008 or LCH017 reports are left to these.
+    """
+    for action in unused_actions(configurations):
+        message = f"{action.what} is made and never added to the launch description: {action.harm}"
+        level = Severity.INFO if action.is_argument else None
+        yield Hit(configurations.file.path, action.span, f"{message}; add it, or remove it", level)
