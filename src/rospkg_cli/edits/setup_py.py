@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+
 from ..finding import Edit
 from ..languages.python.evaluate.values import Argument, Mapping, Sequence, Text
 from ..lazy_regex import regex
@@ -94,6 +96,15 @@ def import_code(setup: SetupPy, module: str, name: str) -> tuple[Edit, ...]:
         else 0
     )
     return (Edit(setup.path, Span(at, at), line),)
+
+
+def import_name(setup: SetupPy, module: str, name: str) -> tuple[Edit, ...]:
+    """Import a name with others of its module, where some are imported already, or by a line of its own."""
+    for node in setup.file.tree.body:
+        if isinstance(node, ast.ImportFrom) and node.module == module and not node.level:
+            at = setup.file.span(node.names[0]).start
+            return (Edit(setup.path, Span(at, at), f"{name}, "),)
+    return import_code(setup, module, name)
 
 
 def import_lines(setup: SetupPy) -> list[tuple[str, Span]]:

@@ -70,7 +70,9 @@ def uninstalled_executables(reading: ReaderInput) -> frozenset[str]:
 def has_malformed(reading: ReaderInput) -> bool:
     """Return whether an entry point is written in a way that leaves open what its executable is called."""
     setup = reading.parts(SetupPy).only
-    return setup is not None and any(each.is_script and each.fault for each in setup.entry_points)
+    return setup is not None and any(
+        bool(each.fault if each.is_script else each.meant_group) for each in setup.entry_points
+    )
 
 
 def module_name(path: str) -> str:

@@ -15,6 +15,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..package_facts import NOWHERE
+from .misspelt_names import SCRIPTS, meant_group
 from .setup_text import SetupText
 
 # Both are linear: they have to fit one whole line, from its start, and neighbours share no character but blanks.
@@ -23,8 +24,6 @@ WHOLE = regex(
     r"(?:\s*:\s*(?P<attribute>[^\W\d]\w*(?:\.\w+)*))?\s*(?P<extras>\[[^\]]*\])?"
 )
 GROUP = regex(r"\[(?P<name>[^\]]+)\]")
-
-SCRIPTS = ("console_scripts", "gui_scripts")
 
 EntryPointFault = Literal["", "no-equals", "no-attribute", "joined", "file-name", "unreadable"]
 
@@ -62,6 +61,11 @@ class EntryPoint:
     def is_script(self) -> bool:
         """Whether it makes an executable."""
         return self.group in SCRIPTS
+
+    @property
+    def meant_group(self) -> str:
+        """The group of scripts that is meant and misspelt; "" for all other groups."""
+        return meant_group(self.group)
 
 
 def parse_entry_point(

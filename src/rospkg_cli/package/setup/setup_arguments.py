@@ -9,6 +9,7 @@ from ...languages.python.evaluate.values import Argument, Call, Constant, Sequen
 from ...languages.python.file import PythonFile
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
+from .misspelt_names import MisspeltArgument, misspelt_arguments
 from .setup_cfg import SetupCfg
 from .setup_cfg_arguments import SetupCfgArguments
 from .setup_text import SetupText
@@ -71,7 +72,13 @@ class SetupArguments:
         """Return why a missing argument may be given in another file."""
         if self.cfg_broken:
             return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
-        return None
+        meaning = (each.argument for each in self.misspelt_arguments if each.meant == name)
+        return next((Unknown(each.span, f"`{each.name}` may stand for `{name}`") for each in meaning), None)
+
+    @cached_property
+    def misspelt_arguments(self) -> tuple[MisspeltArgument, ...]:
+        """The arguments that setuptools passes over and that stand for one that is not given."""
+        return tuple(misspelt_arguments(self.call.arguments)) if self.call else ()
 
     def setup_text(self, name: str) -> SetupText | None:
         """Return a text of the metadata in setup.py or setup.cfg; None where it is unknown."""

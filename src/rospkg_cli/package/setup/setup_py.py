@@ -11,6 +11,7 @@ from ...languages.python.evaluate.sandbox_filesystem import Kind, OutsideError
 from ...languages.python.evaluate.values import Call, GlobResult, Sequence, Text, Unknown, Value
 from ...languages.python.evaluate.values import Mapping as MappingValue
 from ...light_dataclasses import dataclass
+from ...source import Span
 from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint
@@ -155,6 +156,13 @@ class SetupPy(SetupArguments):
     def entry_points(self) -> tuple[EntryPoint, ...]:
         """The entry points that are known, in order."""
         return tuple(self._entries[0])
+
+    @property
+    def group_spans(self) -> Mapping[str, Span]:
+        """Where the groups of entry points are written in setup.py, each as a string of the dict."""
+        value = self.value("entry_points")
+        keys = [key for key, _ in value.items.values()] if isinstance(value, MappingValue) else []
+        return {key.text: key.literal for key in keys if isinstance(key, Text) and key.literal is not None}
 
     @cached_property
     def _data(self) -> tuple[list[DataEntry], list[Unknown]]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.setup.share_files import ShareFiles
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
+from ...languages.python.lost_commas import joined_strings
 from ...package.setup.data_files import DataEntry, DataFile
 from ...rule import rule
 from ...suggest import did_you_mean
@@ -54,6 +55,10 @@ SHAPES = {
             bad={**YAML, "setup.py": config("«['share/' + package_name + '/config', ['config/nav.yaml']]»")},
             good={"setup.py": GOOD},
         ),
+        Example(
+            bad={"README.md": "", "NOTICE": "", "setup.py": config("('share/my_pkg', [«'README.md' 'NOTICE'»])")},
+            good={"setup.py": config("('share/my_pkg', ['README.md', 'NOTICE'])")},
+        ),
     ),
 )
 def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
@@ -93,6 +98,9 @@ def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:
         )
     if not shared.is_missing(file):
         return ""
+    if parts := joined_strings(package.setup.source.slice(file.setup_text.span)):
+        first, second = (f"`{each}`" for each in (parts[0], parts[-1]))
+        return f"a comma is missing between {first} and {second}: the build stops with \"can't copy '{text}'\""
     if "*" in text:
         return f"`{text}` is no file: `data_files` supports no wildcards, the build stops; write `glob('{text}')`"
     hint = did_you_mean(file.source, package.files.paths)

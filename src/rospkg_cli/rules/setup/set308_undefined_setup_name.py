@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Iterator
 
-from ...edits.setup_py import import_module
+from ...edits.setup_py import import_module, import_name
 from ...example import SETUP_PY, Example
-from ...finding import Fix, Hit, Safety, Severity
-from ...languages.python.undefined_names import UndefinedName, undefined_names
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...languages.python.undefined_names import UndefinedName, is_in_function, undefined_names
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule
 from ...suggest import nearest
@@ -18,7 +17,15 @@ GLOB = "        ('share/' + package_name + '/launch', «glob»('launch/*launch.[
 BAD = SETUP_PY.replace(ENTRY, ENTRY + GLOB)
 GOOD = BAD.replace("«", "").replace("»", "")
 LAUNCH = {"launch/robot.launch.xml": "<launch>\n</launch>\n"}
+NO_FINDER = SETUP_PY.replace("find_packages(", "«find_packages»(").replace("import find_packages, ", "import ")
 LIBRARY = ("os", "sys", "glob", "pathlib")
+OTHERS = {
+    "find_packages": "setuptools",
+    "find_namespace_packages": "setuptools",
+    "setup": "setuptools",
+    "Path": "pathlib",
+}
+"""What is imported from where."""
 
 
 @rule(
@@ -31,6 +38,11 @@ LIBRARY = ("os", "sys", "glob", "pathlib")
         Example(
             bad={**LAUNCH, "setup.py": BAD},
             good={"setup.py": f"from glob import glob\n\n{GOOD}"},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"setup.py": NO_FINDER},
+            good={"setup.py": SETUP_PY},
             fix=Safety.SAFE,
         ),
         Example(
@@ -59,19 +71,25 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
         near = nearest(found.name, found.known)
         advice = f"add `{line}`" if line else f"did you mean `{near}`?" if near else "define or import it"
         message = f"`{found.name}` is neither defined nor imported: setup.py stops with NameError; {advice}"
-        fix = Fix(f"add `{line}`", import_module(setup, line)) if line else None
-        yield Hit(setup.path, found.span, message, Severity.WARNING if is_in_function(setup, found) else None, fix=fix)
+        fix = Fix(f"add `{line}`", import_by(setup, found.name, line)) if line else None
+        yield Hit(
+            setup.path,
+            found.span,
+            message,
+            Severity.WARNING if is_in_function(setup.file, found.span) else None,
+            fix=fix,
+        )
 
 
 def import_of(setup: SetupPy, found: UndefinedName) -> str:
-    """Return the line that imports a module of the standard library; "" for other names."""
+    """Return the line that imports a name which setup.py files often use; "" for other names."""
     is_module = setup.source.text.startswith(".", found.span.end)
     if found.name == "glob" and not is_module:
         return "from glob import glob"
+    if found.name in OTHERS and not is_module:
+        return f"from {OTHERS[found.name]} import {found.name}"
     return f"import {found.name}" if found.name in LIBRARY and is_module else ""
 
 
-def is_in_function(setup: SetupPy, found: UndefinedName) -> bool:
-    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
-    spans = (setup.file.span(node) for node in ast.walk(setup.file.tree) if isinstance(node, functions))
-    return any(span.start <= found.span.start < span.end for span in spans)
+def import_by(setup: SetupPy, name: str, line: str) -> tuple[Edit, ...]:
+    return import_name(setup, "setuptools", name) if "setuptools" in line else import_module(setup, line)

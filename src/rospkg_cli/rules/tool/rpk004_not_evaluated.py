@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from itertools import groupby
 
 from ...checks.read_sentences import why_unknown
+from ...checks.unevaluated_parts import UnevaluatedParts
 from ...example import SETUP_PY, Example
 from ...finding import Hit, Severity
-from ...package.install_table import InstallKind, InstallTable, UnknownPart
+from ...package.install_table import InstallKind, UnknownPart
 from ...rule import Profile, rule
 from ...source import Span
 
@@ -27,7 +28,7 @@ SKIPPED: dict[tuple[bool, InstallKind], tuple[str, str]] = {
 @rule(
     "RPK004",
     "not-evaluated",
-    over=InstallTable,
+    over=UnevaluatedParts,
     severity=Severity.INFO,
     profile=Profile.PEDANTIC,
     examples=(
@@ -40,7 +41,7 @@ SKIPPED: dict[tuple[bool, InstallKind], tuple[str, str]] = {
         ),
     ),
 )
-def not_evaluated(table: InstallTable) -> Iterator[Hit]:
+def not_evaluated(parts: UnevaluatedParts) -> Iterator[Hit]:
     """
     ## What it does
     Reports an expression of setup.py or CMakeLists.txt that can't be evaluated without running it.
@@ -51,9 +52,10 @@ def not_evaluated(table: InstallTable) -> Iterator[Hit]:
     It isn't. But what is not known is not checked, and an empty report should not hide that.
 
     ## When it is quiet
-    What is unknown and would silence no rule is not reported.
+    What is unknown and would silence no rule is not reported, and neither is what a fault in setup.py explains (SET308,
+    SET309, SET310).
     """
-    for (path, span, why), group in groupby(sorted(table.unknown, key=place), key=place):
+    for (path, span, why), group in groupby(sorted(parts.unexplained, key=place), key=place):
         python = not path.endswith(("CMakeLists.txt", ".cmake"))
         skipped = [SKIPPED[key] for each in group if (key := (python, each.what)) in SKIPPED]
         if skipped:

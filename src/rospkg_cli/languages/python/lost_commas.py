@@ -1,0 +1,67 @@
+"""Calls and subscripts of literals, which raise TypeError: two items of a list without a comma between them.
+
+They are what CPython's compiler warns of with "perhaps you missed a comma?".
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from io import StringIO
+from tokenize import COMMENT, ENDMARKER, NEWLINE, NL, TokenError, generate_tokens
+
+from ...light_dataclasses import dataclass
+from ...source import Span
+from .file import PythonFile
+from .nodes import nodes_of
+
+KINDS: dict[type[ast.expr], str] = {
+    ast.Tuple: "tuple", ast.List: "list", ast.ListComp: "list", ast.Dict: "dict", ast.DictComp: "dict",
+    ast.Set: "set", ast.SetComp: "set", ast.GeneratorExp: "generator", ast.JoinedStr: "str",
+}  # fmt: skip
+"""What Python calls the value of each kind of literal."""
+
+BLANK = (COMMENT, ENDMARKER, NEWLINE, NL)
+SEQUENCES = ("tuple", "list", "str")
+
+
+@dataclass(frozen=True, slots=True)
+class LostComma:
+    """Where a comma belongs, and what the TypeError says without it."""
+
+    span: Span
+    """From the start of the first item to the end of the second."""
+    position: int
+    """Behind the first item."""
+    error: str
+
+
+def lost_commas(file: PythonFile) -> Iterator[LostComma]:
+    """Yield the places where a literal is called, or subscripted by a literal that is no index of it."""
+    for node in nodes_of(file.tree):
+        match node:
+            case ast.Call(func=first) if kind := kind_of(first):
+                yield LostComma(file.span(node), file.span(first).end, f"'{kind}' object is not callable")
+            case ast.Subscript(value=first, slice=index) if (kind := kind_of(first)) in SEQUENCES and (
+                other := kind_of(index)
+            ):
+                what = "string" if kind == "str" else kind
+                error = f"{what} indices must be integers or slices, not {other}"
+                yield LostComma(file.span(node), file.span(first).end, error)
+
+
+def kind_of(node: ast.expr) -> str:
+    """Return the type of a literal's value; "" for other expressions, and for numbers."""
+    if isinstance(node, ast.Constant):
+        return "str" if isinstance(node.value, str) else ""
+    return KINDS.get(type(node), "")
+
+
+def joined_strings(text: str) -> list[str]:
+    """Return the values of the plain strings that an expression joins by writing them side by side, else nothing."""
+    try:
+        tokens = [each for each in generate_tokens(StringIO(f"({text}\n)").readline) if each.type not in BLANK]
+        values = [ast.literal_eval(each.string) for each in tokens[1:-1]] if len(tokens) > len("(a)") else []
+    except (TokenError, SyntaxError, ValueError):
+        return []
+    return values if all(isinstance(each, str) for each in values) else []
