@@ -9,11 +9,11 @@ from rospkg_cli.testing import lint_files
 
 LAUNCH = "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    {}\n"
 BROKEN = {
-    "setup.py": SETUP_PY.replace("('share/' + package_name, ['package.xml']),", "(f'share/{package_name}', ['package.xml'),"),
+    "setup.py": SETUP_PY.replace("'share/' + package_name, ['package.xml']", "f'share/{package_name}', ['package.xml'"),
     "launch/robot.launch.py": LAUNCH.format("return LaunchDescription(]"),
     "my_pkg/talker.py": "def main():\n    while True:\n        break]\n",
     "my_pkg/listener.py": "def main():\n    for each in (1, 2):\n        continue f'{each}'\n",
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("path", BROKEN)
