@@ -341,7 +341,7 @@ def test_packages_that_are_nearly_one_that_is_found(name: str, near: str) -> Non
         "find_package(helper_libz REQUIRED)\n"
         f"add_library(core src/core.cpp)\nament_target_dependencies(core PUBLIC {name})\n"
     )
-    found = said(package(lines, "  <depend>std_msgs</depend>\n"), "CMK110")
+    found = said(package(lines, "  <depend>std_msgs</depend>\n"), "CMK117")
     assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
 
 

@@ -60,6 +60,7 @@ USER = {
 }
 
 END = "ament_package()\n"
+EXPORTS_RCLPCP = "find_package(rclcpp REQUIRED)\nament_export_dependencies(rclpcp)\n"
 
 CASES = {
     "CMK001": (
@@ -143,7 +144,6 @@ CASES = {
               src__talker_DOT_cpp=cmk110.SOURCE),
         cmake("set_target_properties(talkr PROPERTIES CXX_STANDARD 17)\n"),
         cmake(f"{TALKER}target_link_libraries(talker rclcp::rclcpp)\n", NEEDS_RCLCPP, src__talker_DOT_cpp=MAIN),
-        cmake(f"{TALKER}ament_target_dependencies(talker PUBLIC rclcp)\n", NEEDS_RCLCPP, src__talker_DOT_cpp=MAIN),
         cmake(f"{LIBRARY}add_library(my_pkg::core ALIAS core)\nadd_library(base SHARED src/core.cpp)\n"
               "target_link_libraries(base PUBLIC my_pkg::croe)\n", src__core_DOT_cpp="int core() {return 1;}\n"),
     ),
@@ -152,6 +152,26 @@ CASES = {
         cmake("install(FILES LICENSE DESTINATION /opt/ros/humble/share/my_pkg)\n"),
         cmake("install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_PREFIX}/share/my_pkg)\n"),
         cmake("install(FILES LICENSE DESTINATION /etc/my_pkg)\n"),
+    ),
+    "CMK114": (
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("find_package(ament_cmake", "find_package(rclcpp"),
+                "package.xml": manifest(NEEDS_RCLCPP, "ament_cmake"),
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        cmake("ament_add_gtest(test_a test/a.cpp)\n", NEEDS_GTEST, test__a_DOT_cpp=MAIN),
+    ),
+    "CMK117": (
+        cmake("find_package(rclcpp REQUIRED)\nadd_executable(talker src/a.cpp)\n"
+              "ament_target_dependencies(talker rclpcp)\n", NEEDS_RCLCPP, src__a_DOT_cpp=MAIN),
+        cmake(f"{LIBRARY}add_executable(talker src/a.cpp)\nament_target_dependencies(talker PUBLIC core)\n"
+              "ament_export_dependencies(core)\n", src__a_DOT_cpp=MAIN, src__core_DOT_cpp=MAIN),
+        Example(
+            bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
+            good={}, on=""),
     ),
     "CMK115": (
         cmake('include_directories("${CMAKE_CURENT_SOURCE_DIR}/include")\n'),

@@ -1,4 +1,4 @@
-"""Imported targets and packages that something is linked with, and that are one or two letters off."""
+"""Imported targets that something is linked with, and that are one or two letters off."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...suggest import near_names
 class MistypedLink:
     link: TargetLink
     near: str
-    """The target or the package that is certainly there."""
+    """The target that is certainly there."""
 
 
 @dataclass(frozen=True)
@@ -32,10 +32,9 @@ class MistypedLinks:
         for link in TargetLinks(self.package.cmake).all:
             word = link.word
             key = (word.path, word.span.start, word.text)
-            if word.is_known and not word.maybe and not link.call.maybe and key not in seen:
+            if word.is_known and not link.package and not word.maybe and not link.call.maybe and key not in seen:
                 seen.add(key)
-                near = self.near_package(word.text) if link.package else self.near_target(word.text)
-                if near is not None:
+                if (near := self.near_target(word.text)) is not None:
                     yield MistypedLink(link, near)
 
     def near_target(self, text: str) -> str | None:
@@ -49,10 +48,6 @@ class MistypedLinks:
             is_swapped = target != package and sorted(target) == sorted(package)
             return f"{package}::{package}" if is_swapped else None
         return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
-
-    def near_package(self, text: str) -> str | None:
-        """Return what to write for an argument of ament_target_dependencies; None where it may be found."""
-        return None if text in self.found or self.is_known(text) else nearest(text, self.found, 2)
 
     def is_known(self, package: str) -> bool:
         known = self.workspace.kind_of(package) in (NameKind.PACKAGE, NameKind.KEY)

@@ -76,9 +76,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     ## What it does
     Finds targets and exports that CMake names and that nothing creates.
     It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
-    `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`), and of packages that are given to
-    `ament_target_dependencies()`, it finds those that are one or two letters off. In lists of packages it finds two
-    names without a space between them.
+    `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off.
+    In lists of packages it finds two names without a space between them.
 
     ## Why is this bad?
     CMake stops. This is what is left when a target was renamed or removed.
@@ -86,7 +85,7 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     ## When it is quiet
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
     given the name, for names with `::` that are near to none of a package whose targets are known (of others only
-    their own name with letters swapped is told), for those of a package that is found, and for `gtest` and `gmock`.
+    their own name with letters swapped is told), and for `gtest` and `gmock`.
     Under a condition that can't be evaluated.
     """
     package = links.package
@@ -107,11 +106,6 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
 
 def mistyped(each: MistypedLink) -> str:
     text = each.link.word.text
-    if each.link.package:
-        return (
-            f"no `find_package` finds `{text}` (did you mean `{each.near}`?): `ament_target_dependencies` stops CMake "
-            'with "the passed package name … was not found before"; correct it'
-        )
     return (
         f"no package makes the target `{text}` (did you mean `{each.near}`?): CMake stops with "
         '"the target was not found"; correct it'

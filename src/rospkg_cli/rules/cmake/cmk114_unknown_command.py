@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.unknown_commands import UnknownCommands
+from ...checks.depends.unfound_commands import UnfoundCommand, UnfoundCommands
+from ...edits.cmake_find import add_find_package
 from ...example import CMAKE, Example
-from ...finding import Hit, Severity
-from ...package.cmake.cmake_package import CMakePackage
+from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
 
 LINES = """\
@@ -15,6 +16,7 @@ add_executable(talker src/talker.cpp)
 «target_include_idrectories»(talker PRIVATE include)
 install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
 """
+FIND = "find_package(ament_cmake REQUIRED)\n"
 
 
 def cmake(lines: str) -> str:
@@ -24,33 +26,58 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK114",
     "unknown-command",
-    over=CMakePackage,
+    over=UnfoundCommands,
     severity=Severity.ERROR,
+    levels={Severity.INFO: "another package that is found may find the one that defines it"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(LINES), "src/talker.cpp": "int main() {return 0;}\n"},
             good={"CMakeLists.txt": cmake(LINES.replace("«target_include_idrectories»", "target_include_directories"))},
             on="ament_cmake",
         ),
+        Example(
+            bad={"CMakeLists.txt": CMAKE.replace(FIND, "").replace("ament_package", "«ament_package»")},
+            good={"CMakeLists.txt": CMAKE},
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
     ),
 )
-def unknown_command(package: CMakePackage) -> Iterator[Hit]:
+def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     """
     ## What it does
-    Finds commands in CMakeLists.txt that nobody defines and that are nearly called like a known one.
-    Known are those of CMake, ament, rosidl and the like, and the package's own functions; near is one or two letters.
+    Finds commands in CMakeLists.txt that nobody defines.
+    They are nearly called like a known one (of CMake, ament, rosidl and the like, or of the package's own functions;
+    near is one or two letters), or come with a package that no `find_package()` looks for:
+    `ament_package()` without `find_package(ament_cmake REQUIRED)`.
 
     ## Why is this bad?
     CMake stops with "Unknown CMake command".
 
     ## When it is quiet
-    Where a file is included that can't be read: it may define the command. For names that consist of words which
+    Where a file is included that can't be read: it may define the command. Where a package that is found certainly
+    brings the one that defines it, or `ament_lint_auto_find_test_dependencies()` finds what package.xml declares. For
+    names that consist of words which
     commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less than six letters.
     Under a condition that can't be evaluated, and where the command is never run.
     """
-    for call, near in UnknownCommands(package.cmake).all():
+    cmake = commands.package.cmake
+    for call, near in UnknownCommands(cmake).all():
         message = (
             f"`{call.name}` is no command (did you mean `{near}`?): "
             'CMake stops with "Unknown CMake command"; correct the name'
         )
         yield Hit(call.path, call.command.name_span, message)
+    for each in commands.all():
+        line = f"find_package({each.package} REQUIRED)"
+        edits = add_find_package(cmake, each.package, each.call)
+        fix = Fix(f"add {line}", edits) if edits else None
+        level = Severity.INFO if each.may_be_brought else None
+        yield Hit(each.call.path, each.call.command.name_span, unfound(each, line), level, fix=fix)
+
+
+def unfound(each: UnfoundCommand, line: str) -> str:
+    start = f"`{each.call.name}` comes with `{each.package}`, which no `find_package()` finds"
+    if each.may_be_brought:
+        return f"{start}: it is known only as long as another package finds it; add `{line}`"
+    return f'{start}: CMake stops with "Unknown CMake command"; add `{line}`'

@@ -1,0 +1,96 @@
+"""Packages that CMake looks for, hands to ament or exports, and that are none, but nearly one, or a target."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Literal
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.workspace import Workspace
+from ...ros.link_targets import ROS_NAME
+from ...ros.names import NameKind
+from .mistyped_links import nearest
+
+TAKING = {"ament_target_dependencies": 1, "ament_export_dependencies": 0}
+"""Commands that are given packages, and their first argument that is one."""
+KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
+
+
+@dataclass(frozen=True)
+class MistypedPackage:
+    word: Word
+    call: EvaluatedCommand
+    kind: Literal["misspelt", "target"]
+    near: str = ""
+    """The package that is certainly meant, of one that is misspelt."""
+
+
+@dataclass(frozen=True)
+class MistypedPackages:
+    package: CMakePackage
+    workspace: Workspace
+
+    def all(self) -> Iterator[MistypedPackage]:
+        """Yield each argument once."""
+        seen: set[tuple[str, int, str]] = set()
+        for word, call in self.named():
+            key = (word.path, word.span.start, word.text)
+            if word.is_known and not word.maybe and not call.maybe and key not in seen:
+                seen.add(key)
+                if (found := self.judged(word, call)) is not None:
+                    yield found
+
+    def named(self) -> Iterator[tuple[Word, EvaluatedCommand]]:
+        """Yield the packages that commands are given; of those that are looked for, the required ones."""
+        cmake = self.package.cmake
+        for call in cmake.named(*TAKING):
+            yield from ((word, call) for word in call.words[TAKING[call.name] :] if word.text not in KEYWORDS)
+        for found in cmake.packages:
+            if found.is_required and not found.is_quiet:
+                yield found.word, found.call
+
+    def judged(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
+        if self.is_known(word.text):
+            return None
+        if call.name not in TAKING:
+            return self.misspelt(word, call, self.unfound) if self.is_looked_for_in_vain(word.text) else None
+        if word.text in self.found:
+            return None
+        if self.package.cmake.target(word.text) is not None:
+            return MistypedPackage(word, call, "target")
+        return self.misspelt(word, call, self.found | self.declared)
+
+    def misspelt(self, word: Word, call: EvaluatedCommand, names: frozenset[str]) -> MistypedPackage | None:
+        near = nearest(word.text, names, 2)
+        return MistypedPackage(word, call, "misspelt", near) if near is not None else None
+
+    def is_looked_for_in_vain(self, name: str) -> bool:
+        """Return whether a name can only be that of a ROS package: the package brings no module to find it by."""
+        modules = (f"/find{name}.cmake", f"/{name}config.cmake", f"/{name}-config.cmake")
+        paths = self.package.cmake.package_files.paths
+        return ROS_NAME.fullmatch(name) is not None and not any(f"/{p}".lower().endswith(modules) for p in paths)
+
+    @cached_property
+    def unfound(self) -> frozenset[str]:
+        """The packages that are declared and that CMake does not look for under their right names."""
+        packages = (name for name in self.declared if self.workspace.kind_of(name) is NameKind.PACKAGE)
+        return frozenset(packages) - self.found
+
+    def is_known(self, name: str) -> bool:
+        """Return whether a name is that of a package or of a rosdep key, or is declared, which DEP001 judges."""
+        known = self.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
+        return known or name in self.declared or self.workspace.is_available(name)
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The packages that CMake finds."""
+        return frozenset(each.name for each in self.package.cmake.packages)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """The packages that the manifest names, which `ament_auto_…` finds."""
+        return frozenset(each.name for each in self.package.manifest.dependencies)

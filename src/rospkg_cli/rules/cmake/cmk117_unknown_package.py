@@ -1,0 +1,96 @@
+"""CMK117 unknown-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.mistyped_packages import MistypedPackage, MistypedPackages
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+NEEDS_RCLCPP = manifest("  <depend>rclcpp</depend>\n", "ament_cmake")
+LIBRARY = """\
+find_package(rclcpp REQUIRED)
+add_library(core SHARED src/core.cpp)
+target_link_libraries(core PUBLIC rclcpp::rclcpp)
+install(TARGETS core EXPORT core_targets DESTINATION lib)
+ament_export_targets(core_targets)
+ament_export_dependencies({})
+"""
+SOURCE = "int core() {return 1;}\n"
+
+
+def cmake(name: str) -> str:
+    return CMAKE.replace("ament_package", LIBRARY.format(name) + "ament_package")
+
+
+@rule(
+    "CMK117",
+    "unknown-package",
+    over=MistypedPackages,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is exported, and no package of the workspace depends on this one"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake("«rclpcp»"), "package.xml": NEEDS_RCLCPP, "src/core.cpp": SOURCE},
+            good={"CMakeLists.txt": cmake("rclcpp")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("find_package(ament_cmake", "find_package(«ament_cmak»"),
+            },
+            good={"CMakeLists.txt": CMAKE},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that CMake looks for, links or exports and that are one or two letters off.
+    It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
+    two it also finds targets of the package itself, which are no packages.
+
+    ## Why is this bad?
+    CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
+    What is exported stops the packages that build against this one.
+
+    ## When it is quiet
+    For names that a package or a rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known
+    is near to. Near are only packages that CMake finds or package.xml declares; what `find_package()` looks for is
+    compared with those declared that are not found otherwise. Under a condition that can't be evaluated.
+
+    ## Fix safety
+    The nearest name may not be the one that was meant.
+    """
+    for each in packages.all():
+        fix = None
+        if each.near and packages.package.cmake.source_text(each.word).strip('"') == each.word.text:
+            edit = Edit(each.word.path, each.word.span, each.near)
+            fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
+        is_unused = each.call.name == EXPORT and not packages.workspace.is_needed(packages.package.facts.name)
+        yield Hit(each.word.path, each.word.span, message(each), Severity.WARNING if is_unused else None, fix=fix)
+
+
+EXPORT = "ament_export_dependencies"
+STOPS = {
+    "ament_target_dependencies": '`ament_target_dependencies` stops CMake with "the passed package name … was not '
+    'found before"',
+    EXPORT: "packages that build against this one stop, since they look for it in vain",
+}
+
+
+def message(each: MistypedPackage) -> str:
+    name, stops = each.word.text, STOPS.get(each.call.name)
+    if each.kind == "target":
+        advice = "link it with `target_link_libraries`" if "target" in each.call.name else "remove it"
+        return f"`{name}` is a target of this package, and no package: {stops}; {advice}"
+    near = f"(did you mean `{each.near}`?)"
+    if stops is None:
+        stops = 'CMake stops with "Could not find a package configuration file"'
+        return f"no package is called `{name}` {near}: {stops}; correct the name"
+    return f"no `find_package` finds `{name}` {near}: {stops}; correct it"
