@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from writing import Write
 
 from rospkg_cli.example import Example
 from rospkg_cli.tree import to_entry
@@ -16,8 +17,6 @@ settings.register_profile("usual", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True)
 settings.register_profile("quick", deadline=None, max_examples=15)
 settings.load_profile(os.environ.get("ROSPKG_HYPOTHESIS") or ("ci" if os.environ.get("CI") == "true" else "usual"))
-
-Write = Callable[[Path, Mapping[str, str]], Path]
 
 
 @pytest.fixture

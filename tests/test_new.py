@@ -159,7 +159,9 @@ def test_a_dependency_that_makes_no_sense_is_refused(key: str, reason: str) -> N
         new(Request("my_robot_nav", depends=(key,), **ADA))
 
 
-@pytest.mark.parametrize("make", [Path.mkdir, Path.touch, lambda path: path.symlink_to("nowhere")])
+@pytest.mark.parametrize(
+    "make", [Path.touch, lambda path: path.symlink_to("nowhere"), lambda path: path.symlink_to(".")]
+)
 def test_what_exists_is_left_alone(make) -> None:
     make(Path("my_robot_nav"))
     with pytest.raises(UsageError, match=r"exists already.*--diff"):

@@ -22,7 +22,6 @@ from in_process import run_here as rospkg
         ("indx", "there is no command `indx` (did you mean `rospkg index`?); `rospkg --help` shows how"),
         ("xyz", "there is no command `xyz`; `rospkg --help` shows how"),
         ("lint --target", "option '--target' requires an argument; `rospkg lint --help` shows how"),
-        ("explain", "missing argument 'rule'; `rospkg explain --help` shows how"),
         (
             "lint --select DEP101 DEP102",
             "`DEP102` is a rule, and stands where a path belongs; join rules by commas: --select A,B",

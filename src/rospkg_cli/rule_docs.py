@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from difflib import SequenceMatcher
 from typing import Any
 
 from .example import MARK, Example
 from .finding import Safety
-from .rule import Profile, Rule, all_rules
+from .rule import Profile, Rule
 
 FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes)", None: "none"}
 LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
@@ -103,34 +103,39 @@ def lines_changed(bad: str, good: str) -> set[int]:
     }
 
 
-def rules_text() -> str:
-    """Return a table of all rules, one line each."""
+def explained_json(rules: Iterable[Rule[Any]], is_list: bool) -> str:
+    """Return the docs of a rule as JSON, or of several as a list."""
+    found = [{**described(rule), "explanation": explain(rule)} for rule in rules]
+    return json.dumps(found if is_list else found[0], indent=2) + "\n"
+
+
+def rules_text(rules: Iterable[Rule[Any]]) -> str:
+    """Return a table of rules, one line each."""
     rows = []
-    for rule in all_rules():
+    for rule in rules:
         marks = {Safety.SAFE: "fix", Safety.UNSAFE: "unsafe fix", None: ""}[rule.fix]
         profile = "" if rule.profile is Profile.DEFAULT else f"--{rule.profile.value}"
         rows.append(f"{rule.code}  {rule.name:<32} {rule.severity.value:<8} {marks:<11} {profile}".rstrip())
     return "\n".join(rows) + "\n"
 
 
-def rules_json() -> str:
-    """Return all rules as JSON."""
-    return json.dumps(
-        [
-            {
-                "code": rule.code,
-                "name": rule.name,
-                "severity": rule.severity.value,
-                "levels": {level.value: when for level, when in rule.levels.items()},
-                "profile": rule.profile.value,
-                "fix": rule.fix.value if rule.fix else None,
-                "since": rule.since,
-                "summary": summary(rule),
-            }
-            for rule in all_rules()
-        ],
-        indent=2,
-    ) + "\n"  # fmt: skip
+def rules_json(rules: Iterable[Rule[Any]]) -> str:
+    """Return rules as JSON."""
+    return json.dumps([described(rule) for rule in rules], indent=2) + "\n"
+
+
+def described(rule: Rule[Any]) -> dict[str, Any]:
+    """Return what is known of a rule, as an object of JSON."""
+    return {
+        "code": rule.code,
+        "name": rule.name,
+        "severity": rule.severity.value,
+        "levels": {level.value: when for level, when in rule.levels.items()},
+        "profile": rule.profile.value,
+        "fix": rule.fix.value if rule.fix else None,
+        "since": rule.since,
+        "summary": summary(rule),
+    }
 
 
 def summary(rule: Rule[Any]) -> str:

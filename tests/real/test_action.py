@@ -11,6 +11,7 @@ import yaml
 from absent import absent
 from checkout import ROOT, copy_checkout
 from shell import Shell
+from small_rosdistro import FILES
 from venvs import NoIndexError, venv
 
 from rospkg_cli.example import Example
@@ -38,13 +39,20 @@ def test_it_annotates_reports_and_sums_up(workspace: Path, tmp_path: Path, shell
         "ROSPKG_PATHS": ".",
         "ROSPKG_ARGS": "--fail-on warning",
         "ROSPKG_SARIF": "out.sarif",
+        "ROSPKG_INDEX": "false",
+        "HOME": str(tmp_path / "runner"),
         "RUNNER_TEMP": str(tmp_path / "runner"),
         "GITHUB_STEP_SUMMARY": str(tmp_path / "summary.md"),
         "PATH": f"{Path(sys.executable).parent}:{shell.variables['PATH']}",
     }
     assert set(step["env"]) == {name for name in variables if name.startswith("ROSPKG")}
+    for path, text in FILES.items():
+        (tmp_path / "rosdistro" / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "rosdistro" / path).write_text(text)
+    variables["ROSPKG_INDEX"] = str(tmp_path / "rosdistro")
     done = shell.run("bash", "-c", step["run"], cwd=workspace, **variables)
     assert done.returncode == 1, done.stdout + done.stderr
+    assert (Path(variables["HOME"]) / ".cache/rospkg/index.txt").is_file()
     assert done.stdout.startswith("::warning file=my_pkg/package.xml,line=6,")
     assert json.loads((workspace / "out.sarif").read_text())["version"] == "2.1.0"
     assert "| warning | XML104 placeholder-metadata |" in (tmp_path / "summary.md").read_text()

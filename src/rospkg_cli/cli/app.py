@@ -33,6 +33,18 @@ def without_verbs() -> typer.Typer:
 
 
 app = without_verbs()
+
+
+def verb_words(incomplete: str) -> list[str]:
+    return [each for each in verbs() if each.startswith(incomplete)]
+
+
+def verbs() -> list[str]:
+    """Return the verbs as they are typed."""
+    commands = [each.name or getattr(each.callback, "__name__", "") for each in app.registered_commands]
+    return [*commands, *(each.name or "" for each in app.registered_groups)]
+
+
 app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
@@ -48,6 +60,16 @@ caching.command()(cache.clear)
 app.add_typer(caching, name="cache")
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)
+
+
+@app.command("help", epilog="Examples:  rospkg help  ·  rospkg help lint")
+def show_help(
+    context: typer.Context,
+    verb: Annotated[list[str] | None, typer.Argument(help="A command.", autocompletion=verb_words)] = None,
+) -> int:
+    """Show the help of a command, as `rospkg COMMAND --help` does."""
+    sys.argv = ["rospkg", *(verb or ()), "--help"]
+    return run_verb()
 
 
 def show_version(wanted: bool) -> None:
@@ -108,8 +130,6 @@ def used_wrongly(error: Exception) -> int:
     """Print a sentence on wrong use; return the exit status."""
     from .wrong_use import wrong_use
 
-    commands = [each.name or getattr(each.callback, "__name__", "") for each in app.registered_commands]
-    verbs = [*commands, *(each.name or "" for each in app.registered_groups)]
-    if sentence := wrong_use(error, sys.argv[1:], verbs):
+    if sentence := wrong_use(error, sys.argv[1:], verbs()):
         say(sentence)
     return 2

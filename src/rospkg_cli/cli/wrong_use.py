@@ -13,8 +13,10 @@ SYNONYMS = {
     "check": "lint",
     "verify": "lint",
     "fix": "lint --fix",
+    "repair": "lint --fix",
     "list": "rules",
-    "help": "--help",
+    "config": "doctor",
+    "info": "doctor",
 }
 """What people type for a verb that other tools have, and the command that does it here."""
 
@@ -27,6 +29,8 @@ def wrong_use(error: Any, typed: Sequence[str], verbs: Collection[str]) -> str:
     context = getattr(error, "ctx", None)
     verb = next((word for word in typed if word in verbs), "")
     command = context.command_path if context else f"rospkg {verb}".strip()
+    if message.startswith("Got unexpected extra argument") and any(word.startswith("--depend") for word in typed):
+        return f"names of dependencies are joined by commas: --depends rclpy,std_msgs; `{command} --help` shows how"
     return f"{what_is_wrong(error, context, message, verbs)}; `{command} --help` shows how"
 
 

@@ -8,19 +8,30 @@ from typing import Annotated
 
 from typer import Argument, Option
 
-from ..arguments import one_of
+from ..arguments import one_of, split
+from ..complete import choices, rule_words
 
-EXPLAIN_EPILOG = "Examples:  rospkg explain SET101  ·  rospkg explain empty-glob"
-RULES_EPILOG = "Example:  rospkg rules --format json"
+EXPLAIN_EPILOG = "Examples:  rospkg explain SET101  ·  rospkg explain empty-glob  ·  rospkg explain --all --format json"
+RULES_EPILOG = "Examples:  rospkg rules  ·  rospkg rules SET  ·  rospkg rules --format json"
 
 
-def explain(rule: Annotated[str, Argument(help="A code or a name.")]) -> None:
+def explain(
+    rule: Annotated[str, Argument(help="A code or a name.", autocompletion=rule_words, show_default=False)] = "",
+    every: Annotated[bool, Option("--all", help="Every rule, one after the other.")] = False,
+    format: Annotated[
+        str, Option("--format", metavar="FORMAT", help="text or json.", autocompletion=choices("text", "json"))
+    ] = "text",
+) -> None:
     """Show what a rule finds, why, a bad and a good example, and its fix."""
     from ...control_characters import visible_lines
-    from .run import explain as text
+    from .run import explained, explained_json
 
+    one_of("--format", format, ("text", "json"))
     load_plugins()
-    shown = visible_lines(text(rule))
+    if format == "json":
+        sys.stdout.write(explained_json(rule, every))
+        return
+    shown = visible_lines(explained(rule, every))
     if sys.stdout.isatty():
         from rich.console import Console
         from rich.markdown import Markdown
@@ -38,11 +49,21 @@ def load_plugins() -> None:
     load_plugins(choose_configs([Path()]).root.plugins)
 
 
-def rules(format: Annotated[str, Option("--format", metavar="FORMAT", help="text or json.")] = "text") -> None:
-    """List all rules."""
+def rules(
+    names: Annotated[
+        list[str] | None,
+        Argument(help="Codes, names, or how codes begin: SET, DEP1.", autocompletion=rule_words, show_default=False),
+    ] = None,
+    format: Annotated[
+        str, Option("--format", metavar="FORMAT", help="text or json.", autocompletion=choices("text", "json"))
+    ] = "text",
+) -> None:
+    """List the rules: all, or those of some codes."""
     from ...control_characters import visible_lines
     from ...rule_docs import rules_json, rules_text
+    from .run import named_rules
 
     one_of("--format", format, ("text", "json"))
     load_plugins()
-    sys.stdout.write(rules_json() if format == "json" else visible_lines(rules_text()))
+    chosen = named_rules(split(names))
+    sys.stdout.write(rules_json(chosen) if format == "json" else visible_lines(rules_text(chosen)))

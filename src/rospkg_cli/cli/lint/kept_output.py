@@ -28,7 +28,8 @@ class KeptOutput(io.StringIO):
 
 def may_be_kept(options: LintOptions) -> bool:
     """Return whether a run does nothing but print findings: what writes files is done each time."""
-    return not (writes(options) or options.no_cache or options.show_settings or options.report.output)
+    asks_git = options.changed or options.since is not None
+    return not (asks_git or writes(options) or options.no_cache or options.show_settings or options.report.output)
 
 
 def writes(options: LintOptions) -> bool:

@@ -61,6 +61,9 @@ class ReportOptions:
 class LintOptions:
     paths: tuple[Path, ...] = ()
     workspace: Path | None = None
+    changed: bool = False
+    since: str | None = None
+    """A commit, tag or branch: packages that have not changed after it are left out."""
     jobs: str = "auto"
     allow_empty: bool = False
     no_cache: bool = False

@@ -7,6 +7,7 @@ from typing import Annotated
 
 from typer import Argument, Option
 
+from ..complete import choices, distro_names, format_names, listed, rule_codes
 from .typed_options import lint_as_typed
 
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
@@ -14,15 +15,23 @@ CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", 
 CONFIG = "Configuration"
 FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
 
+CODES, DISTROS, FORMATS = listed(rule_codes), listed(distro_names), listed(format_names)
+LEVELS, SHOWN = choices("error", "warning", "info"), listed(lambda: ("info", "all"))
+WHEN = choices("auto", "always", "never")
+
 Names = list[str] | None
 
 
 def lint(
     paths: Annotated[list[Path] | None, Argument(help="Packages, folders of packages, or files in them.")] = None,
-    select: Annotated[Names, Option(metavar="CODES", help="Run only these rules.", rich_help_panel=CHOICE)] = None,
-    ignore: Annotated[Names, Option(metavar="CODES", help="Do not run these rules.", rich_help_panel=CHOICE)] = None,
+    select: Annotated[
+        Names, Option(metavar="CODES", autocompletion=CODES, help="Run only these rules.", rich_help_panel=CHOICE)
+    ] = None,
+    ignore: Annotated[
+        Names, Option(metavar="CODES", autocompletion=CODES, help="Do not run these rules.", rich_help_panel=CHOICE)
+    ] = None,
     extend_select: Annotated[
-        Names, Option(metavar="CODES", help="Run these rules too.", rich_help_panel=CHOICE)
+        Names, Option(metavar="CODES", autocompletion=CODES, help="Run these rules too.", rich_help_panel=CHOICE)
     ] = None,
     pedantic: Annotated[
         bool, Option("--pedantic", help="Also run rules on matters of taste.", rich_help_panel=CHOICE)
@@ -35,13 +44,20 @@ def lint(
     ] = False,
     target: Annotated[
         Names,
-        Option(metavar="DISTROS", help="humble,jazzy,…", show_default="$ROS_DISTRO", rich_help_panel=CHOICE),
+        Option(
+            metavar="DISTROS",
+            autocompletion=DISTROS,
+            help="humble,jazzy,…",
+            show_default="$ROS_DISTRO",
+            rich_help_panel=CHOICE,
+        ),
     ] = None,
     fix: Annotated[bool, Option("--fix", help="Fix what can be fixed safely.", rich_help_panel=FIXES)] = False,
     fix_level: Annotated[
         str | None,
         Option(
             metavar="LEVEL",
+            autocompletion=LEVELS,
             help="Fix findings of this level or above: error, warning or info.",
             show_default="warning",
             rich_help_panel=FIXES,
@@ -78,25 +94,40 @@ def lint(
         Path | None,
         Option(metavar="FILE", help="Write the present findings to a baseline.", rich_help_panel=SUPPRESSION),
     ] = None,
-    format: Annotated[str, Option("--format", metavar="FORMAT", help=FORMAT_HELP, rich_help_panel=OUTPUT)] = "text",
+    format: Annotated[
+        str, Option("--format", metavar="FORMAT", autocompletion=FORMATS, help=FORMAT_HELP, rich_help_panel=OUTPUT)
+    ] = "text",
     output: Annotated[
         Names, Option(metavar="FORMAT:FILE", help="Also write a report to a file.", rich_help_panel=OUTPUT)
     ] = None,
     statistics: Annotated[bool, Option("--statistics", help="Count findings by rule.", rich_help_panel=OUTPUT)] = False,
     fail_on: Annotated[
         str | None,
-        Option(metavar="LEVEL", help="error, warning or info.", show_default="warning", rich_help_panel=OUTPUT),
+        Option(
+            metavar="LEVEL",
+            autocompletion=LEVELS,
+            help="error, warning or info.",
+            show_default="warning",
+            rich_help_panel=OUTPUT,
+        ),
     ] = None,
     exit_zero: Annotated[
         bool, Option("--exit-zero", help="Exit with status 0 whatever is found.", rich_help_panel=OUTPUT)
     ] = False,
-    color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.", rich_help_panel=OUTPUT)] = "auto",
+    color: Annotated[
+        str, Option(metavar="WHEN", autocompletion=WHEN, help="auto, always or never.", rich_help_panel=OUTPUT)
+    ] = "auto",
     quiet: Annotated[
         bool, Option("--quiet", "-q", help="Print nothing when there are no problems.", rich_help_panel=OUTPUT)
     ] = False,
     show: Annotated[
         Names,
-        Option(metavar="WHAT", help="In text: info (infos too), all (each finding in full).", rich_help_panel=OUTPUT),
+        Option(
+            metavar="WHAT",
+            autocompletion=SHOWN,
+            help="In text: info (infos too), all (each finding in full).",
+            rich_help_panel=OUTPUT,
+        ),
     ] = None,
     traceback: Annotated[
         bool, Option("--traceback", help="Show the traceback of an internal error.", rich_help_panel=OUTPUT)
@@ -109,6 +140,10 @@ def lint(
         bool, Option("--show-settings", help="Show which config holds for which packages.", rich_help_panel=CONFIG)
     ] = False,
     workspace: Annotated[Path | None, Option(metavar="DIR", help="Use the packages below for lookups only.")] = None,
+    changed: Annotated[bool, Option("--changed", help="Only packages with changes that are not committed.")] = False,
+    since: Annotated[
+        str | None, Option(metavar="REF", help="Only packages that have changed since a branch, tag or commit.")
+    ] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
     allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
     watch: Annotated[bool, Option("--watch", help="Lint again whenever a file changes, until Ctrl-C.")] = False,

@@ -107,7 +107,18 @@ def located_packages(paths: Sequence[Path], options: LintOptions, configs: Confi
     for path in paths:
         if not exists(path) and codes_named(str(path)):
             raise UsageError(f"`{path}` is a rule, and stands where a path belongs; join rules by commas: --select A,B")
-    return locate(paths, options.workspace, configs)
+    located = locate(paths, options.workspace, configs)
+    return changed_alone(located, options.since or "") if options.changed or options.since is not None else located
+
+
+def changed_alone(located: Located, since: str) -> Located:
+    """Return the packages without those that git sees no change in; raises GitError."""
+    from .changed_packages import changed_packages
+
+    folders = {located.root / folder: folder for folder in located.scope.selected}
+    changed = changed_packages(sorted(folders), since)
+    selected = frozenset(folder for path, folder in folders.items() if path in changed)
+    return replace(located, scope=replace(located.scope, selected=selected))
 
 
 def make_report(options: LintOptions, config: Config, located: Located, found: FixResults, stream: IO[str]) -> Report:
@@ -171,7 +182,7 @@ def run_session(session: Session, options: FixOptions, level: Severity) -> FixRe
 def nothing_found(session: Session, options: LintOptions, located: Located) -> FixResults:
     """Return the results where there is no package to lint."""
     paths = options.paths or (Path(),)
-    if options.allow_empty:
+    if options.allow_empty or ((options.changed or options.since is not None) and located.scope.folders):
         return FixResults(Results())
     place = Path(os.path.relpath(absolute(paths[0]), located.root)).as_posix()
     return FixResults(session.no_packages([str(path) for path in paths], located.hidden, place))

@@ -11,6 +11,7 @@ from typer.core import TyperCommand
 
 from .. import UsageError
 from ..arguments import one_of, split
+from ..complete import Completion, choices, dependency_names, distro_names, license_names, listed, node_kinds
 
 if TYPE_CHECKING:
     from ...scaffold.answers import Request
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPE = "ament_python, ament_cmake, mixed, interfaces, description or bringup."
+TYPES = ("ament_python", "ament_cmake", "mixed", "interfaces", "description", "bringup")
+TYPE = f"{', '.join(TYPES[:-1])} or {TYPES[-1]}."
 NODE = (
     "A node; repeatable. In a mixed package also its language: planner:timer:python. "
     "Of a message: status:publisher:my_msgs/Status. In a bringup package: PACKAGE/EXECUTABLE."
@@ -32,12 +34,27 @@ DISTRO = "$ROS_DISTRO, or the newest LTS"
 DIFF = "Show what would change in an existing folder; exit with status 1 if anything would."
 FORCE = "Replace files that differ there; the old ones are kept in NAME.orig."
 
+MAINTAINER, EMAIL = ("--maintainer", "--maintainer-name"), ("--email", "--maintainer-email")
+INTO = ("--into", "--destination-directory")
+LAUNCH, TESTS = choices("py", "xml", "yaml", "none"), choices("ament", "minimal", "none")
+EXTRAS, KEYS = listed(lambda: ("ci", "pre-commit", "devcontainer", "docs")), listed(dependency_names)
+DISTROS, LICENSES = listed(distro_names), listed(license_names)
+
 Names = list[str] | None
 
 
-def option(panel: str, help: str, *names: str, metavar: str | None = None, default: str | bool = True) -> Any:
+def option(
+    panel: str,
+    help: str,
+    *names: str,
+    metavar: str | None = None,
+    default: str | bool = True,
+    values: Completion | None = None,
+) -> Any:
     """Return an option in one part of the help; `default` is shown where an empty value means something."""
-    return Option(*names, metavar=metavar, help=help, show_default=default, rich_help_panel=panel)
+    return Option(
+        *names, metavar=metavar, help=help, show_default=default, rich_help_panel=panel, autocompletion=values
+    )
 
 
 who, what, where = partial(option, WHO), partial(option, WHAT), partial(option, WHERE)
@@ -55,27 +72,35 @@ class NewCommand(TyperCommand):
 
 
 def new(
-    name: Annotated[str, Argument(help="The name of the package, such as my_robot_nav.", show_default=False)] = "",
-    type: Annotated[str, what(TYPE, "--type", "-t", "--build-type", metavar="TYPE")] = "ament_python",
-    node: Annotated[Names, what(NODE, metavar="NAME[:KIND[:LANGUAGE]]")] = None,
+    name: Annotated[str, Argument(help="Its name, or a path that ends in it: my_robot_nav, src/my_robot_nav, .")] = "",
+    type: Annotated[
+        str, what(TYPE, "--type", "-t", "--build-type", metavar="TYPE", values=choices(*TYPES))
+    ] = "ament_python",
+    node: Annotated[
+        Names, what(NODE, "--node", "--node-name", metavar="NAME[:KIND[:LANGUAGE]]", values=node_kinds)
+    ] = None,
     msg: Annotated[Names, what(MSG, metavar="NAME[:FIELDS]")] = None,
     srv: Annotated[Names, what("A service.", metavar="NAME[:FIELDS]")] = None,
     action: Annotated[Names, what("An action.", metavar="NAME[:FIELDS]")] = None,
-    launch: Annotated[str, what("The launch file: py, xml, yaml or none.", metavar="FORMAT", default="py")] = "",
+    launch: Annotated[
+        str, what("The launch file: py, xml, yaml or none.", metavar="FORMAT", default="py", values=LAUNCH)
+    ] = "",
     params: Annotated[bool, what("A file of parameters for the nodes.", "--params/--no-params")] = True,
-    tests: Annotated[str, what("ament, minimal or none.", metavar="TESTS", default="ament")] = "",
+    tests: Annotated[str, what("ament, minimal or none.", metavar="TESTS", default="ament", values=TESTS)] = "",
     family: Annotated[bool, what(FAMILY, "--family")] = False,
-    with_: Annotated[Names, what(WITH, "--with", metavar="EXTRAS")] = None,
+    with_: Annotated[Names, what(WITH, "--with", metavar="EXTRAS", values=EXTRAS)] = None,
     template: Annotated[str, what("A template of your own, instead of --type.", metavar="DIR|GIT-URL")] = "",
-    depends: Annotated[Names, what(DEPENDS, metavar="KEYS")] = None,
-    distro: Annotated[str, what("The ROS distribution.", metavar="DISTRO", default=DISTRO)] = "",
+    depends: Annotated[Names, what(DEPENDS, "--depends", "--dependencies", metavar="KEYS", values=KEYS)] = None,
+    distro: Annotated[str, what("The ROS distribution.", metavar="DISTRO", default=DISTRO, values=DISTROS)] = "",
     description: Annotated[str, who("What the package does, in one sentence.")] = "",
-    license: Annotated[str, who("The license, as an SPDX identifier.", metavar="SPDX", default="Apache-2.0")] = "",
-    maintainer: Annotated[str, who("Name of the maintainer.", metavar="NAME", default="from git")] = "",
-    email: Annotated[str, who("E-mail address of the maintainer.", default="from git")] = "",
+    license: Annotated[
+        str, who("The license, as an SPDX identifier.", metavar="SPDX", default="Apache-2.0", values=LICENSES)
+    ] = "",
+    maintainer: Annotated[str, who("Name of the maintainer.", *MAINTAINER, metavar="NAME", default="from git")] = "",
+    email: Annotated[str, who("E-mail address of the maintainer.", *EMAIL, metavar="ADDRESS", default="from git")] = "",
     version: Annotated[str, who("MAJOR.MINOR.PATCH.", default="0.1.0")] = "",
     year: Annotated[int, who("Year of the copyright.", default="this year")] = 0,
-    into: Annotated[Path, where("The folder to write it into.", metavar="DIR")] = Path(),
+    into: Annotated[Path, where("The folder to write it into.", *INTO, metavar="DIR")] = Path(),
     dry_run: Annotated[bool, where("Show the tree and every file; write nothing.", "--dry-run")] = False,
     diff: Annotated[bool, where(DIFF, "--diff")] = False,
     force: Annotated[bool, where(FORCE, "--force")] = False,
@@ -85,9 +110,13 @@ def new(
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
     from ...scaffold.answers import Request
+    from .place import named_place
     from .run import new as write_new
 
     one_of("--color", color, ("auto", "always", "never"))
+    if family and name in (".", ".."):
+        raise UsageError("--family writes four packages; name the robot, and their folder with --into")
+    name, into = named_place(name, into)
     request = Request(
         name, type, split(node), split(depends), tuple(msg or ()), tuple(srv or ()), tuple(action or ()), launch,
         params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,

@@ -19,6 +19,7 @@ from ...scaffold.plan import Plan, make_plan
 from ...scaffold.target_folder import check_target, hidden_from_colcon, workspace_of
 from .. import UsageError
 from ..streams import afterwards, can_encode, say
+from .place import is_empty
 from .write_package import show_difference, write_plan
 
 NOTHING = "\nNothing was written."
@@ -43,6 +44,7 @@ def new(
     target = into / request.name
     try:
         check_package_name(request.name)
+        existing = existing or ("skip" if is_empty(target) else "")
         check_target(into, target, bool(existing) or diff)
         plan = make_plan(request, into, defaults(into))
         there = compare(target, plan.files)

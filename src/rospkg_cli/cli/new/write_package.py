@@ -19,6 +19,8 @@ def write_plan(target: Path, plan: Plan, there: FolderDifference, existing: str)
         write_folder(target, plan.files)
         return ""
     kept = write_into(target, there, existing == "force")
+    if not there.same and not there.other:
+        return ""
     left = len(there.same) + (0 if existing == "force" else len(there.other))
     said = f"{counted(len(there.missing))} written, {left} left as {'it was' if left == 1 else 'they were'}"
     return f"{said}, {len(there.other)} replaced: what was there is in `{kept}`" if kept else said
