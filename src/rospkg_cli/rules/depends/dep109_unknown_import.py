@@ -1,0 +1,70 @@
+"""DEP109 unknown-import."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.own_imports import OwnImports, WrongImport
+from ...example import Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+SPEECH = {"my_pkg/speech.py": "GREETING = 'hello'\n"}
+GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING\n\nprint(GREETING)\n"}
+
+
+@rule(
+    "DEP109",
+    "unknown-import",
+    over=OwnImports,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    examples=(
+        Example(
+            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.«speach» import GREETING\n\nprint(GREETING)\n"},
+            good=GOOD,
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.speech import «GRETING»\n\nprint(GRETING)\n"},
+            good=GOOD,
+        ),
+        Example(
+            bad={**SPEECH, "my_pkg/talker.py": "from . import «speach»\n\nprint(speach.GREETING)\n"},
+            good={"my_pkg/talker.py": "from . import speech\n\nprint(speech.GREETING)\n"},
+        ),
+    ),
+)
+def unknown_import(imports: OwnImports) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds imports of a module, or of a name, that the package itself does not have.
+    Modules of other packages of the workspace count where one of a near name is there.
+
+    ## Why is this bad?
+    The build does not look: it is green, and the node ends with ModuleNotFoundError or ImportError when it starts.
+
+    ## When it is quiet
+    For optional imports and under `TYPE_CHECKING`, in files that nothing installs, where the module may be compiled or
+    generated (also where git ignores it), where it lies in a folder that is not installed, where a module has a
+    `__getattr__` or an unknown star import, and where the package changes `sys.path`.
+
+    ## Fix safety
+    The intended name is a guess.
+    """
+    for wrong in imports.wrong():
+        level = Severity.WARNING if wrong.is_local else None
+        what = f"there is no module `{wrong.package}.{wrong.name}`" if wrong.is_module else absence(imports, wrong)
+        error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
+        advice = f"; did you mean `{wrong.near}`?" if wrong.near else ""
+        fix = None
+        if wrong.near and wrong.is_module and imports.files.source(wrong.path).slice(wrong.span) == wrong.name:
+            fix = Fix(f"write `{wrong.near}`", (Edit(wrong.path, wrong.span, wrong.near),), Safety.UNSAFE)
+        yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, fix=fix)
+
+
+def absence(imports: OwnImports, wrong: WrongImport) -> str:
+    """Return what a module lacks; of a package both a module and a name would do."""
+    path = imports.installed.sources[wrong.package]
+    kind = "no module or name" if path.endswith("__init__.py") else "no"
+    return f"`{wrong.package}` has {kind} `{wrong.name}`"

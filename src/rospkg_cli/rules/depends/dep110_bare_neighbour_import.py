@@ -1,0 +1,55 @@
+"""DEP110 bare-neighbour-import."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.own_imports import OwnImports
+from ...example import Example, scripts, setup_py
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+FILES = {"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/speech.py": "GREETING = 'hello'\n"}
+MAIN = "\n\ndef main():\n    print(GREETING)\n"
+
+
+@rule(
+    "DEP110",
+    "bare-neighbour-import",
+    over=OwnImports,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    examples=(
+        Example(
+            bad={**FILES, "my_pkg/talker.py": f"from «speech» import GREETING\n{MAIN}"},
+            good={"my_pkg/talker.py": f"from my_pkg.speech import GREETING\n{MAIN}"},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds modules that import another module of their own Python package by its bare name.
+
+    ## Why is this bad?
+    It works where the file is started by its path, for Python looks beside it. `ros2 run` starts the entry point, and
+    there is "No module named 'speech'".
+
+    ## When it is quiet
+    Where something else may provide the name: a dependency, the standard library, a package of the workspace; for
+    optional imports, for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be
+    started by their path), and where the package changes `sys.path`.
+
+    ## Fix safety
+    A file that is also started by its path needs its package installed from then on.
+    """
+    for file, each, full in imports.neighbours():
+        message = (
+            f"`{each.module}` is a module of this package, and no top-level one: `ros2 run` "
+            f"ends with ModuleNotFoundError; write `{full}`"
+        )
+        fix = None
+        if each.names and file.source.slice(each.span) == each.module:
+            fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
+        yield Hit(file.path, each.span, message, Severity.WARNING if each.is_local else None, fix=fix)
