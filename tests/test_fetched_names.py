@@ -61,7 +61,7 @@ def need(name: str, condition: str = "") -> str:
     [
         ("wheel_odometry", (), None),
         ("gripper-lib", ("jazzy", "humble"), None),
-        ("wheel_odometri", (), "`wheel_odometri` is no ROS package and no rosdep key"),
+        ("wheel_odometri", (), "`wheel_odometri` is no known ROS package or rosdep key"),
         ("my_companys_driver", ("rolling",), "`my_companys_driver` is no ROS package and no rosdep key"),
         ("gripperlib", (), "`gripperlib` is its name on PyPI"),
         ("libgripper-dev", (), "`libgripper-dev` is its name in Ubuntu"),
@@ -100,7 +100,7 @@ def test_what_to_do_is_told() -> None:
         (need("only_in_humble", "$ROS_DISTRO != humble"), ("humble", "jazzy"), 1),
         (need("only_in_humble", "$ROS_DISTRO != humble"), (), 1),
         (need("my_companys_driver", "$ROS_VERSION == 1"), (), 0),
-        (need("my_companys_driver", "$WITH_OURS == 1"), ("jazzy",), 0),
+        (need("my_companys_driver", "$WITH_OURS == 1"), ("jazzy",), 1),
         ("  <doc_depend>my_companys_docs</doc_depend>\n", ("jazzy",), 0),
         (need("rospy"), ("jazzy",), 0),
     ],
@@ -134,15 +134,15 @@ def test_keys_from_pypi_are_those_of_the_index() -> None:
 )
 def test_what_says_that_packages_lie_elsewhere(tmp_path: Path, write, files: dict[str, str], incomplete: bool) -> None:
     write(tmp_path, {"a/b/pkg/package.xml": "", **files})
-    assert (missing_packages(tmp_path, [tmp_path / "a/b/pkg"]) != "") is incomplete
+    assert bool(missing_packages(tmp_path, [tmp_path / "a/b/pkg"]).why) is incomplete
 
 
 def test_without_a_workspace_the_folder_of_the_packages_is_asked(tmp_path: Path, write) -> None:
     write(tmp_path, {"pkg/package.xml": "", "ours.repos": ""})
-    assert missing_packages(None, [tmp_path / "pkg"])
-    assert not missing_packages(None, [])
+    assert missing_packages(None, [tmp_path / "pkg"]).why
+    assert not missing_packages(None, []).why
     write(tmp_path / "deep", {"a/one/package.xml": "", "b/two/package.xml": "", "ours.repos": ""})
-    assert missing_packages(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"])
+    assert missing_packages(None, [tmp_path / "deep/a/one", tmp_path / "deep/b/two"]).why
 
 
 def test_lint_reads_the_cache_and_so_do_its_workers(tmp_path: Path, write, clean) -> None:

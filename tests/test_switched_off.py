@@ -10,7 +10,13 @@ from in_process import run_here as rospkg
 
 from rospkg_cli.engine.discovery.listed_repositories import listed_repositories
 from rospkg_cli.engine.discovery.locate import locate
+from rospkg_cli.engine.run.switched_off import is_unsure
+from rospkg_cli.light_dataclasses import replace
+from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.run_events import CheckSwitchedOff
+from rospkg_cli.package.workspace import Workspace
+from rospkg_cli.ros.name_index import Index, dump
+from rospkg_cli.ros.names import BUILT_IN, FetchedNames
 from rospkg_cli.rules.tool.rpk008_check_switched_off import check_switched_off
 from rospkg_cli.source import Span
 from rospkg_cli.unreadable import UnreadableError
@@ -104,6 +110,16 @@ def test_many_names_are_counted(number: int, told: str) -> None:
     off = CheckSwitchedOff("package.xml", Span(0, 0), tuple(f"a{n}" for n in range(number)), "because")
     (hit,) = check_switched_off.check(off)
     assert told in hit.message
+
+
+def test_with_an_index_only_names_like_a_missing_repository_are_left_out() -> None:
+    facts = PackageFacts("a", "a")
+    around = Workspace((facts,), frozenset({"a"}), False, index=FetchedNames(dump(Index("", "", (), {}, {}))))
+    listed = replace(around, missing_repositories=frozenset({"gripper"}))
+    assert is_unsure(around, "acme_x")
+    assert is_unsure(replace(listed, index=BUILT_IN), "acme_x")
+    assert not is_unsure(listed, "acme_x")
+    assert is_unsure(listed, "gripper_x")
 
 
 @pytest.mark.parametrize("text", ["", "repositories: [", "\0"])

@@ -91,6 +91,14 @@ def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> 
     return Edit(manifest.path, dependency.span, escaped(name))
 
 
+def split_dependency(manifest: Manifest, dependency: Dependency, names: Iterable[str]) -> Edit:
+    """Replace a dependency that names several by one for each, with the attributes that it has."""
+    element = dependency.element
+    start_tag = manifest.source.slice(element.open)
+    lines = [f"{start_tag}{escaped(name)}</{element.tag}>" for name in names]
+    return Edit(manifest.path, element.span, f"\n{indentation(manifest, element)}".join(lines))
+
+
 def change_tag(manifest: Manifest, dependency: Dependency, tag: str) -> Edit:
     """Declare a dependency under another tag, with the attributes that it has."""
     element = dependency.element

@@ -11,6 +11,7 @@ from ..ros.names import BUILT_IN, NameKind, Names
 from ..ros.plugins import LOADED_FROM
 from .launch.included_arguments import IncludedArguments
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
+from .missing_repositories import may_hold
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
 
@@ -34,6 +35,9 @@ class Workspace:
 
     incomplete: str = ""
     """Why it is not complete, in a sentence that names the file."""
+
+    missing_repositories: frozenset[str] = frozenset()
+    """The repositories that are listed and not here; empty where that is unknown."""
 
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
@@ -96,9 +100,12 @@ class Workspace:
         return name in self._by_name or name in self.prefix_names
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
-        """Return whether a name can be resolved on a distribution; None where that is unknown."""
-        found = self.is_available(name) or self.index.resolves(name, distro)
-        return found if found or self.is_complete else None
+        """Return whether a name can be resolved on a distribution, without what is not here; None if unknown."""
+        return self.is_available(name) or self.index.resolves(name, distro)
+
+    def may_lack(self, name: str) -> bool:
+        """Return whether a repository that is listed and not here may hold a package, as far as they are known."""
+        return bool(self.missing_repositories) and may_hold(self.missing_repositories, name)
 
     @cached_property
     def _loading(self) -> dict[str, set[str]]:

@@ -8,7 +8,7 @@ from ..lazy_regex import regex
 from .distros import DISTROS
 from .imports import keys_called_like
 from .names import BUILT_IN, Names
-from .read_table import pairs, rows
+from .read_table import marked, pairs, rows
 
 OF_ROS = regex(rf"ros-(?:{'|'.join(each.name for each in DISTROS)})-([a-z0-9-]+)")
 """What Ubuntu's packages of ROS packages are called."""
@@ -42,6 +42,11 @@ def keys_for_cmake(name: str) -> tuple[str, ...]:
     Empty for an unknown name; `-` among them means that nothing has to be declared.
     """
     return rows("cmake.txt").get(name, ())
+
+
+def last_ros1_distro(name: str) -> str:
+    """Return the last distribution of ROS 1 that had a package which no distribution of ROS 2 ever had; else ""."""
+    return next(iter(marked("ros1_packages.txt").get(name, ())), "")
 
 
 def successors(name: str) -> tuple[str, ...] | None:

@@ -49,7 +49,7 @@ def letters(name: str) -> str:
     return SEPARATOR.sub("", name.lower())
 
 
-def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
+def names_by_typos(name: str, others: Iterable[str], most: int = MAX_TYPOS) -> list[list[str]]:
     """Return the names that differ by typos in single words: those with the fewest first.
 
     A number is never taken for another: those are generations, and each is a thing of its own.
@@ -57,15 +57,13 @@ def names_by_typos(name: str, others: Iterable[str]) -> list[list[str]]:
     words, numbers = SEPARATOR.split(name), digits(name)
     found: dict[int, list[str]] = {}
     for each in others:
+        if abs(len(each) - len(name)) > most:
+            continue
         have = SEPARATOR.split(each)
-        if (
-            len(have) != len(words)
-            or abs(len(each) - len(name)) > MAX_TYPOS
-            or (numbers and digits(each) not in ([], numbers))
-        ):
+        if len(have) != len(words) or (numbers and digits(each) not in ([], numbers)):
             continue
         far = sum(typos_between(word, other) for word, other in zip(words, have, strict=True))
-        if 0 < far <= MAX_TYPOS:
+        if 0 < far <= most:
             found.setdefault(far, []).append(each)
     return [found[far] for far in sorted(found)]
 
@@ -75,7 +73,8 @@ def typos_between(word: str, other: str) -> int:
     if word == other:
         return 0
     short, far = min(len(word), len(other)), distance(word, other, MAX_TYPOS)
-    kept = far == 1 and (short > 4 or (short > 2 and len(word) != len(other)))
+    is_swap, is_plural = sorted(word) == sorted(other), f"{word}s" == other or word == f"{other}s"
+    kept = far == 1 and (short > 4 or (short > 3 and (is_swap or len(word) != len(other))) or (short > 2 and is_plural))
     return far if kept or (far == 2 and short > 8) else MAX_TYPOS + 1
 
 

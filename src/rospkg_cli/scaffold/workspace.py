@@ -92,7 +92,7 @@ def workspace_packages(into: Path) -> WorkspacePackages:
         tree = DiskTree(folder)
         manifest = Package(PackageFiles(tree, folder.name)).parts(Manifest).only
         trees.setdefault((manifest.name if manifest else "") or folder.name, tree)
-    complete = not missing_packages(None, [*folders, into.absolute()])
+    complete = not missing_packages(None, [*folders, into.absolute()]).why
     return WorkspacePackages(trees, installed_package_names(os.environ), complete, fetched_names(os.environ))
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 
-from ...languages.rep149_condition import always_holds
+from ...languages.rep149_condition import may_hold
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...package.workspace import Workspace
@@ -13,21 +14,45 @@ from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.name_suggestions import suggested_name
 from ...ros.names import Names
 from ...ros.rosdep import CODENAMES
+from .similar_names import SimilarNames
+
+NO_PACKAGE = regex(r"python3?-.*|lib.*-dev|.*[^\w-].*")
+"""Names that no ROS package has: those of Debian's libraries, and what REP-144 forbids."""
 
 
 @dataclass(frozen=True)
 class UnavailableName:
     name: str
-    index: Names
+    workspace: Workspace
     distros: tuple[Distro, ...]
     """The targets that need it and lack it."""
 
+    @property
+    def index(self) -> Names:
+        return self.workspace.index
+
     @cached_property
     def suggestion(self) -> str | None:
-        """The similar name of something that the target has; None where another distribution has the name."""
+        """The similar name of something that the target or the workspace has; None where another distribution has the
+        name, or nothing has a similar one."""
         if self.other_distros:
             return None
-        return suggested_name(self.name, self.index, Targets(tuple(each.name for each in self.distros)))
+        there = Targets(tuple(each.name for each in self.distros))
+        return suggested_name(self.name, self.index, there) or SimilarNames(self.workspace).renamed(self.name)
+
+    @property
+    def is_told(self) -> bool:
+        """Whether it is certain enough to be told, though packages of the workspace may not be here."""
+        if self.workspace.is_complete or NO_PACKAGE.fullmatch(self.name):
+            return True
+        if self.workspace.may_lack(self.name):
+            return False
+        return bool(self.suggestion) or bool(self.workspace.missing_repositories)
+
+    @property
+    def may_be_elsewhere(self) -> bool:
+        """Whether a repository that is not here may hold it after all, under whatever name."""
+        return not (self.workspace.is_complete or self.suggestion or NO_PACKAGE.fullmatch(self.name))
 
     @cached_property
     def other_distros(self) -> list[str]:
@@ -57,7 +82,11 @@ class UnavailableName:
             return f'add it to the workspace, or do without it there: condition="{lacking}"'
         if self.suggestion:
             return f"did you mean `{self.suggestion}`?"
-        return "" if self.index.is_key(self.name) else "is it a package that the workspace lacks?"
+        if self.index.is_key(self.name):
+            return ""
+        if self.may_be_elsewhere:
+            return "no listed repository that is missing here is called like it: is it in one of them?"
+        return "is it a package that the workspace lacks?"
 
 
 def lacking_distros(same: Sequence[Dependency], workspace: Workspace, targets: Targets) -> tuple[Distro, ...]:
@@ -77,9 +106,9 @@ def lacking_distros(same: Sequence[Dependency], workspace: Workspace, targets: T
 
 
 def is_needed_on(distro: Distro, same: Iterable[Dependency]) -> bool:
-    """Return whether one of some dependencies certainly holds for a distribution."""
+    """Return whether one of some dependencies holds for a distribution, or does where somebody sets a variable."""
     environments = Targets((distro.name,)).environments()
-    return any(always_holds(each.condition, environments) for each in same)
+    return any(may_hold(each.condition, environments) for each in same)
 
 
 def enumerated(names: Iterable[str]) -> str:

@@ -7,24 +7,15 @@ from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
-from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake, successors
-from ...ros.distros import DISTROS, Targets
-from ...ros.imports import STANDARD
-from ...suggest import near_names
+from ...ros.aliases import last_ros1_distro, successors
+from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableName, lacking_distros
+from .wrong_names import is_installable, wrong_name
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
 """Tags that install nothing: rosdoc2 reads names of its own in doc_depend."""
-
-PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
-
-MIN_LETTERS = 5
-"""Of a misspelt name: a shorter one is similar to too many others."""
-
-MIN_FAMILY = 3
-"""So many packages of the workspace begin with a word before it counts as the prefix of a family."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +31,10 @@ class UnknownDependency:
     """What rosdep prints; `{}` is the name."""
     advice: str = ""
     """What to do; "" where it is to write the suggestion."""
-    is_released_elsewhere: bool = False
-    """Whether another distribution has a package of that name."""
+    parts: tuple[str, ...] = ()
+    """The names, where one tag holds several."""
+    is_uncertain: bool = False
+    """Whether another distribution, or a repository that is not here, may have a package of that name."""
 
 
 @dataclass(frozen=True)
@@ -84,69 +77,45 @@ class DependencyNames:
 
         Names that only ROS 1 has are left to DEP203.
         """
-        workspace = self.declared.workspace
         for each in self.active():
-            if workspace.is_available(each.name) or successors(each.name) is not None:
-                continue
-            is_known = workspace.index.is_package(each.name) or workspace.index.is_key(each.name)
-            found = None if is_known else self.wrong_name(each)
-            yield from (found,) if found else self.unavailable(each)
+            if not self.declared.workspace.is_available(each.name) and not self.is_of_ros1(each.name):
+                found = None if self.is_known(each.name) else wrong_name(self.declared, each)
+                if found is None:
+                    yield from self.unavailable(each)
+                else:
+                    what = (found.suggestion, found.reason, found.rosdep_error, found.advice)
+                    yield UnknownDependency(each, *what, parts=found.parts)
+
+    def is_known(self, name: str) -> bool:
+        """Return whether a package or a key has the name; a key of Python 2 that no Ubuntu has any more has none."""
+        index = self.declared.workspace.index
+        if name.startswith("python-"):
+            return is_installable(name, index)
+        return index.is_package(name) or index.is_key(name)
+
+    def is_of_ros1(self, name: str) -> bool:
+        """Return whether only ROS 1 has a package of a name."""
+        return successors(name) is not None or (not self.is_known(name) and bool(last_ros1_distro(name)))
+
+    def released_for_ros1(self) -> Iterator[tuple[Dependency, str]]:
+        """Yield the dependencies that only ROS 1 ever had and that have no successor, with its last distribution."""
+        workspace = self.declared.workspace
+        is_told = workspace.is_complete or workspace.missing_repositories
+        for each in self.active() if is_told else ():
+            is_around = workspace.is_available(each.name) or workspace.may_lack(each.name)
+            if successors(each.name) is None and self.is_of_ros1(each.name) and not is_around:
+                yield each, last_ros1_distro(each.name)
 
     def unavailable(self, dependency: Dependency) -> Iterator[UnknownDependency]:
         same = [each for each in (dependency, *self.repeated(dependency)) if each.tag not in NO_NEEDS]
         distros = lacking_distros(same, self.declared.workspace, self.targets)
-        if distros:
-            found = UnavailableName(dependency.name, self.declared.workspace.index, distros)
+        found = UnavailableName(dependency.name, self.declared.workspace, distros)
+        if distros and found.is_told:
             yield UnknownDependency(
                 dependency,
                 found.suggestion,
                 found.reason,
                 found.rosdep_error,
                 found.advice,
-                is_released_elsewhere=bool(found.other_distros),
+                is_uncertain=bool(found.other_distros) or found.may_be_elsewhere,
             )
-
-    def wrong_name(self, dependency: Dependency) -> UnknownDependency | None:
-        """Return what is wrong with a name that is wrong in any case, with or without a fetched index; else None."""
-        name = dependency.name
-        listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
-        if listed and not name.islower():
-            return UnknownDependency(dependency, listed[0], "is what CMake calls it")
-        if name.removeprefix("python3-").replace("-", "_") in STANDARD:
-            return UnknownDependency(dependency, None, "comes with Python itself", advice="remove the line")
-        key = key_for_pip(name, self.declared.workspace.index) if self.is_for_python(dependency) else None
-        if key is not None:
-            return UnknownDependency(dependency, key, "is its name on PyPI")
-        key = key_for_apt(name, self.declared.workspace.index)
-        if key is not None:
-            return UnknownDependency(dependency, key, "is its name in Ubuntu")
-        if (member := self.with_family_prefix(name)) is not None:
-            return UnknownDependency(dependency, member, "is no known ROS package, here or elsewhere")
-        if (core := self.misspelt(name)) is not None:
-            guess = f"did you mean `{core}`?"
-            return UnknownDependency(dependency, core, "is no known ROS package or rosdep key", advice=guess)
-        return None
-
-    def is_for_python(self, dependency: Dependency) -> bool:
-        """Return whether a name may be one of PyPI: in a C++ package it may be a private dependency."""
-        python = self.declared.facts.build_type == "ament_python"
-        return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
-
-    def with_family_prefix(self, name: str) -> str | None:
-        """Return the only package of the workspace that has the name after a family prefix: `acme_arm` for `arm`."""
-        matching = [each for each in self.declared.workspace.names if each.endswith(f"_{name}")]
-        if len(matching) != 1:
-            return None
-        prefix = matching[0].removesuffix(name)
-        family = [each for each in self.declared.workspace.names if each.startswith(prefix)]
-        return matching[0] if "_" not in prefix[:-1] and len(family) >= MIN_FAMILY else None
-
-    def misspelt(self, name: str) -> str | None:
-        """Return the only package of all distributions that is one letter away."""
-        found = near_names(name, self.core_names, 1) if len(name) >= MIN_LETTERS else []
-        return found[0] if len(found) == 1 else None
-
-    @cached_property
-    def core_names(self) -> frozenset[str]:
-        packages = self.declared.workspace.index.packages
-        return frozenset(name for name, distros in packages.items() if len(distros) == len(DISTROS))

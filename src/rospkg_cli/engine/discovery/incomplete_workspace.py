@@ -9,6 +9,7 @@ from pathlib import Path
 from ...absent_paths import MAX_SUBMODULES, SUBMODULE
 from ...disk_trace import is_file, is_folder, names_in, read_limited, scan
 from ...leftovers import is_never_source
+from ...light_dataclasses import dataclass
 from ...unreadable import UnreadableError
 
 LISTS = (".repos", ".rosinstall")
@@ -19,18 +20,29 @@ MAX_NAMED = 3
 """Repositories that a sentence names."""
 
 
-def missing_packages(around: Path | None, packages: Sequence[Path]) -> str:
-    """Return what says that packages are not here, in a sentence that names the file; "" where nothing does.
+@dataclass(frozen=True)
+class MissingPackages:
+    why: str = ""
+    """What says that packages are not here, in a sentence that names the file; "" where nothing does."""
+    repositories: frozenset[str] = frozenset()
+    """The repositories that are listed and not here, as their lists call them; empty where one can't be read."""
+
+
+def missing_packages(around: Path | None, packages: Sequence[Path]) -> MissingPackages:
+    """Return what says that packages of a workspace are not here.
 
     Asked are a workspace, the folders right below it, and those above the packages. Where there is no workspace around,
     the folder that holds the packages is taken for it.
     """
     if around is None and not packages:
-        return ""
+        return MissingPackages()
     top = around or Path(os.path.commonpath([package.parent for package in packages]))
     above = {folder for package in packages for folder in (package, *package.parents) if folder.is_relative_to(top)}
     folders = sorted({top, *above, *(children(top) if around else ())})
-    return next((why for folder in folders if (why := missing_below(folder, top))), "")
+    found = [each for folder in folders for each in missing_below(folder, top)]
+    are_known = all(each.repositories for each in found)
+    repositories = frozenset(name for each in found for name in each.repositories) if are_known else frozenset[str]()
+    return MissingPackages(found[0].why, repositories) if found else MissingPackages()
 
 
 def children(folder: Path) -> Iterator[Path]:
@@ -41,21 +53,24 @@ def children(folder: Path) -> Iterator[Path]:
         return
 
 
-def missing_below(folder: Path, top: Path) -> str:
-    """Return what a folder's lists and submodules say of packages that are not here."""
+def missing_below(folder: Path, top: Path) -> Iterator[MissingPackages]:
+    """Yield what a folder's lists and submodules say of packages that are not here."""
     try:
         names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
         for name in names:
-            if name.endswith(LISTS) and (why := missing_of_list(folder / name, top)):
-                return why
+            found = missing_of_list(folder / name, top) if name.endswith(LISTS) else MissingPackages()
+            if found.why:
+                yield found
         paths = submodules(folder / ".gitmodules") if ".gitmodules" in names else []
     except OSError:
-        return ""
-    empty = next((path for path in paths[:MAX_SUBMODULES] if is_empty(folder / path)), None)
-    return "" if empty is None else f"the submodule `{empty}` is empty; `git submodule update --init` fills it"
+        return
+    empty = [path for path in paths[:MAX_SUBMODULES] if is_empty(folder / path)]
+    if empty:
+        why = f"the submodule `{empty[0]}` is empty; `git submodule update --init` fills it"
+        yield MissingPackages(why, frozenset(empty))
 
 
-def missing_of_list(path: Path, top: Path) -> str:
+def missing_of_list(path: Path, top: Path) -> MissingPackages:
     """Return what a list for vcs or wstool says of repositories that are not checked out."""
     from .listed_repositories import listed_repositories
 
@@ -66,15 +81,16 @@ def missing_of_list(path: Path, top: Path) -> str:
     except (OSError, UnreadableError, ValueError):
         listed = None
     if listed is None:
-        return f"`{shown}` lists repositories and can't be read"
+        return MissingPackages(f"`{shown}` lists repositories and can't be read")
     above = [folder for folder in (path.parent, *path.parent.parents) if folder.is_relative_to(top)]
     places = [place for folder in above for place in (folder, folder / "src")]
     missing = [each for each in listed if not is_here(each, places)]
     if not missing:
-        return ""
+        return MissingPackages()
     more = len(missing) - MAX_NAMED
     others = f" and {more} other{'s' if more > 1 else ''}" if more > 0 else ""
-    return f"`{shown}` lists repositories that are not here ({', '.join(missing[:MAX_NAMED])}{others})"
+    why = f"`{shown}` lists repositories that are not here ({', '.join(missing[:MAX_NAMED])}{others})"
+    return MissingPackages(why, frozenset(missing))
 
 
 def is_here(repository: str, places: Sequence[Path]) -> bool:

@@ -50,11 +50,13 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
     every = sorted(each_once([*kept, *(p for p in others if not exclusions.leave_out(p))]))
     anchors = [*every, *([around] if around else []), *([config.folder] if config.path and not configs.is_only else [])]
     root = Path(os.path.commonpath(anchors)) if every else current_folder()
+    missing = missing_packages(around, kept)
     scope = Scope(
         folders=tuple(relative(p, root) for p in every),
         selected=frozenset(relative(p, root) for p in kept),
         name=root.name,
-        incomplete=missing_packages(around, kept),
+        incomplete=missing.why,
+        missing_repositories=missing.repositories,
         prefix_names=installed_package_names(os.environ),
         repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
     )

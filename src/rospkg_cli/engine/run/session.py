@@ -46,6 +46,7 @@ class Scope:
     """As in Workspace; so are the following."""
     index: Names = BUILT_IN
     repositories: tuple[frozenset[str], ...] = ()
+    missing_repositories: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ class Session:
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope
         around = (scope.selected, not scope.incomplete, scope.prefix_names, scope.repositories)
-        return Workspace(tuple(facts), *around, scope.index, scope.incomplete)
+        return Workspace(tuple(facts), *around, scope.index, scope.incomplete, scope.missing_repositories)
 
     def collect(self, workspace: Workspace, checked: Sequence[PackageResults]) -> Results:
         of_workspace = list(self.run_workspace_rules(workspace))

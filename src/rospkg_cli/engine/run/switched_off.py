@@ -26,4 +26,8 @@ def switched_off(workspace: Workspace) -> Iterator[CheckSwitchedOff]:
 
 
 def is_unsure(workspace: Workspace, name: str) -> bool:
-    return not workspace.is_available(name) and workspace.kind_of(name) is NameKind.CANT_TELL
+    """Return whether nothing is said of a name: an index tells it, unless a missing repository is called like it."""
+    is_told = isinstance(workspace.index, FetchedNames) and workspace.missing_repositories
+    if workspace.is_available(name) or (is_told and not workspace.may_lack(name)):
+        return False
+    return workspace.kind_of(name) is NameKind.CANT_TELL

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.unknown_dependencies import DependencyNames
-from ...edits.manifest import rename_dependency
+from ...edits.manifest import rename_dependency, split_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -18,7 +18,7 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
     "unknown-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another distribution than the target has the package"},
+    levels={Severity.INFO: "where another distribution has the package, or a repository that is not here may have it"},
     examples=(
         Example(
             bad={"package.xml": manifest(LINE.format("«opencv-python»"))},
@@ -36,6 +36,11 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
             good={"package.xml": manifest(LINE.format("eigen"), "ament_cmake")},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            bad={"package.xml": manifest(LINE.format("«python3-numpy, python3-yaml»"))},
+            good={"package.xml": manifest(LINE.format("python3-numpy") + LINE.format("python3-yaml"))},
+            fix=Safety.SAFE,
+        ),
     ),
 )
 def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
@@ -43,19 +48,19 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     ## What it does
     Finds dependencies whose name is neither a known ROS package nor a rosdep key.
     Packages of the target, of the workspace and of an installed prefix are known. Always reported are names of PyPI,
-    Ubuntu or CMake that rosdep calls otherwise, modules of Python itself, renamed packages, and names that are one
-    letter away from a package of every distribution. Any other unknown name is reported only where `rospkg index
-    update` has fetched the names, and so is one that a named target lacks (but for packages of other distributions that
-    Rolling lacks: they come and go there, as they are rebuilt). Unknown names are not checked where a `.repos` file or
-    an empty submodule says that more packages belong to the workspace.
+    Ubuntu, CMake, Python 2 or Python modules that rosdep calls otherwise, modules of Python itself, renamed packages,
+    two names in one tag, and names with a typo in a released package, a key or a package of the workspace. Any other
+    unknown name is reported only where `rospkg index update` has fetched the names, and so is one that a named target
+    lacks (but for packages of other distributions that Rolling lacks: they come and go there, as they are rebuilt).
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [opencv-python]", and with it every CI build.
 
     ## When it is quiet
     Packages of the workspace, of an installed prefix (AMENT_PREFIX_PATH, /opt/ros) and of any distribution are known.
-    Where a `.repos` file or an empty submodule says that more packages belong to the workspace, only names that are
-    wrong in any case are reported. Dependencies whose condition excludes the targets, and doc_depend, are left alone.
+    Where a `.repos` file or an empty submodule says that more packages belong to the workspace, a name that resembles
+    one of the repositories that are missing is left alone, and another that nothing explains is an info. Dependencies
+    whose condition excludes the targets, and doc_depend, are left alone.
 
     ## Fix safety
     The name is replaced by the suggested one; where only a letter differs, another one may be right.
@@ -69,8 +74,11 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
         if each.suggestion:
             edits = tuple(rename_dependency(manifest, d, each.suggestion) for d in (each.dependency, *others))
             fix = Fix(f"write `{each.suggestion}`", edits, Safety.UNSAFE)
+        elif each.parts:
+            edit = split_dependency(manifest, each.dependency, each.parts)
+            fix = Fix(f"Write {len(each.parts)} dependencies", (edit,))
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         message = f'`{name}` {each.reason}: `rosdep install` ends with "{each.rosdep_error.format(name)}"'
         message += f"; {advice}" if advice else ""
-        level = Severity.INFO if each.is_released_elsewhere else None
+        level = Severity.INFO if each.is_uncertain else None
         yield Hit(manifest.path, each.dependency.span, message, level, related, fix)

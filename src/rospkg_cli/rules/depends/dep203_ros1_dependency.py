@@ -8,7 +8,7 @@ from ...checks.depends.unknown_dependencies import DependencyNames
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.manifest import Manifest
+from ...package.manifest import Dependency, Manifest
 from ...ros.aliases import successors
 from ...rule import rule
 
@@ -20,6 +20,7 @@ OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
     "ros1-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where packages of the workspace are not here and nobody says that it went away"},
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},
@@ -36,26 +37,39 @@ OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
             good={"package.xml": manifest()},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            bad={"package.xml": manifest("  <exec_depend>«rosserial_python»</exec_depend>\n")},
+            good={"package.xml": manifest()},
+        ),
     ),
 )
 def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies that exist only in ROS 1, such as `rospy`, `catkin`, `message_generation`.
-    Those whose condition excludes ROS 2 are left alone.
+    Those whose condition excludes ROS 2 are left alone. Known are the packages that took a new name or went away, and
+    all that distributions of ROS 1 released and none of ROS 2 ever listed.
 
     ## Why is this bad?
     `rosdep install` ends with "Cannot locate rosdep definition for [rospy]".
 
     ## When it is quiet
     A dependency whose condition excludes ROS 2 (`$ROS_VERSION == 1`) is left alone, and so is a package of that name in
-    the workspace.
+    the workspace. Nobody knows who has ported a package that was only released for ROS 1: nothing is said where a
+    repository that a `.repos` file lists is called like it.
 
     ## Fix safety
     A line for interfaces is removed where the package has none, or declares what makes them in ROS 2 already; a build
     for ROS 1 may still need it.
     """
     manifest = names.declared.manifest
+    for each, distro in names.released_for_ros1():
+        message = (
+            f"`{each.name}` was released for ROS 1 only (last for {distro}): `rosdep install` ends with "
+            f'"Cannot locate rosdep definition for [{each.name}]"; replace it, or add condition="$ROS_VERSION == 1"'
+        )
+        level = None if names.declared.workspace.is_complete else Severity.INFO
+        yield Hit(manifest.path, each.span, message, level, further(names, each))
     for each in names.active():
         taken = successors(each.name)
         if taken is None or names.declared.workspace.named(each.name) is not None:
@@ -72,13 +86,17 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
         )
         others = names.repeated(each)
-        related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         edits = tuple(
             remove_element(manifest, found.element)
             for found in (each, *(other for other in others if other.condition is None))
         )
         fix = Fix(f"remove `{each.name}`", edits, Safety.UNSAFE) if needless else None
-        yield Hit(manifest.path, each.span, message, related=related, fix=fix)
+        yield Hit(manifest.path, each.span, message, related=further(names, each), fix=fix)
+
+
+def further(names: DependencyNames, first: Dependency) -> tuple[Related, ...]:
+    path = names.declared.manifest.path
+    return tuple(Related(path, other.span, "and here") for other in names.repeated(first))
 
 
 def has_any(manifest: Manifest, names: Iterable[str]) -> bool:

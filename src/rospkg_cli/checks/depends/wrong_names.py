@@ -1,0 +1,125 @@
+"""Names of dependencies that are wrong in any case, with or without a fetched index, and what is meant (DEP001)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ...light_dataclasses import dataclass
+from ...package.manifest import Dependency
+from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake
+from ...ros.imports import STANDARD
+from ...ros.names import Names
+from ...ros.read_table import rows
+from ...ros.rosdep import CODENAMES, NOT_THERE
+from .declared_dependencies import DeclaredDependencies
+from .similar_names import SimilarNames
+
+PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
+UNKNOWN_KEY = "Cannot locate rosdep definition for [{}]"
+PYTHON_2, PYTHON_3 = "python-", "python3-"
+
+
+@dataclass(frozen=True, slots=True)
+class WrongName:
+    """What is wrong with a name, as the rest of a sentence (`is its name on PyPI`), and what to write instead."""
+
+    reason: str
+    suggestion: str | None = None
+    advice: str = ""
+    """What to do; "" where it is to write the suggestion."""
+    rosdep_error: str = UNKNOWN_KEY
+    """What rosdep prints; `{}` is the name."""
+    parts: tuple[str, ...] = ()
+    """The names, where one tag holds several."""
+
+
+def wrong_name(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    """Return what is wrong with a name that no package and no key has; None where nothing is certain.
+
+    A rosdep key without any rule for a supported Ubuntu may be asked for as well.
+    """
+    return next((found for find in FINDERS if (found := find(declared, dependency)) is not None), None)
+
+
+def several(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    parts = dependency.name.replace(",", " ").split()
+    if len(parts) < 2:
+        return None
+    lines = " ".join(f"<{dependency.tag}>{part}</{dependency.tag}>" for part in parts)
+    return WrongName(f"is {len(parts)} names in one tag", advice=f"write {lines}", parts=tuple(parts))
+
+
+def of_cmake(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    name = dependency.name
+    listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
+    return WrongName("is what CMake calls it", listed[0]) if listed and not name.islower() else None
+
+
+def of_python_itself(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    module = dependency.name.removeprefix(PYTHON_3).replace("-", "_")
+    return WrongName("comes with Python itself", advice="remove the line") if module in STANDARD else None
+
+
+def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    """A key that rosdep had for Python 2: no Ubuntu of a supported distribution has a package for it."""
+    name, index = dependency.name, declared.workspace.index
+    if not name.startswith(PYTHON_2):
+        return None
+    rest = name.removeprefix(PYTHON_2)
+    keys = (PYTHON_3 + rest, f"{PYTHON_3}{rest}-pip", key_for_pip(rest, index) or "")
+    key = next((each for each in keys if is_installable(each, index)), None)
+    if key is None:
+        return None
+    lacking = f"No definition of [{{}}] for OS version [{next(iter(CODENAMES.values()))}]"
+    return WrongName("is a key of Python 2", key, rosdep_error=lacking if index.is_key(name) else UNKNOWN_KEY)
+
+
+def of_pip(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    name, index = dependency.name, declared.workspace.index
+    bare = name.removeprefix(PYTHON_3).removesuffix("-pip") if name.startswith(PYTHON_3) else name
+    key = key_for_pip(bare, index) if is_for_python(declared, dependency) else None
+    return WrongName("is its name on PyPI" if bare == name else "is no rosdep key", key) if key else None
+
+
+def of_module(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    """The name by which Python imports it: `cv2`, or a module of a package, `rclpy.qos`."""
+    top, dot, _ = dependency.name.partition(".")
+    workspace = declared.workspace
+    if dot and (workspace.is_available(top) or workspace.index.is_package(top)):
+        return WrongName("is a module", top)
+    keys = rows("imports.txt").get(dependency.name, ())[:1] if is_for_python(declared, dependency) else ()
+    known = [key for key in keys if workspace.index.is_package(key) or is_installable(key, workspace.index)]
+    return WrongName("is what Python imports", known[0]) if known else None
+
+
+def of_ubuntu(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    key = key_for_apt(dependency.name, declared.workspace.index)
+    return WrongName("is its name in Ubuntu", key) if key is not None else None
+
+
+def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    member = SimilarNames(declared.workspace).with_family_prefix(dependency.name)
+    return WrongName("is no known ROS package, here or elsewhere", member) if member is not None else None
+
+
+def misspelt(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+    meant = SimilarNames(declared.workspace).meant(dependency.name)
+    if meant is None:
+        return None
+    return WrongName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
+
+
+FINDERS: tuple[Callable[[DeclaredDependencies, Dependency], WrongName | None], ...] = (
+    several, of_cmake, of_python_itself, of_python_2, of_pip, of_module, of_ubuntu, of_family, misspelt,
+)  # fmt: skip
+
+
+def is_for_python(declared: DeclaredDependencies, dependency: Dependency) -> bool:
+    """Return whether a name may be one of PyPI: in a C++ package it may be a private dependency."""
+    python = declared.facts.build_type == "ament_python"
+    return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
+
+
+def is_installable(key: str, index: Names) -> bool:
+    """Return whether rosdep has a rule for a key on some supported Ubuntu."""
+    return any(way != NOT_THERE for way in index.keys.get(key, ()))
