@@ -115,6 +115,7 @@ def test_two_names_in_one_tag_become_two_tags(name: str) -> None:
         ("weel_odometry", UNNAMED, ["warning"]),
         ("wheell_odometrry", UNNAMED, ["warning"]),
         ("wheell_odometrry", COMPLETE, ["warning"]),
+        ("only_in_humble", NAMED, []),
     ],
 )
 def test_unknown_names_of_a_fetched_index(name: str, missing: MissingPackages, level: list[str]) -> None:
@@ -143,6 +144,24 @@ def test_what_only_ros_1_had(name: str, missing: MissingPackages, level: list[st
     found = lint(need(name), missing, "DEP203")
     assert [each.severity.value for each in found] == level
     assert lint(need(name), missing, "DEP001", fetched=True) == []
+
+
+def test_a_name_on_pypi_is_that_and_no_package_of_ros_1() -> None:
+    assert lint(need("serial"), codes="DEP203") == []
+    assert [f.message.partition(":")[0] for f in lint(need("serial"))] == ["`serial` is its name on PyPI"]
+    files = {"package.xml": manifest("  <depend>serial</depend>\n", "ament_cmake"), "CMakeLists.txt": ""}
+    codes = frozenset({"DEP001", "DEP203"})
+    (found,) = Session(MemoryTree.of(files), Scope(("",), frozenset({""})), codes, Targets()).run().findings
+    assert found.message.startswith("`serial` was released for ROS 1 only (last for noetic): ")
+    assert found.message.endswith("; replace it, or put a port of it into the workspace")
+
+
+def test_what_only_a_variable_asks_for_is_an_info() -> None:
+    levels = [f.severity.value for f in lint(need("my_companys_driver", "$OURS == 1"), fetched=True)]
+    assert levels == ["info"]
+    both = need("my_companys_driver", "$OURS == 1") + need("my_companys_driver")
+    assert [f.severity.value for f in lint(both, fetched=True)] == ["warning"]
+    assert [f.severity.value for f in lint(need("std_msg", "$OURS == 1"))] == ["warning"]
 
 
 def test_a_package_of_ros_1_that_is_here_was_ported() -> None:
@@ -186,6 +205,10 @@ def test_names_of_the_workspace_come_first() -> None:
         (["gripper/tools"], "gripper_driver", False),
         (["navigation2"], "nav2_x", True),
         (["na"], "nav2_x", False),
+        (["na2"], "nav2_x", False),
+        (["go2_ros"], "go2_rviz", True),
+        (["go2_ros"], "go3_rviz", False),
+        (["ros2_base"], "ros2_wheel", False),
         (["wheel_driver"], "gripper_driver", False),
         (["anything"], "robot_msgs", True),
         (["robotiq"], "robot_arm", False),

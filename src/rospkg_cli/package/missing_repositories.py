@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ..lazy_regex import regex
 
-WORD = regex(r"[a-z]+")
+WORD = regex(r"[a-z]+\d*")
 COMMON = frozenset(
     "action actions api base bringup common control controller controllers core demo demos description descriptions "
     "driver drivers example examples gazebo gz interface interfaces lib library main manager message messages "
@@ -32,10 +32,10 @@ def may_hold(repositories: Iterable[str], package: str) -> bool:
 
 
 def telling_words(name: str) -> set[str]:
-    return set(WORD.findall(name.lower())) - COMMON
+    return {word for word in WORD.findall(name.lower()) if word.rstrip("0123456789") not in COMMON}
 
 
 def are_alike(one: str, other: str) -> bool:
     """Return whether two words begin alike, or one holds the other."""
-    short, long = sorted((one, other), key=len)
-    return len(short) >= MIN_LETTERS and (short in long or one[:MIN_LETTERS] == other[:MIN_LETTERS])
+    short, long = sorted((one.rstrip("0123456789"), other.rstrip("0123456789")), key=len)
+    return one == other or (len(short) >= MIN_LETTERS and (short in long or short[:MIN_LETTERS] == long[:MIN_LETTERS]))

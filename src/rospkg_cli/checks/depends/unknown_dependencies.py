@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
+from ...languages.rep149_condition import evaluate_condition
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableName, lacking_distros
-from .wrong_names import is_installable, wrong_name
+from .wrong_names import WrongName, is_installable, wrong_name
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -78,13 +79,19 @@ class DependencyNames:
         Names that only ROS 1 has are left to DEP203.
         """
         for each in self.active():
-            if not self.declared.workspace.is_available(each.name) and not self.is_of_ros1(each.name):
-                found = None if self.is_known(each.name) else wrong_name(self.declared, each)
+            if not self.declared.workspace.is_available(each.name):
+                found = self.wrong(each)
                 if found is None:
-                    yield from self.unavailable(each)
+                    yield from () if self.is_of_ros1(each.name) else self.unavailable(each)
                 else:
                     what = (found.suggestion, found.reason, found.rosdep_error, found.advice)
                     yield UnknownDependency(each, *what, parts=found.parts)
+
+    def wrong(self, dependency: Dependency) -> WrongName | None:
+        """Return what is wrong with a name in any case; of one that ROS 1 had, no more than its name elsewhere."""
+        if self.is_known(dependency.name) or successors(dependency.name) is not None:
+            return None
+        return wrong_name(self.declared, dependency, misspelt=not self.is_of_ros1(dependency.name))
 
     def is_known(self, name: str) -> bool:
         """Return whether a package or a key has the name; a key of Python 2 that no Ubuntu has any more has none."""
@@ -97,13 +104,19 @@ class DependencyNames:
         """Return whether only ROS 1 has a package of a name."""
         return successors(name) is not None or (not self.is_known(name) and bool(last_ros1_distro(name)))
 
+    def is_certain(self, same: Iterable[Dependency]) -> bool:
+        """Return whether the condition of one of some dependencies holds for a target whatever anybody sets."""
+        environments = self.targets.environments()
+        return any(evaluate_condition(each.condition, one) for each in same for one in environments)
+
     def released_for_ros1(self) -> Iterator[tuple[Dependency, str]]:
         """Yield the dependencies that only ROS 1 ever had and that have no successor, with its last distribution."""
         workspace = self.declared.workspace
         is_told = workspace.is_complete or workspace.missing_repositories
         for each in self.active() if is_told else ():
             is_around = workspace.is_available(each.name) or workspace.may_lack(each.name)
-            if successors(each.name) is None and self.is_of_ros1(each.name) and not is_around:
+            is_old = successors(each.name) is None and self.is_of_ros1(each.name)
+            if is_old and not is_around and self.wrong(each) is None:
                 yield each, last_ros1_distro(each.name)
 
     def unavailable(self, dependency: Dependency) -> Iterator[UnknownDependency]:
@@ -117,5 +130,5 @@ class DependencyNames:
                 found.reason,
                 found.rosdep_error,
                 found.advice,
-                is_uncertain=bool(found.other_distros) or found.may_be_elsewhere,
+                is_uncertain=bool(found.other_distros) or found.may_be_elsewhere or not self.is_certain(same),
             )

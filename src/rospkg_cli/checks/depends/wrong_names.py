@@ -33,12 +33,14 @@ class WrongName:
     """The names, where one tag holds several."""
 
 
-def wrong_name(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def wrong_name(declared: DeclaredDependencies, dependency: Dependency, *, misspelt: bool = True) -> WrongName | None:
     """Return what is wrong with a name that no package and no key has; None where nothing is certain.
 
-    A rosdep key without any rule for a supported Ubuntu may be asked for as well.
+    A rosdep key without any rule for a supported Ubuntu may be asked for as well. Without `misspelt` similar names are
+    left aside.
     """
-    return next((found for find in FINDERS if (found := find(declared, dependency)) is not None), None)
+    finders = (*ELSEWHERE, of_typo) if misspelt else ELSEWHERE
+    return next((found for find in finders if (found := find(declared, dependency)) is not None), None)
 
 
 def several(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
@@ -102,15 +104,15 @@ def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongNa
     return WrongName("is no known ROS package, here or elsewhere", member) if member is not None else None
 
 
-def misspelt(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
     meant = SimilarNames(declared.workspace).meant(dependency.name)
     if meant is None:
         return None
     return WrongName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
 
 
-FINDERS: tuple[Callable[[DeclaredDependencies, Dependency], WrongName | None], ...] = (
-    several, of_cmake, of_python_itself, of_python_2, of_pip, of_module, of_ubuntu, of_family, misspelt,
+ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongName | None], ...] = (
+    several, of_cmake, of_python_itself, of_python_2, of_pip, of_module, of_ubuntu, of_family,
 )  # fmt: skip
 
 

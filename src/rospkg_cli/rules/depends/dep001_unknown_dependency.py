@@ -18,7 +18,7 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
     "unknown-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another distribution has the package, or a repository that is not here may have it"},
+    levels={Severity.INFO: "where another distribution or a missing repository may have it, or a variable asks for it"},
     examples=(
         Example(
             bad={"package.xml": manifest(LINE.format("«opencv-python»"))},

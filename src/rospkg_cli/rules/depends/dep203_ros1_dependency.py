@@ -66,7 +66,7 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     for each, distro in names.released_for_ros1():
         message = (
             f"`{each.name}` was released for ROS 1 only (last for {distro}): `rosdep install` ends with "
-            f'"Cannot locate rosdep definition for [{each.name}]"; replace it, or add condition="$ROS_VERSION == 1"'
+            f'"Cannot locate rosdep definition for [{each.name}]"; replace it, or put a port of it into the workspace'
         )
         level = None if names.declared.workspace.is_complete else Severity.INFO
         yield Hit(manifest.path, each.span, message, level, further(names, each))
