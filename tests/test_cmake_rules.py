@@ -413,6 +413,65 @@ def test_variables_that_are_nearly_one_of_cmake(lines: str, levels: list[Severit
     assert [finding.severity for finding in lint_files(files, ["CMK115"]).findings] == levels
 
 
+FOUND = "".join(f"find_package({name} REQUIRED)\n" for name in ("rclcpp", "std_msgs", "OpenCV", "ompl"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "near"),
+    [
+        ("include_directories(${RCLCPP_INCLUDE_DIRS})", "rclcpp_INCLUDE_DIRS"),
+        ("include_directories(${Std_Msgs_LIBRARIES})", "std_msgs_LIBRARIES"),
+        ("include_directories(${rclcpp_INCLUDE_DIR})", "rclcpp_INCLUDE_DIRS"),
+        ("include_directories(${rclcpp_LIBS})", "rclcpp_LIBRARIES"),
+        ("include_directories(${rclcpp_LIBRARIES})", ""),
+        ("include_directories(${OPENCV_LIBS})", "OpenCV_LIBS"),
+        ("include_directories(${OpenCV_LIBS} ${OpenCV_INCLUDE_DIR})", ""),
+        ("include_directories(${OMPL_LIBRARIES})", ""),
+        ("include_directories(${rclpy_LIBS})", ""),
+        ("set(RCLCPP_LIBRARIES a)\ninclude_directories(${RCLCPP_LIBRARIES})", ""),
+        ("set(rclcpp_LIBRARIES a)\ninclude_directories(${RCLCPP_LIBRARIES})", "rclcpp_LIBRARIES"),
+        ("set(SOURCES a)\ninclude_directories(${SOURCE})", "SOURCES"),
+        ("set(SRCS a)\ninclude_directories(${SRCSS})", ""),
+        ("set(SOURCES a)\ninclude_directories(${SOURC})", ""),
+        ("set(SOME_SOURCES a)\ninclude_directories(${SOME_SOURC})", ""),
+        ("set(SOME_SOURCES a)\ninclude_directories(${SOME_SOURCE})", "SOME_SOURCES"),
+        ("set(SOME_SOURCEFILES a)\ninclude_directories(${SOME_SOURCEFIL})", "SOME_SOURCEFILES"),
+        ("set(SOME_SOURCES2 a)\ninclude_directories(${SOME_SOURCES})", ""),
+        ("set(rclcpp_sources a)\ninclude_directories(${rclcpp_source})", ""),
+        ("set(my_pkg_sources a)\ninclude_directories(${my_pkg_source})", ""),
+        ("set(SOURCES a)\nteam_macro(a)\ninclude_directories(${SOURCE})", ""),
+    ],
+)
+def test_variables_that_are_nearly_one_of_a_package(lines: str, near: str) -> None:
+    found = said(package(FOUND + lines), "CMK115")
+    assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
+
+
+BUILT = "add_executable(talker src/a.cpp)\nadd_executable(spare src/a.cpp)\nset(NODES talker)\n"
+
+
+@pytest.mark.parametrize(
+    ("items", "codes"),
+    [
+        ("${NODES}", ["CMK103"]),
+        ("${NODES} ${LIBS}", ["CMK103", "CMK115"]),
+        ("${NODES} a${LIBS}", []),
+        ("${NODES} ${rclcpp_LIBS}", ["CMK103", "CMK115"]),
+        ("${NODES} ${CMAKE_LIBS}", []),
+        ("${NODES} ${my_pkg_LIBS}", []),
+        ("${NODES} ${FUTURE_NODES}", ["CMK103", "CMK115"]),
+    ],
+)
+def test_what_nothing_sets_installs_nothing(items: str, codes: list[str]) -> None:
+    lines = f"{BUILT}install(TARGETS {items} DESTINATION lib/${{PROJECT_NAME}})"
+    files = {**package(lines), "src/a.cpp": "int main() {return 0;}\n"}
+    found = lint_files(files, ["CMK103", "CMK115"]).findings
+    assert sorted(each.code for each in found) == codes
+    assert {each.severity for each in found if each.code == "CMK115"} <= {Severity.INFO}
+    unread = {**files, **package(f"include(${{WHEREVER}})\n{lines}")}
+    assert said(unread, "CMK115") == []
+
+
 def test_an_unset_variable_says_what_is_left() -> None:
     (message,) = said(package('include_directories("${PROJECTNAME}/include")'), "CMK115")
     assert "`${PROJECTNAME}/include` becomes `/include`" in message

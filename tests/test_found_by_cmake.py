@@ -117,3 +117,19 @@ def test_a_target_is_no_package(command: str) -> None:
     assert "is a target of this package" in finding.message
     assert finding.fix is None
     assert levels(package(f"find_package(core REQUIRED)\n{lines}"), "CMK117") == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ("macro(INSTALL)\nendmacro()", [WARNING]),
+        ("macro(install)\n  if(TRUE)\n    install(FILES a DESTINATION b)\n  endif()\nendmacro()", [ERROR]),
+        ("macro(install)\n  if(TRUE)\n  else()\n    _install(${ARGV})\n  endif()\nendmacro()", []),
+        ("function(ament_package)\nendfunction()", [WARNING]),
+        ("function(tell)\nendfunction()", []),
+        ("function()\nendfunction()", []),
+        ("if(NOT COMMAND ament_package)\n  function(ament_package)\n  endfunction()\nendif()", []),
+    ],
+)
+def test_functions_that_replace_a_command(lines: str, expected: list[Severity]) -> None:
+    assert levels(package(lines), "CMK116") == expected

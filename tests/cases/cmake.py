@@ -174,6 +174,10 @@ CASES = {
             good={}, on=""),
     ),
     "CMK115": (
+        cmake("add_executable(talker src/a.cpp)\ninstall(TARGETS talker ${LIBRARIES}\n"
+              "  DESTINATION lib/${PROJECT_NAME})\n", src__a_DOT_cpp=MAIN),
+        cmake("find_package(std_msgs REQUIRED)\ninclude_directories(${STD_MSGS_INCLUDE_DIRS})\n",
+              "  <depend>std_msgs</depend>\n"),
         cmake('include_directories("${CMAKE_CURENT_SOURCE_DIR}/include")\n'),
     ),
 }  # fmt: skip

@@ -1,4 +1,4 @@
-"""Variables that nobody sets and that are one or two letters off one that CMake sets: they are empty."""
+"""Variables that nobody sets and that are nearly called like one that is set: they are empty."""
 
 from __future__ import annotations
 
@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.file import assigned_names
 from ...languages.cmake.syntax import CommandArgument
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.set_variables import SetVariables
+from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
 from .mistyped_links import digits
@@ -26,15 +29,21 @@ SET_BY_CMAKE = frozenset("""
 """Those that packages use, and all of CMake 3.25 that are near to them."""
 
 REFERENCE = regex(r"(?<!\\)\$\{([A-Za-z_]\w*)\}")
-ANY_REFERENCE = regex(r"\$(?:ENV|CACHE)?\{[^{}]*\}")
-NAME = regex(r"[A-Za-z_]\w*")
+OF_PACKAGE = regex(r"(\w+)_(INCLUDE_DIRS?|INCLUDES|LIBRARY|LIBRARIES|LIBS|TARGETS?|DEFINITIONS)")
+CERTAIN = regex(r"rclcpp\w*|tf2\w*|Boost|OpenCV")
+"""Packages, besides those of messages, that are known to set their variables under their own name alone."""
+SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY": "LIBRARIES", "LIBS": "LIBRARIES",
+            "TARGET": "TARGETS"}  # fmt: skip
+"""What people write, and what ament_package() sets."""
+SHORTEST = 6
+"""Letters of a name that the package could have meant for one of its own; two may be wrong from twice that on."""
 
 
 @dataclass(frozen=True)
 class UnsetVariable:
     name: str
     near: str
-    """The variable that is meant."""
+    """The variable that is meant; "" where none is near."""
     call: EvaluatedCommand
     span: Span
     before: str
@@ -58,6 +67,7 @@ class UnsetVariables:
                 seen.add(place)
                 for argument in call.command.arguments:
                     yield from self.within(call, argument)
+        yield from self.of_targets()
 
     def within(self, call: EvaluatedCommand, argument: CommandArgument) -> Iterator[UnsetVariable]:
         if argument.kind == "bracket" or "${" not in argument.text:
@@ -69,22 +79,48 @@ class UnsetVariables:
                 after = argument.text.replace(found[0], "")
                 yield UnsetVariable(found[1], near, call, span, argument.text, after)
 
+    def of_targets(self) -> Iterator[UnsetVariable]:
+        """Yield what `install(TARGETS)` is given and nothing sets, though it is like no other variable."""
+        for rule in self.cmake.installs:
+            for word in rule.items if rule.kind == "TARGETS" and not rule.call.maybe else ():
+                name = self.variables.empty_variable(word)
+                if name is not None and not self.nearest(name):
+                    yield UnsetVariable(name, "", rule.call, word.span, f"${{{name}}}", "")
+
     def nearest(self, name: str) -> str | None:
         """Return the variable that is meant by one that nothing sets."""
-        if name in SET_BY_CMAKE or name in self.mentioned or name.startswith(self.prefixes):
+        if name in SET_BY_CMAKE or self.variables.may_be_set(name):
             return None
         alike = (each for each in SET_BY_CMAKE if digits(each) == digits(name))
-        return next(iter(near_names(name, alike)), None)
+        return next(iter(near_names(name, alike)), None) or self.of_package(name) or self.near_own(name)
+
+    def of_package(self, name: str) -> str | None:
+        """Return what a package that is found sets, where only the case or the ending differs."""
+        found = OF_PACKAGE.fullmatch(name)
+        package = self.packages.get(found[1].lower()) if found else None
+        if found is None or package is None:
+            return None
+        suffix = SUFFIXES.get(found[2], found[2]) if package.islower() else found[2]
+        wanted = f"{package}_{suffix}"
+        return wanted if wanted != name and not self.variables.may_be_set(name) else None
 
     @cached_property
-    def mentioned(self) -> frozenset[str]:
-        """All names in arguments outside of `${…}`: a command may set a variable of that name."""
-        commands = (command for file in self.cmake.files for command in file.syntax.commands)
-        texts = (argument.text for command in commands for argument in command.arguments)
-        return frozenset(name for text in texts for name in NAME.findall(ANY_REFERENCE.sub(" ", text)))
+    def packages(self) -> dict[str, str]:
+        """Name in small letters → name of the packages whose variables are known."""
+        names = [each.name for each in self.cmake.packages]
+        return {name.lower(): name for name in names if CERTAIN.fullmatch(name) or MESSAGES.fullmatch(name)}
+
+    def near_own(self, name: str) -> str | None:
+        """Return a variable that the package itself sets, where no other one can be meant."""
+        if len(name) < SHORTEST or not self.variables.is_own(name):
+            return None
+        alike = (each for each in self.assigned if digits(each) == digits(name))
+        return next(iter(near_names(name, alike, 1 if len(name) < 2 * SHORTEST else 2)), None)
 
     @cached_property
-    def prefixes(self) -> tuple[str, ...]:
-        """What the variables begin with that `cmake_parse_arguments` sets."""
-        calls = self.cmake.named("cmake_parse_arguments")
-        return tuple(f"{text}_" for call in calls for text in call.texts if NAME.fullmatch(text))
+    def assigned(self) -> frozenset[str]:
+        return frozenset(name for file in self.cmake.files for name in assigned_names(file))
+
+    @cached_property
+    def variables(self) -> SetVariables:
+        return SetVariables(self.cmake)

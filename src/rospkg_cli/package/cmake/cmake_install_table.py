@@ -18,6 +18,7 @@ from .copied_files import copied_files
 from .foreign_commands import foreign_commands
 from .install_rules import InstallRule
 from .macro_installs import PACKAGE, installed_by_macros
+from .set_variables import SetVariables
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
 FETCHES = "fetchcontent_makeavailable"
@@ -36,6 +37,7 @@ class CMakeTableBuilder:
         self.cmake = cmake
         self.name = name
         self.artifacts = Artifacts(cmake)
+        self.variables = SetVariables(cmake)
 
     def rows(self) -> Iterator[InstalledFile]:
         if ends := self.cmake.named(*PACKAGE):
@@ -119,6 +121,8 @@ class CMakeTableBuilder:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
         is_unclear = rule.kind == "CODE" or None in places
         items = [word for word in rule.items if not word.is_known and "$<TARGET_FILE" not in word.text]
+        if rule.kind == "TARGETS":
+            items = [word for word in items if self.variables.empty_variable(word) is None]
         if rule.kind == "DIRECTORY":
             items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
         if not is_unclear and not items:

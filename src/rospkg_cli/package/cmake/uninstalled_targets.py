@@ -11,7 +11,9 @@ from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from .cmake_project import CMake
+from .install_rules import InstallRule
 from .installed_headers import HEADERS
+from .set_variables import SetVariables
 from .target_links import TargetLinks
 
 MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_auto_add_library", "cuda_add_library",
@@ -55,8 +57,7 @@ class UninstalledTargets:
     def all(self) -> Iterator[UninstalledTarget]:
         """Yield the targets that are not installed; nothing where an install rule can't be evaluated."""
         rules = [rule for rule in self.cmake.installs if rule.kind in ("TARGETS", "CODE")]
-        unclear = any(rule.kind == "CODE" or any(not word.is_known for word in rule.items) for rule in rules)
-        if unclear or not self.cmake.is_complete or not self.cmake.ends_a_package:
+        if any(self.is_unclear(rule) for rule in rules) or not self.cmake.is_complete or not self.cmake.ends_a_package:
             return
         stopping = {each.target.name: each for each in self.unexported()}
         yield from stopping.values()
@@ -68,6 +69,12 @@ class UninstalledTargets:
                 yield UninstalledTarget(target, None)
             elif self.links.shared(target) and self.has_code(target) and (needed := self.needed_by(target)) is not None:
                 yield UninstalledTarget(target, needed)
+
+    def is_unclear(self, rule: InstallRule) -> bool:
+        """Return whether it is unknown what a rule installs; a variable that nothing sets is empty."""
+        unknown = [word for word in rule.items if not word.is_known]
+        variables = SetVariables(self.cmake)
+        return rule.kind == "CODE" or any(variables.empty_variable(word) is None for word in unknown)
 
     def candidates(self) -> Iterator[Target]:
         for target in self.cmake.targets:

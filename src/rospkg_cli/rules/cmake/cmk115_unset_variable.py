@@ -28,7 +28,10 @@ def cmake(lines: str) -> str:
     "unset-variable",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "it says where something is installed"},
+    levels={
+        Severity.ERROR: "it says what is installed, or where",
+        Severity.INFO: "it would name targets to install, and no other variable is near",
+    },
     examples=(
         Example(
             bad={
@@ -43,8 +46,9 @@ def cmake(lines: str) -> str:
 def unset_variable(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one of CMake.
-    Near is one or two letters: `PROJECTNAME`, `CMAKE_CURENT_SOURCE_DIR`.
+    Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one that is set.
+    Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, or in other letters than the
+    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)` it finds any that nothing sets.
 
     ## Why is this bad?
     A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
@@ -52,15 +56,18 @@ def unset_variable(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
-    `cmake_parse_arguments()` sets. Where a file is included that can't be read. In `message()`, and under a condition
+    `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
+    a macro of another one is called. Where a file is included that can't be read. In `message()`, and under a condition
     that can't be evaluated.
     """
     for each in UnsetVariables(package.cmake).all():
-        level = Severity.ERROR if each.call.name == "install" else None
+        level = Severity.INFO if not each.near else Severity.ERROR if each.call.name == "install" else None
         yield Hit(each.call.path, each.span, message(each), level)
 
 
 def message(each: UnsetVariable) -> str:
+    if not each.near:
+        return f"`{each.name}` is set nowhere: it is empty, and no target is installed by it; set it, or remove it"
     shown = len(each.before) <= LONGEST and "\n" not in each.before
     result = f"`{each.after}`" if each.after else "nothing"
     becomes = f", and `{each.before}` becomes {result}" if shown else ""

@@ -1,0 +1,59 @@
+"""Functions and macros of a package that are called like a command of CMake or ament, which they replace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.command_blocks import Block
+from ...languages.cmake.commands import COMMANDS
+from ...languages.cmake.file import CMakeFile
+from ...languages.cmake.syntax import CommandInvocation
+from ...languages.cmake.targets import MAKERS
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...ros.read_table import words
+from ...source import Span
+
+
+@dataclass(frozen=True)
+class RedefinedCommand:
+    name: str
+    path: str
+    span: Span
+    calls_itself: bool
+    """Whether its body calls the command, which is then itself, without end."""
+
+
+@dataclass(frozen=True)
+class RedefinedCommands:
+    cmake: CMake
+
+    def all(self) -> Iterator[RedefinedCommand]:
+        """Yield what stands outside of any `if`, and does not call the former command by its name `_command`."""
+        for file in self.cmake.files:
+            for block in file.body:
+                if isinstance(block, Block) and block.command.name in ("function", "macro"):
+                    yield from self.judged(file, block)
+
+    def judged(self, file: CMakeFile, block: Block) -> Iterator[RedefinedCommand]:
+        for argument in block.command.arguments[:1]:
+            name = argument.text.lower()
+            called = {each.name for each in inside(block)}
+            if name in self.known and f"_{name}" not in called:
+                yield RedefinedCommand(name, file.path, argument.span, name in called)
+
+    @cached_property
+    def known(self) -> frozenset[str]:
+        return frozenset({*words("cmake_commands.txt"), *COMMANDS, *MAKERS})
+
+
+def inside(block: Block) -> Iterator[CommandInvocation]:
+    """Yield the commands of a block, those of inner blocks too."""
+    waiting = [each for branch in block.branches for each in branch.body]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, Block):
+            waiting += [below for branch in each.branches for below in branch.body]
+        else:
+            yield each

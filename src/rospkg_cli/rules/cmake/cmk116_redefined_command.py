@@ -1,0 +1,63 @@
+"""CMK116 redefined-command."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.redefined_commands import RedefinedCommands
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...rule import rule
+
+TELL = """\
+function(«message» text)
+  message(STATUS "my_pkg: ${text}")
+endfunction()
+"""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK116",
+    "redefined-command",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    levels={Severity.ERROR: "its body calls the command, and so itself"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(TELL)},
+            good={"CMakeLists.txt": cmake(TELL.replace("«message»", "tell"))},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake("function(«find_package» name)\n  message(STATUS ${name})\nendfunction()\n")},
+            good={"CMakeLists.txt": cmake("function(find_own name)\n  message(STATUS ${name})\nendfunction()\n")},
+            on="ament_cmake",
+        ),
+    ),
+)
+def redefined_command(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds functions and macros that are called like a command of CMake or ament.
+    Names are compared without regard to case, as CMake does.
+
+    ## Why is this bad?
+    From then on every call runs the function, also those in files of other packages that are found or included. One
+    whose body calls the command calls itself: CMake stops with "Maximum recursion depth of 1000 exceeded".
+
+    ## When it is quiet
+    Inside of an `if`, which may ask whether the command exists, and where the body calls the former command by the name
+    that CMake keeps for it (`_install`).
+    """
+    for each in RedefinedCommands(package.cmake).all():
+        start = f"`{each.name}` is a command of CMake or ament, and is defined anew here"
+        if each.calls_itself:
+            message = f"{start}: it calls itself until CMake stops; give it another name"
+        else:
+            message = f"{start}: every later call runs this one, in files of other packages too; give it another name"
+        yield Hit(each.path, each.span, message, Severity.ERROR if each.calls_itself else None)
