@@ -11,6 +11,7 @@ from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
+from ...ros.well_known import WrongName, wrong_name
 from ...suggest import nearest
 from ..cmake.component_registration import ComponentRegistration
 
@@ -26,10 +27,14 @@ class UnknownComponent:
     """Of the package; None where no package of that name is known at all."""
     elsewhere: tuple[tuple[str, str], ...] = ()
     """Package and class of what other packages register under the same or the same last name."""
+    wrong: WrongName | None = None
+    """Of a well-known package that is not here: what is wrong with the name."""
 
     @property
     def suggestion(self) -> str | None:
         """The one class of the package that is near."""
+        if self.wrong is not None:
+            return self.wrong.better or None
         return nearest(self.name, self.facts.components) or same_class(self.name, self.facts) if self.facts else None
 
 
@@ -48,7 +53,7 @@ class LoadedComponents:
 
     def unknown(self) -> Iterator[UnknownComponent]:
         """Yield components that their package, whose components are all known, does not register."""
-        for node in self.file.nodes if not self.file.is_ros1 else ():
+        for node in {node.plugin: node for node in self.file.nodes}.values() if not self.file.is_ros1 else ():
             package = node.package.literal if node.package else None
             name = node.plugin.literal if node.plugin else None
             if node.kind != "composable_node" or not package or not name or node.plugin is None:
@@ -58,6 +63,8 @@ class LoadedComponents:
                 known = name in facts.components or (package, name) in self.told
                 if facts.knows("components") and not known:
                     yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts))
+            elif wrong := wrong_name("components", package, name):
+                yield UnknownComponent(package, node.plugin, name, None, (), wrong)
             elif found := self.renamed(package, name):
                 yield UnknownComponent(package, node.plugin, name, None, found)
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass, replace
+from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
+from ...ros.well_known import WrongName, wrong_name
 from ...source import Span
 from ...suggest import nearest
 from ..fault import Level
@@ -47,6 +49,18 @@ class ExecutableUse:
         return renamed[0] if len(renamed) == 1 else None
 
 
+@dataclass(frozen=True, slots=True)
+class WellKnownUse:
+    """A node of a package that everybody uses, whose executable it does not have."""
+
+    package: str
+    executable: LaunchText
+    name: str
+    wrong: WrongName
+    level: Level | None
+    why: str
+
+
 @dataclass(frozen=True)
 class NodeExecutables:
     scope: LaunchContext
@@ -75,6 +89,15 @@ class NodeExecutables:
             )
             if facts.knows("executables") and not known:
                 yield replace(node, sister=self.sister(node), entry=self.entry(node))
+
+    def renamed(self) -> Iterator[WellKnownUse]:
+        """Yield the nodes of well-known packages that are not here, under a name that these do not have."""
+        file, workspace = self.scope.file, self.scope.workspace
+        for package, executable, node in file.programs() if not self.scope.is_unused_test else ():
+            name = executable.literal or ""
+            wrong = wrong_name("programs", package, name) if workspace.named(package) is None else None
+            if wrong is not None:
+                yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
 
     def entry(self, node: ExecutableUse) -> str:
         """Return the only executable of this package that starts the module whose name a node has; "" for none."""

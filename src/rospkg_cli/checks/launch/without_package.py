@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchedNode
 from ...package.launch.text import LaunchText
+from ...ros.well_known import packages_with_program
 from ..fault import Level
 from .idle_actions import level_at
 from .missing_references import LaunchContext
@@ -29,7 +30,7 @@ class NodesWithoutPackage:
     scope: LaunchContext
 
     def uses(self) -> Iterator[PathUse]:
-        """Yield the nodes that need a package: one of the workspace has the executable, and none puts it into bin/."""
+        """Yield the nodes whose executable a package has, one here or a well-known one, and none puts into bin/."""
         file = self.scope.file
         for node in file.nodes if not self.scope.is_unused_test else ():
             executable = node.executable
@@ -43,7 +44,8 @@ class NodesWithoutPackage:
         every = self.scope.workspace.packages
         if any(executable in each.misplaced_executables for each in every):
             return ()
-        return tuple(sorted(each.name for each in every if executable in each.executables))
+        here = tuple(sorted(each.name for each in every if executable in each.executables))
+        return here or packages_with_program(executable)
 
 
 def is_without_package(node: LaunchedNode) -> bool:

@@ -11,6 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
+from ...ros.well_known import WrongName, wrong_plugin
 from ...suggest import near_names
 from .exported_classes import tail
 
@@ -26,6 +27,15 @@ class UnknownPlugin:
     owner: PackageFacts
     """The package that describes the suggested plugin, or should describe this one."""
     suggestion: Plugin | None
+
+
+@dataclass(frozen=True)
+class WrongPlugin:
+    """A name that no plugin of a well-known package has."""
+
+    user: PackageFacts
+    use: PluginUse
+    wrong: WrongName
 
 
 @dataclass(frozen=True)
@@ -48,6 +58,17 @@ class PluginReferences:
             for use in user.plugin_uses if user.build_type != "catkin" else ():
                 if use.name not in self.names:
                     yield from self.problems_of(user, use)
+
+    def misspelt(self) -> Iterator[WrongPlugin]:
+        """Yield the names that begin as those of a well-known package, which is not here, and that it does not have."""
+        owned = {SEPARATOR.split(name)[0] for name in self.names}
+        for user in self.workspace.packages:
+            for use in user.plugin_uses if user.build_type != "catkin" else ():
+                first = SEPARATOR.split(use.name)[0]
+                is_here = first in owned or self.workspace.named(first) is not None
+                wrong = None if is_here or use.name in self.names else wrong_plugin(use.name)
+                if wrong is not None:
+                    yield WrongPlugin(user, use, wrong)
 
     def problems_of(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
         name = SEPARATOR.split(use.name)[0]

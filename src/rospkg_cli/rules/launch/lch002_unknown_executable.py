@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.node_executables import ExecutableUse, NodeExecutables
+from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
 from ...checks.launch.without_package import NodesWithoutPackage, PathUse
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -32,7 +32,7 @@ FILES = {
     over=NodeExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the node's condition is false with the defaults of the arguments",
+        Severity.WARNING: "the condition is false by default, or an old distribution had the name",
         Severity.INFO: "the node is built and never added to the launch description",
     },
     examples=(
@@ -53,7 +53,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
     script that CMake installs. A node without a package is looked for on the PATH, where only what packages put into
-    `bin/` is.
+    `bin/` is. Of packages that everybody uses it knows what they install: it says what is a letter or two away from
+    that, and what only distributions had that are no longer supported.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
@@ -74,9 +75,30 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node)}"
         yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
+    for known in started.renamed():
+        severity = Severity(known.level) if known.level else Severity.WARNING if known.wrong.is_removed else None
+        yield Hit(
+            started.scope.file.path, known.executable.span, not_offered(known), severity, fix=other_name(started, known)
+        )
     for use in NodesWithoutPackage(started.scope).uses():
         level = Severity(use.level) if use.level else None
         yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)
+
+
+def not_offered(use: WellKnownUse) -> str:
+    better = use.wrong.better
+    raised = f" with \"executable '{use.name}' not found on the libexec directory\"" if "/" not in better else ""
+    ends = f"the launch stops{raised}"
+    hint = f"; it is called `{better}` now" if use.wrong.is_removed and better else f"; did you mean `{better}`?"
+    start = f"`{use.package}` has no executable `{use.name}`{' any more' if use.wrong.is_removed else ''}"
+    return f"{start}: {ends}{use.why and ', '}{use.why}{hint if better else ''}"
+
+
+def other_name(started: NodeExecutables, use: WellKnownUse) -> Fix | None:
+    file, better, span = started.scope.file, use.wrong.better, use.executable.span
+    if not better or "/" in better or file.source.slice(span) != use.name:
+        return None
+    return Fix(f"start `{better}`", (Edit(file.path, span, better),), Safety.UNSAFE)
 
 
 def without_package(use: PathUse) -> str:

@@ -46,7 +46,7 @@ FILES = {
     over=LoadedComponents,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the condition of its container is false with the defaults of the arguments",
+        Severity.WARNING: "its container is off by default, or an old distribution had the name",
         Severity.INFO: "its container is built and never added to the launch description",
     },
     examples=(
@@ -64,7 +64,8 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     Finds components in launch files that the CMakeLists.txt of their package does not register.
     Composable nodes of this package, or of another one of the workspace, have to be in
     `rclcpp_components_register_node`. A component of an unknown package is reported where another package registers its
-    class.
+    class. Of packages that everybody uses it knows the components, and says what is a letter or two away from one, and
+    what only distributions that are no longer supported had.
 
     ## Why is this bad?
     The container starts, and says "Failed to find class with the requested plugin name" (or, of a package that
@@ -80,6 +81,8 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     """
     for each in loaded.unknown():
         level, why = level_at(loaded.file, each.plugin.span)
+        if each.wrong is not None and each.wrong.is_removed:
+            level = level or "warning"
         message = message_for(each, f", {why}" if why else "")
         yield Hit(
             loaded.file.path, each.plugin.span, message, Severity(level) if level else None, fix=rename(loaded, each)
@@ -87,6 +90,11 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
 
 
 def message_for(each: UnknownComponent, why: str) -> str:
+    if each.wrong is not None:
+        now = "it is called `{}` now" if each.wrong.is_removed else "did you mean `{}`?"
+        hint = f"; {now.format(each.wrong.better)}" if each.wrong.better else ""
+        more = " any more" if each.wrong.is_removed else ""
+        return f"`{each.package}` has no component `{each.name}`{more}: the container can't load it{why}{hint}"
     if each.facts is None:
         whose = " or ".join(f"`{name}` of `{package}`" for package, name in each.elsewhere[:3])
         return f"no package `{each.package}` is known, so the container can't load `{each.name}`{why}; there is {whose}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin
+from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin, WrongPlugin
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -50,6 +50,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     "unknown-plugin",
     over=Workspace,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "an old distribution had the plugin, and the parameters may be a leftover of it"},
     examples=(
         Example(
             on="ament_cmake",
@@ -66,6 +67,8 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     For a name such as `plugin: my_pkg/Planner` a package of the workspace should have it: the one that the name begins
     with, or, where that is no package, the one that has a plugin of the same class. Components and interfaces, whose
     names may be alike, are left alone. Where only the package with the description is checked, it is reported there.
+    Of packages that everybody uses it knows the plugins: it says what is a letter or two away from one, and what only
+    distributions had that are no longer supported.
 
     ## Why is this bad?
     A plugin is found by its exact name; `my_pkg/Planner` and `my_pkg::Planner` are two names. The server that should
@@ -78,11 +81,26 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
-    for unknown in PluginReferences(workspace).unknown():
+    references = PluginReferences(workspace)
+    for wrong in references.misspelt():
+        if wrong.user.folder in workspace.selected:
+            yield well_known(wrong)
+    for unknown in references.unknown():
         if unknown.user.folder in workspace.selected:
             yield at_use(unknown)
         elif unknown.suggestion is not None and unknown.owner.folder in workspace.selected:
             yield at_description(unknown)
+
+
+def well_known(unknown: WrongPlugin) -> Hit:
+    use, wrong = unknown.use, unknown.wrong
+    path, now = unknown.user.at(use.path), "it is called" if wrong.is_removed else "write"
+    more = " in any supported distribution" if wrong.is_removed else ""
+    hint = f"; {now} `{wrong.better}`" + (" now" if wrong.is_removed else "") if wrong.better else ""
+    message = f"no plugin is called `{use.name}`{more}: what loads it stops{hint}"
+    fix = Fix(f"write `{wrong.better}`", (Edit(path, use.span, wrong.better),), Safety.UNSAFE)
+    level = Severity.INFO if wrong.is_removed else None
+    return Hit(path, use.span, message, level, fix=only_plain_names(fix, wrong.better) if wrong.better else None)
 
 
 def at_use(unknown: UnknownPlugin) -> Hit:

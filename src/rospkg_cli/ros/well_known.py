@@ -1,0 +1,78 @@
+"""What the packages that everybody uses offer: programs, components, plugins, and what they offered once."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Literal
+
+from ..light_dataclasses import dataclass
+from ..suggest import near_names
+from .read_table import rows, sets
+
+TABLE = "well_known.txt"
+Kind = Literal["programs", "components", "plugins"]
+SHORTEST = 8
+"""Letters; a shorter name of a program may be that of any other."""
+
+
+@dataclass(frozen=True, slots=True)
+class WrongName:
+    """A name that a package does not offer."""
+
+    better: str
+    """The right one, behind the package where that is another one; "" where it has no successor."""
+    is_removed: bool
+    """Whether distributions that are no longer supported had it; else it is misspelt."""
+
+
+def wrong_name(kind: Kind, package: str, name: str) -> WrongName | None:
+    """Return what is wrong with a program or a component of a package; None where nothing shows that anything is."""
+    if name in removed(kind).get(package, {}):
+        return WrongName(removed(kind)[package][name], True)
+    known = sets(TABLE, kind).get(package, frozenset())
+    near = near_names(name, known) if known and name not in known else []
+    return WrongName(near[0], False) if len(near) == 1 else None
+
+
+def wrong_plugin(name: str) -> WrongName | None:
+    """Return what is wrong with the name by which a plugin is loaded; None where nothing shows that anything is."""
+    if name in every_plugin():
+        return None
+    gone = [names[name] for names in removed("plugins").values() if name in names]
+    if gone:
+        return WrongName(gone[0], True)
+    prefix, tail = split(name)
+    alike = [each for each in every_plugin() if split(each)[0] == prefix]
+    same = [each for each in alike if split(each)[1].lower() == tail.lower()]
+    near = set(near_names(tail, {split(each)[1] for each in alike})) if not same else set()
+    found = sorted(
+        same or (each for each in alike if split(each)[1] in near), key=lambda each: ("::" in each) != ("::" in name)
+    )
+    return WrongName(found[0], False) if len({split(each)[1] for each in found}) == 1 else None
+
+
+def split(name: str) -> tuple[str, str]:
+    """Return what stands before the class of a plugin, and the class."""
+    parts = name.replace("::", "/").split("/")
+    return parts[0] if len(parts) > 1 else "", parts[-1]
+
+
+def packages_with_program(name: str) -> tuple[str, ...]:
+    """Return the packages that have a program; none where it is on the PATH too, or its name is one for anything."""
+    on_path = any(name in names for names in sets(TABLE, "on the path").values())
+    if on_path or not ("_" in name or len(name) >= SHORTEST):
+        return ()
+    return tuple(package for package, names in rows(TABLE, "programs").items() if name in names)
+
+
+@cache
+def every_plugin() -> frozenset[str]:
+    """Return the names of all plugins; the table has `%20` for a blank, as in the names of panels of RViz."""
+    return frozenset(name.replace("%20", " ") for names in rows(TABLE, "plugins").values() for name in names)
+
+
+@cache
+def removed(kind: Kind) -> dict[str, dict[str, str]]:
+    """Return what each package had once, with what it is called now."""
+    found = rows(TABLE, f"removed {kind}")
+    return {package: dict(word.rpartition("=")[::2] for word in words) for package, words in found.items()}
