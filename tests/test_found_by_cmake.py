@@ -133,3 +133,98 @@ def test_a_target_is_no_package(command: str) -> None:
 )
 def test_functions_that_replace_a_command(lines: str, expected: list[Severity]) -> None:
     assert levels(package(lines), "CMK116") == expected
+
+
+CORE = "add_library(core SHARED a.cpp)\nadd_executable(talker a.cpp)\nadd_library(plain INTERFACE)\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("ament_export_libraries(core)", ""),
+        ("ament_export_libraries(croe)", "did you mean `core`"),
+        ("ament_export_libraries(pthread yaml-cpp /usr/lib/croe)", ""),
+        ("ament_export_libraries(${PROJECT_NAME})", "nothing makes the library `my_pkg` (`${PROJECT_NAME}`): "),
+        ("ament_export_libraries(talker)", "a program"),
+        ("ament_export_libraries(talkr)", ""),
+        ("ament_export_libraries(plain)", "without a file"),
+        ("add_library(parts OBJECT a.cpp)\nament_export_libraries(parts)", "without a file"),
+        ("add_library(theirs INTERFACE IMPORTED)\nament_export_libraries(theirs)", ""),
+        ("if(SOMETHING_ELSE)\n  ament_export_libraries(croe)\nendif()", ""),
+        ("include(${WHEREVER})\nament_export_libraries(croe)", ""),
+        ("team_macro(croe)\nament_export_libraries(croe)", ""),
+        ("set_target_properties(core PROPERTIES OUTPUT_NAME croe)\nament_export_libraries(croe)", ""),
+        ("foreach(each a b)\n  ament_export_libraries(croe)\nendforeach()", "did you mean `core`"),
+    ],
+)
+def test_libraries_that_are_exported(lines: str, said: str) -> None:
+    found = lint_files(package(CORE + lines), ["CMK118"]).findings
+    assert len(found) == bool(said)
+    assert all(said in each.message for each in found)
+
+
+def test_a_library_that_comes_as_a_file_is_exported() -> None:
+    files = package(f"{CORE}ament_export_libraries(my_pkg)")
+    assert levels(files, "CMK118") == [WARNING]
+    assert levels({**files, "lib/libmy_pkg.so": ""}, "CMK118") == []
+
+
+def workspace(**packages: dict[str, str]) -> dict[str, str]:
+    return {
+        f"{name}/{path}": text.replace("my_pkg", name)
+        for name, files in packages.items()
+        for path, text in files.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"), [("plain", [ERROR]), ("talker", [ERROR]), ("croe", [WARNING]), ("core", [])]
+)
+def test_an_export_that_is_needed(line: str, expected: list[Severity]) -> None:
+    user = package("find_package(base REQUIRED)", "  <depend>base</depend>\n")
+    base = package(f"{CORE}ament_export_libraries({line})")
+    assert levels(workspace(base=base, user=user), "CMK118") == expected
+    user = {**user, "package.xml": user["package.xml"].replace("depend>base</", "exec_depend>base</exec_")}
+    assert levels(workspace(base=base, user=user), "CMK118") == [WARNING] * len(expected)
+
+
+EXPORT = "install(TARGETS core EXPORT export_core DESTINATION lib)\n"
+EXPORTED = f"{EXPORT}ament_export_targets(export_core)\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "link", "said"),
+    [
+        (EXPORTED, "base::core", ""),
+        (EXPORTED, "base::other", "`base` exports `base::core`, not `base::other`"),
+        (EXPORT, "base::core", "`base` exports no target"),
+        (f"{EXPORTED}install(TARGETS talker EXPORT export_core)", "base::other", "`base::core` and others, not"),
+        (EXPORTED.replace("(export", "(${WHICH} export"), "base::other", ""),
+        (f"if(SOMETHING_ELSE)\n{EXPORTED}endif()\n", "base::other", ""),
+        (f"{EXPORTED}team_export(core)", "base::other", ""),
+        (f"{EXPORTED}include(${{WHEREVER}})", "base::other", ""),
+        (f"{EXPORTED}install(EXPORT export_core DESTINATION lib)", "base::other", ""),
+        (f"{EXPORTED}install(FILES a.cmake DESTINATION share)", "base::other", ""),
+        (f"{EXPORTED}export(TARGETS core FILE a.cmake)", "base::other", ""),
+        (f"{EXPORTED}install(CODE a)", "base::other", ""),
+        (EXPORTED.replace("TARGETS core", "TARGETS core ${base_MORE}"), "base::other", ""),
+        (f'{EXPORTED}rosidl_generate_interfaces(base "msg/A.msg")', "base::other", ""),
+        (f"{EXPORTED}ament_package(CONFIG_EXTRAS a.cmake)", "base::other", ""),
+        (f"{EXPORTED}add_subdirectory(src)", "base::other", ""),
+    ],
+)
+def test_targets_of_the_workspace(lines: str, link: str, said: str) -> None:
+    user = f"find_package(base REQUIRED)\nadd_executable(node a.cpp)\ntarget_link_libraries(node {link})"
+    files = workspace(base=package(CORE + lines), user=package(user, "  <depend>base</depend>\n"))
+    found = lint_files(files, ["CMK110"]).findings
+    found = tuple(each for each in found if each.package == "user")
+    assert len(found) == bool(said)
+    assert all(said in each.message for each in found)
+
+
+def test_a_target_of_another_package_of_the_workspace_may_have_this_ones_name() -> None:
+    user = "find_package(base REQUIRED)\nadd_executable(node a.cpp)\ntarget_link_libraries(node base::more)"
+    more = (CORE + EXPORTED).replace("core", "more").replace("export_more)", "export_more NAMESPACE base::)")
+    files = workspace(base=package(CORE + EXPORTED), user=package(user, "  <depend>base</depend>\n"))
+    assert levels(files, "CMK110") == [ERROR]
+    assert levels({**files, **workspace(more=package(more))}, "CMK110") == []

@@ -59,6 +59,9 @@ USER = {
     "user/src/a.cpp": MAIN,
 }
 
+LINKS_OLD = USER["user/CMakeLists.txt"].replace(
+    "ament_target_dependencies(talker old)", "target_link_libraries(talker old::old)"
+)
 END = "ament_package()\n"
 EXPORTS_RCLPCP = "find_package(rclcpp REQUIRED)\nament_export_dependencies(rclpcp)\n"
 
@@ -140,6 +143,7 @@ CASES = {
               "ament_export_dependencies(rclcppstd_msgs)\n",
               "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"),
         cmake("install(TARGETS nothing DESTINATION lib/${PROJECT_NAME})\n"),
+        Example(bad={**OLD, **USER, "user/CMakeLists.txt": LINKS_OLD}, good={}, on=""),
         cmake("add_executable(talker src/talker.cpp)\ninstall(TARGETS talkr DESTINATION lib/${PROJECT_NAME})\n",
               src__talker_DOT_cpp=cmk110.SOURCE),
         cmake("set_target_properties(talkr PROPERTIES CXX_STANDARD 17)\n"),
@@ -171,6 +175,13 @@ CASES = {
               "ament_export_dependencies(core)\n", src__a_DOT_cpp=MAIN, src__core_DOT_cpp=MAIN),
         Example(
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
+            good={}, on=""),
+    ),
+    "CMK118": (
+        Example(
+            bad={**OLD, "old/src/a.cpp": MAIN,
+                 "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(
+                     END, f"add_executable(tool src/a.cpp)\nament_export_libraries(tool old)\n{END}"), **USER},
             good={}, on=""),
     ),
     "CMK115": (

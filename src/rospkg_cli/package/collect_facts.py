@@ -59,6 +59,11 @@ def of_components(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[
     return {"components": components}, set() if complete else {"components"}
 
 
+def of_exports(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    targets, complete = exported_targets(reading)
+    return {"cmake_targets": targets}, set() if complete else {"cmake_targets"}
+
+
 def of_loaders(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
     loaders, complete = loaded_bases(reading)
     return {"loaders": loaders}, set() if complete else {"loaders"}
@@ -95,7 +100,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("given_parameters",): one("given_parameters", given_parameters),
     ("uninstalled",): one("uninstalled", uninstalled_files),
     ("written_files",): one("written_files", made_files),
-    ("cmake_targets",): one("cmake_targets", exported_targets),
+    ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),

@@ -13,7 +13,7 @@ from .params.declared_parameter import DeclaredParameter, NodeCode
 
 UnknownField = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
-    "plugins", "loaders"
+    "plugins", "loaders", "cmake_targets"
 ]  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from functools import cached_property
 from ..light_dataclasses import dataclass
 from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
+from ..ros.manifest import BUILDS
 from ..ros.names import BUILT_IN, NameKind, Names
 from ..ros.plugins import LOADED_FROM
 from .launch.included_arguments import IncludedArguments
@@ -86,6 +87,11 @@ class Workspace:
         """Return whether another package depends on one: it may open any of its files."""
         others = (facts for facts in self.packages if facts.name != name)
         return any(need.name == name for facts in others for need in facts.dependencies)
+
+    def is_built_against(self, name: str) -> bool:
+        """Return whether another package needs one for its build: it may look for it with `find_package()`."""
+        others = (facts for facts in self.packages if facts.name != name)
+        return any(need.name == name and need.tag in BUILDS for facts in others for need in facts.dependencies)
 
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return the kind of a name in package.xml; unknown only where no other source can provide it."""

@@ -18,7 +18,9 @@ from ...suggest import near_names
 class MistypedLink:
     link: TargetLink
     near: str
-    """The target that is certainly there."""
+    """The target that is certainly there; "" where none is near, or the package exports none at all."""
+    exported: tuple[str, ...] | None = None
+    """All targets of a package of the workspace of which no other is known; None where something is near."""
 
 
 @dataclass(frozen=True)
@@ -36,11 +38,13 @@ class MistypedLinks:
                 seen.add(key)
                 if (near := self.near_target(word.text)) is not None:
                     yield MistypedLink(link, near)
+                elif (exported := self.all_targets(word.text)) is not None:
+                    yield MistypedLink(link, "", exported)
 
     def near_target(self, text: str) -> str | None:
         """Return what to write for `package::target`; None where it may exist."""
         package, colons, target = text.partition("::")
-        if not colons or text in self.own:
+        if not colons or text in self.own or self.is_brought(text):
             return None
         if known := self.targets_of(package):
             return None if text in known else nearest(text, known, 2)
@@ -48,6 +52,20 @@ class MistypedLinks:
             is_swapped = target != package and sorted(target) == sorted(package)
             return f"{package}::{package}" if is_swapped else None
         return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
+
+    def all_targets(self, text: str) -> tuple[str, ...] | None:
+        """Return all targets of a package of the workspace that does not export one; None where it may."""
+        package, colons, _ = text.partition("::")
+        facts = self.workspace.named(package)
+        if not colons or text in self.own or facts is None or facts.build_type != "ament_cmake":
+            return None
+        is_own = facts.name == self.package.facts.name
+        unclear = is_own or not facts.knows("cmake_targets") or self.is_brought(text)
+        return None if unclear else facts.cmake_targets
+
+    def is_brought(self, text: str) -> bool:
+        """Return whether a package of the workspace exports a target, maybe into the name of another one."""
+        return any(text in facts.cmake_targets for facts in self.workspace.packages)
 
     def is_known(self, package: str) -> bool:
         known = self.workspace.kind_of(package) in (NameKind.PACKAGE, NameKind.KEY)

@@ -76,7 +76,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     ## What it does
     Finds targets and exports that CMake names and that nothing creates.
     It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
-    `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off.
+    `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off,
+    and those that a package of the workspace does not export.
     In lists of packages it finds two names without a space between them.
 
     ## Why is this bad?
@@ -106,6 +107,14 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
 
 def mistyped(each: MistypedLink) -> str:
     text = each.link.word.text
+    if each.exported is not None:
+        package = text.partition("::")[0]
+        there = f"`{each.exported[0]}`" if each.exported else "no target"
+        advice = "link that" if each.exported else "export it there with `ament_export_targets(…)`"
+        return (
+            f"`{package}` exports {there}{' and others' if each.exported[1:] else ''}, not `{text}`: CMake stops with "
+            f'"the target was not found"; {advice}'
+        )
     return (
         f"no package makes the target `{text}` (did you mean `{each.near}`?): CMake stops with "
         '"the target was not found"; correct it'

@@ -30,7 +30,7 @@ def cmake(name: str) -> str:
     "unknown-package",
     over=MistypedPackages,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is exported, and no package of the workspace depends on this one"},
+    levels={Severity.WARNING: "it is exported, and no package of the workspace is built with this one"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake("«rclpcp»"), "package.xml": NEEDS_RCLCPP, "src/core.cpp": SOURCE},
@@ -72,7 +72,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         if each.near and packages.package.cmake.source_text(each.word).strip('"') == each.word.text:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
-        is_unused = each.call.name == EXPORT and not packages.workspace.is_needed(packages.package.facts.name)
+        is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
         yield Hit(each.word.path, each.word.span, message(each), Severity.WARNING if is_unused else None, fix=fix)
 
 

@@ -1,0 +1,63 @@
+"""What `ament_export_libraries()` promises to users of a package, and what has no file that they could link."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.workspace import Workspace
+from .mistyped_links import nearest
+from .target_references import TargetReferences
+
+NO_FILE = frozenset({"INTERFACE", "OBJECT"})
+
+
+@dataclass(frozen=True)
+class WrongExport:
+    word: Word
+    kind: Literal["executable", "no file", "unknown"]
+    near: str = ""
+    """The library that is meant by an unknown name; "" for one that is called like the package."""
+
+
+@dataclass(frozen=True)
+class ExportedLibraries:
+    package: CMakePackage
+    workspace: Workspace
+
+    def wrong(self) -> Iterator[WrongExport]:
+        """Yield each argument once; nothing where a file that can't be read may add targets."""
+        cmake = self.package.cmake
+        if not cmake.is_complete or cmake.reads_unknown_files or not self.package.is_ament:
+            return
+        seen: set[tuple[str, int, str]] = set()
+        for call in cmake.named("ament_export_libraries"):
+            for word in call.words:
+                key = (word.path, word.span.start, word.text)
+                if word.is_known and not word.maybe and not call.maybe and key not in seen:
+                    seen.add(key)
+                    yield from self.judged(word)
+
+    def judged(self, word: Word) -> Iterator[WrongExport]:
+        target = self.package.cmake.target(word.text)
+        if target is None:
+            yield from self.unknown(word)
+        elif target.is_executable:
+            yield WrongExport(word, "executable")
+        elif target.is_library and target.options & NO_FILE and "IMPORTED" not in target.options:
+            yield WrongExport(word, "no file")
+
+    def unknown(self, word: Word) -> Iterator[WrongExport]:
+        """Yield a name that no target has: that of a library of the system may be meant by any other one."""
+        references = TargetReferences(self.package.cmake)
+        cmake, name = self.package.cmake, word.text
+        files = any(path.rpartition("/")[2].startswith(f"lib{name}.") for path in cmake.package_files.paths)
+        if name in references.names or files or name in cmake.output_names.values():
+            return
+        libraries = {target.name for target in cmake.targets if target.is_library and target.is_built}
+        near = nearest(name, libraries, 2)
+        if near is not None or name == self.package.facts.name:
+            yield WrongExport(word, "unknown", near or "")
