@@ -1,0 +1,1 @@
+"""A mutation bench: single faults of many kinds put into real packages, and whether lint sees them."""

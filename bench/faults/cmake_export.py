@@ -1,0 +1,74 @@
+"""Faults of what CMake exports and generates."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bench.faults.fault import PutFault
+from bench.faults.kinds import kind
+from bench.faults.source_package import SourcePackage
+
+CMAKE = r"^CMakeLists\.txt$"
+
+
+@kind("cmake export", is_seen_outside=True)
+def export_dependency_mistyped(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CMAKE, r"ament_export_dependencies\(\s*([a-z]\w+)\b"):
+        yield spot.typo()
+
+
+@kind("cmake export", is_seen_outside=True)
+def export_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
+    included = package.words(r"^include/.*\.(hpp|h)$", r"^#include\s*[<\"](\w+)/")
+    for spot in package.spots(CMAKE, r"^ament_export_dependencies\(\s*([a-z]\w+)\s*\)[ \t]*\n"):
+        if spot.word in included:
+            yield spot.drop()
+    for spot in package.spots(
+        CMAKE, r"ament_export_dependencies\([^()]*?^\s+([a-z]\w+)[ \t]*\n", 1, re.MULTILINE | re.DOTALL
+    ):
+        if spot.word in included:
+            yield spot.put("", spot.word)
+
+
+@kind("cmake export", is_seen_outside=True)
+def export_library_mistyped(package: SourcePackage) -> Iterator[PutFault]:
+    own = package.words(CMAKE, r"add_library\(\s*(\w+)")
+    for spot in package.spots(CMAKE, r"ament_export_libraries\(\s*(\w+)"):
+        if spot.word in own:
+            yield spot.typo()
+
+
+@kind("cmake export", is_seen_outside=True)
+def export_targets_lost(package: SourcePackage) -> Iterator[PutFault]:
+    users = [folder for name, folder in package.siblings.items() if name != package.name]
+    texts = [package.repository / folder / "CMakeLists.txt" for folder in users]
+    if any(f"{package.name}::" in path.read_text("utf-8", "replace") for path in texts if path.is_file()):
+        for spot in package.spots(CMAKE, r"^ament_export_targets\(\s*([^()]+?)\s*\)[ \t]*\n"):
+            yield spot.drop("ament_export_targets", package.name)
+
+
+@kind("cmake export")
+def export_target_mistyped(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(CMAKE, r"ament_export_targets\(\s*(\w+)"))
+
+
+@kind("interfaces")
+def generation_of_interface_lost(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CMAKE, r"^\s*\"?((?:msg|srv|action)/\w+\.(?:msg|srv|action))\"?[ \t]*\n"):
+        name = spot.word.rpartition("/")[2]
+        yield spot.drop(name, name.partition(".")[0])
+
+
+@kind("interfaces")
+def generation_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
+    used = package.words(r"\.(msg|srv|action)$", r"^([a-z]\w+)/\w+")
+    for name in sorted(used - {package.name, "builtin_interfaces"}):  # that one comes with most others
+        pattern = rf"rosidl_generate_interfaces\([^()]*DEPENDENCIES[^()]*?(\b{name}\b)"
+        yield from (spot.put("", name) for spot in package.spots(CMAKE, pattern))
+
+
+@kind("interfaces")
+def generation_without_found_generators(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CMAKE, r"^find_package\(\s*(rosidl_default_generators)[^)]*\)[ \t]*\n"):
+        yield spot.drop("rosidl_generate_interfaces")

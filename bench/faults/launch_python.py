@@ -1,0 +1,183 @@
+"""Faults of launch files in Python."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bench.faults.fault import PutFault, Spot
+from bench.faults.kinds import kind
+from bench.faults.source_package import SourcePackage
+
+FILES = r"(launch/.*|\.launch|_launch)\.py$"
+WELL_KNOWN = set(
+    "tf2_ros robot_state_publisher joint_state_publisher joint_state_publisher_gui rviz2 controller_manager xacro joy "
+    "ros_gz_sim ros_gz_bridge gazebo_ros image_proc depth_image_proc image_view teleop_twist_joy twist_mux "
+    "slam_toolbox nav2_map_server nav2_amcl nav2_planner nav2_controller nav2_bt_navigator nav2_lifecycle_manager "
+    "nav2_behaviors nav2_velocity_smoother moveit_ros_move_group robot_localization rqt_gui demo_nodes_cpp "
+    "demo_nodes_py rclcpp_components rosbridge_server usb_cam v4l2_camera composition pointcloud_to_laserscan".split()
+)
+"""Packages outside a repository whose executables and components every user knows."""
+NODE = r"\b(?:Node|LifecycleNode|ComposableNodeContainer)\("
+
+
+def launch_spots(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
+    for spot in package.spots(FILES, pattern, group):
+        if "generate_launch_description" in spot.text:
+            yield spot
+
+
+def is_in_repository(package: SourcePackage, name: str) -> bool:
+    return any(package.repository.rglob(name))
+
+
+@kind("launch python")
+def launch_mistyped_sibling(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"package\s*=\s*['\"]([\w-]+)['\"]"):
+        if spot.word in package.siblings:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_package(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"package\s*=\s*['\"]([\w-]+)['\"]"):
+        if spot.word not in package.siblings:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_executable_of_sibling(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"package\s*=\s*['\"]([\w-]+)['\"],\s*executable\s*=\s*['\"]([\w.-]+)['\"]", 2):
+        if spot[1] in package.siblings:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_executable(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"package\s*=\s*['\"]([\w-]+)['\"],\s*executable\s*=\s*['\"]([\w.-]+)['\"]", 2):
+        if spot[1] in WELL_KNOWN:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_without_package(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(
+        package, rf"{NODE}\s*package\s*=\s*['\"]([\w-]+)['\"],\s*(?=executable\s*=\s*['\"]([\w.-]+))"
+    ):
+        start = spot.match.group().index("package")
+        yield spot.rewritten(
+            spot.text[: spot.match.start() + start] + spot.text[spot.match.end() :], "package", spot.word, spot[2]
+        )
+
+
+@kind("launch python")
+def launch_without_executable(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"^\s*(executable)\s*=\s*['\"][\w.-]+['\"],[ \t]*\n"):
+        yield spot.drop()
+
+
+@kind("launch python")
+def launch_mistyped_configuration(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"LaunchConfiguration\(\s*['\"](\w+)['\"]\s*\)"):
+        if re.search(rf"DeclareLaunchArgument\(\s*(?:name=)?['\"]{spot.word}['\"]", spot.text):
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_declaration(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"DeclareLaunchArgument\(\s*(?:name=)?['\"](\w+)['\"]"):
+        if re.search(rf"LaunchConfiguration\(\s*['\"]{spot.word}['\"]", spot.text):
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_declaration_not_added(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"^\s+(?:ld|launch_description)\.add_action\((declare_\w+|\w+_arg)\)[ \t]*\n"):
+        found = re.search(rf"{spot.word}\s*=\s*DeclareLaunchArgument\(\s*(?:name=)?['\"](\w+)['\"]", spot.text)
+        if found and re.search(rf"LaunchConfiguration\(\s*['\"]{found[1]}['\"]", spot.text):
+            yield spot.drop(found[1])
+
+
+@kind("launch python")
+def launch_action_not_added(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"^\s+(?:ld|launch_description)\.add_action\((\w+)\)[ \t]*\n"):
+        if re.search(rf"^\s+{spot.word}\s*=\s*(Node|IncludeLaunchDescription|GroupAction)\(", spot.text, re.MULTILINE):
+            yield spot.drop()
+
+
+@kind("launch python")
+def launch_node_not_listed(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"^\s{8,}(\w+),[ \t]*\n"):
+        is_node = re.search(rf"^    {spot.word}\s*=\s*(Node|IncludeLaunchDescription)\(", spot.text, re.MULTILINE)
+        if is_node and len(re.findall(rf"\b{spot.word}\b", spot.text)) == 2:
+            yield spot.drop()
+
+
+@kind("launch python")
+def launch_mistyped_include(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"['\"](?:launch/)?(\w+)(?:\.launch)?\.py['\"]"):
+        if package.matching(rf"(^|/){spot.word}(\.launch)?\.py$"):
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_file(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"['\"](?:\w+/)*([\w-]+\.(?:ya?ml|rviz|urdf|xacro|urdf\.xacro|sdf|world))['\"]"):
+        if package.matching(rf"(^|/){re.escape(spot.word)}$"):
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_folder(package: SourcePackage) -> Iterator[PutFault]:
+    pattern = r"['\"](launch|config|params|urdf|rviz|maps|worlds)['\"],\s*['\"]([\w.-]+\.\w+)['\"]"
+    for spot in launch_spots(package, pattern):
+        if f"{spot.word}/{spot[2]}" in package.files:
+            yield spot.typo(spot[2])
+
+
+@kind("launch python")
+def launch_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(
+        package, r"(?:get_package_share_directory|FindPackageShare|get_package_share_path)\(\s*['\"](\w+)['\"]"
+    ):
+        yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_include_argument(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"launch_arguments\s*=\s*\{\s*['\"](\w+)['\"]\s*:"):
+        included = re.findall(r"['\"/]([\w.-]+\.launch\.\w+|\w+_launch\.\w+)['\"]", spot.text[: spot.match.start()])
+        if included and is_in_repository(package, included[-1]):
+            yield spot.typo()
+
+
+COMPONENT = r"package\s*=\s*['\"](\w+)['\"],\s*plugin\s*=\s*['\"](?:\w+::)+(\w+)['\"]"
+
+
+@kind("launch python")
+def launch_mistyped_component_of_sibling(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, COMPONENT, 2):
+        if spot[1] in package.siblings:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_mistyped_component(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, COMPONENT, 2):
+        if spot[1] in WELL_KNOWN:
+            yield spot.typo()
+
+
+@kind("launch python")
+def launch_file_renamed(package: SourcePackage) -> Iterator[PutFault]:
+    included = package.words(FILES, r"['\"/](\w+(?:\.launch)?\.py)['\"]")
+    for file in package.matching(FILES):
+        if file.rpartition("/")[2] in included:
+            yield package.renamed(file, file.replace(".py", "2.py"))
+
+
+@kind("launch python")
+def launch_wrong_ending(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in launch_spots(package, r"['\"](?:launch/)?(\w+\.launch\.py)['\"]"):
+        if package.matching(rf"(^|/){spot.word}$"):
+            yield spot.put(spot.word.replace(".launch.py", ".launch"))

@@ -1,0 +1,194 @@
+"""Faults of sources in C++ and Python."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bench.faults.fault import PutFault
+from bench.faults.kinds import kind
+from bench.faults.setup_py import parses
+from bench.faults.source_package import SourcePackage
+
+CPP = r"^(?!test/).*\.(cpp|hpp|cc|h)$"
+PYTHON = r"^(?!setup\.py|launch/|doc/|.*\.launch\.py).*\.py$"
+
+
+@kind("c++")
+def cpp_mistyped_own_header(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CPP, rf"^#include\s*[<\"]{package.name}/((?:\w+/)*\w+\.hp?p?)[>\"]"):
+        if package.matching(rf"{package.name}/{spot.word}$"):
+            yield spot.typo(spot.word.rpartition("/")[2])
+
+
+@kind("c++", is_seen_outside=True)
+def cpp_own_header_renamed(package: SourcePackage) -> Iterator[PutFault]:
+    for file in package.matching(rf"^include/.*{package.name}/\w+\.hpp$"):
+        name = file.rpartition("/")[2]
+        if package.holds(CPP, rf"#include\s*[<\"]{package.name}/{name}"):
+            yield package.renamed(file, file.replace(".hpp", "_2.hpp"))
+
+
+@kind("c++")
+def cpp_mistyped_header_of_sibling(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CPP, r"^#include\s*[<\"](\w+)/((?:\w+/)*\w+\.hp?p?)[>\"]", 2):
+        folder = package.siblings.get(spot[1])
+        if spot[1] == package.name or folder is None or "/msg/" in spot.match[0]:
+            continue
+        if any((package.repository / folder).glob(f"include/**/{spot[1]}/{spot.word}")):
+            yield spot.typo(spot.word.rpartition("/")[2])
+
+
+@kind("c++")
+def cpp_mistyped_header_of_interface(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CPP, r"^#include\s*[<\"](?:\w+)/(?:msg|srv|action)/(\w+)\.hpp[>\"]"):
+        yield spot.typo(f"{spot.word}.hpp")
+
+
+@kind("c++")
+def cpp_header_of_interface_by_class(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CPP, r"^#include\s*[<\"]\w+/(?:msg|srv|action)/(\w+_\w+)\.hpp[>\"]"):
+        new = "".join(part.capitalize() for part in spot.word.split("_"))
+        yield spot.put(new, f"{spot.word}.hpp", f"{new}.hpp")
+
+
+@kind("c++")
+def cpp_mistyped_include_package(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CPP, r"^#include\s*[<\"]([a-z0-9]+_\w+)/(?:\w+/)*\w+\.hp?p?[>\"]"):
+        if spot.word in package.siblings or "/msg/" in spot.match[0]:
+            yield spot.typo()
+
+
+@kind("c++")
+def cpp_mistyped_message_type(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(r"\.cpp$", r"\b\w+_msgs::(?:msg|srv)::([A-Z]\w+)\b"))
+
+
+@kind("c++")
+def cpp_include_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.put("ros/ros.h") for spot in package.spots(CPP, r"^#include\s*[<\"](rclcpp/rclcpp\.hpp)[>\"]"))
+
+
+@kind("c++")
+def cpp_undeclared_parameter(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(r"\.cpp$", r"\bget_parameter\(\s*\"([\w.]+)\""):
+        if re.search(rf"declare_parameter(?:<[\w:<>]+>)?\(\s*\"{re.escape(spot.word)}\"", spot.text):
+            yield spot.typo()
+
+
+@kind("c++")
+def cpp_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(CPP, r"get_package_share_directory\(\s*\"(\w+)\""))
+
+
+@kind("c++")
+def cpp_source_renamed(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(r"^CMakeLists\.txt$", r"\b(src/\w+\.cpp)\b"):
+        if spot.word in package.files:
+            yield package.renamed(spot.word, spot.word.replace(".cpp", "_node2.cpp"))
+
+
+@kind("python")
+def python_mistyped_own_module(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+)(?:\.\w+)* import"):
+        if package.matching(rf"^(?:\w+/)?{package.name}/{spot.word}(\.py|/__init__\.py)$"):
+            yield spot.typo()
+
+
+@kind("python")
+def python_mistyped_relative_module(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, r"^from \.(\w+) import"):
+        if package.matching(rf"/{spot.word}(\.py|/__init__\.py)$"):
+            yield spot.typo()
+
+
+@kind("python")
+def python_mistyped_name_of_own_module(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+) import (\w+)$", 2):
+        if package.holds(rf"/{spot[1]}\.py$", rf"^(class|def) {spot.word}\b"):
+            yield spot.typo()
+
+
+@kind("python")
+def python_own_module_renamed(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+) import"):
+        file = f"{package.name}/{spot.word}.py"
+        if file in package.files:
+            yield package.renamed(file, f"{package.name}/{spot.word}_2.py", spot.word)
+
+
+@kind("python")
+def python_sibling_as_top_level(package: SourcePackage) -> Iterator[PutFault]:
+    if package.is_python:
+        for spot in package.spots(rf"^{package.name}/\w+\.py$", rf"^from ({package.name}\.)(\w+) import"):
+            if f"{package.name}/{spot[2]}.py" in package.files:
+                yield spot.put("", spot[2])
+
+
+@kind("python")
+def python_mistyped_interface_module(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, r"^from (\w+)\.(msg|srv|action) import (\w+)", 2):
+        yield spot.put(f"{spot.word}s", f"{spot[1]}.{spot.word}s")
+
+
+@kind("python")
+def python_mistyped_interface(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(PYTHON, r"^from \w+\.(?:msg|srv|action) import (\w+)"))
+
+
+@kind("python")
+def python_mistyped_interface_package(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(PYTHON, r"^from (\w+)\.(?:msg|srv|action) import \w+"))
+
+
+@kind("python")
+def python_mistyped_field(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, r"^\s+(\w*msg)\.(\w{4,})(?:\.\w+)*\s*=[^=]", 2):
+        if re.search(rf"\b{spot[1]}\s*=\s*[A-Z]\w+\(\)", spot.text):
+            yield spot.typo()
+
+
+@kind("python")
+def python_undeclared_parameter(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, r"self\.get_parameter\(\s*['\"]([\w.]+)['\"]"):
+        if re.search(rf"declare_parameter\(\s*['\"]{re.escape(spot.word)}['\"]", spot.text):
+            yield spot.typo()
+
+
+@kind("python")
+def python_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in package.spots(PYTHON, r"get_package_share_directory\(\s*['\"](\w+)['\"]"))
+
+
+@kind("python")
+def python_main_renamed(package: SourcePackage) -> Iterator[PutFault]:
+    registered = package.words(r"^setup\.py$", rf"{package.name}\.(\w+):main")
+    for spot in package.spots(rf"^{package.name}/\w+\.py$", r"^def (main)\("):
+        if spot.path.rpartition("/")[2].removesuffix(".py") in registered:
+            yield spot.put("run_node")
+
+
+@kind("python")
+def python_colon_lost(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^(?:def|class) \w+\([^\n]*\)(:)$"))
+
+
+@kind("python")
+def python_bracket_lost_at_return(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^\s+return [\w.]+\([^()\n]*(\))$"))
+
+
+@kind("python")
+def python_bracket_lost_beside_fstring(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^\s+[\w.]+\(f['\"][^\n]*['\"](\))$"))
+
+
+@kind("python")
+def python_import_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
+    yield from parses(spot.put("rospy") for spot in package.spots(PYTHON, r"^import (rclpy)$"))
+
+
+@kind("python")
+def python_conflict_markers(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(PYTHON, r"^(import \w+)\n"):
+        yield spot.of_file(f"<<<<<<< HEAD\n{spot.word}\n=======\n>>>>>>> main")

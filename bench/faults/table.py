@@ -1,0 +1,53 @@
+"""The outcome by kind and by family."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from bench.faults.trial import Trial
+
+HEAD = f"{'':44}{'tried':>6}{'killed':>7}{'beside':>7}{'excluded':>9}"
+
+
+def table(trials: Sequence[Trial]) -> Iterator[str]:
+    """Yield the lines of the table: families, their kinds, and all."""
+    yield HEAD
+    for family in dict.fromkeys(each.kind.family for each in trials):
+        of_family = [each for each in trials if each.kind.family == family]
+        yield row(family, of_family)
+        for name in dict.fromkeys(each.kind.name for each in of_family):
+            yield row(f"  {name}", [each for each in of_family if each.kind.name == name])
+    yield row("all", trials)
+    yield summary(trials)
+
+
+def row(name: str, trials: Sequence[Trial]) -> str:
+    killed = sum(bool(each.told) for each in trials)
+    beside = sum(each.beside_count for each in trials)
+    excluded = sum(bool(each.excluded) for each in trials)
+    return f"{name:44}{len(trials):>6}{killed:>7}{beside:>7}{excluded:>9}"
+
+
+def summary(trials: Sequence[Trial]) -> str:
+    killed = sum(bool(each.told) for each in trials)
+    counted = [each for each in trials if not each.excluded]
+    rest = sum(bool(each.told) for each in counted)
+    beside = sum(each.beside_count for each in trials)
+    kinds, places = {each.kind.name for each in trials}, {each.package.repository for each in trials}
+    return (
+        f"{len(kinds)} kinds, {len(places)} repositories: killed {share(killed, len(trials))} of all, "
+        f"{share(rest, len(counted))} of those not excluded ({share(len(trials) - len(counted), len(trials))}); "
+        f"{beside / max(len(trials), 1):.2f} findings beside"
+    )
+
+
+def share(part: int, whole: int) -> str:
+    return f"{part / max(whole, 1):.1%}"
+
+
+def described(trial: Trial) -> str:
+    """Return a trial on one line: where the fault lies, by what names, and what was said instead."""
+    at = f"{trial.package.repository.name}/{trial.fault.path}" + (f":{trial.fault.line}" if trial.fault.line else "")
+    names = " ".join(trial.fault.names[:4]).replace("\n", " ")[:100]
+    said = f" | beside: {trial.beside[0][:160]}" if trial.beside else ""
+    return f"{at}  [{names}]{said}"

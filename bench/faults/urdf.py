@@ -1,0 +1,144 @@
+"""Faults of robot descriptions in urdf and xacro."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bench.faults.fault import PutFault, Spot
+from bench.faults.kinds import kind
+from bench.faults.source_package import SourcePackage
+
+FILES = r"\.(urdf|xacro)$"
+LITERAL = r"[\w-]+"
+
+
+def own(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
+    for spot in package.spots(FILES, pattern, group):
+        if "<robot" in spot.text:
+            yield spot
+
+
+@kind("urdf")
+def urdf_mistyped_child(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"<child\s+link\s*=\s*\"({LITERAL})\""):
+        if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
+            yield spot.typo()
+
+
+@kind("urdf")
+def urdf_mistyped_parent(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"<parent\s+link\s*=\s*\"({LITERAL})\""):
+        if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
+            yield spot.typo()
+
+
+@kind("urdf")
+def urdf_link_lost(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"^\s*<link\s+name\s*=\s*\"({LITERAL})\"\s*/>[ \t]*\n"):
+        if re.search(rf"link\s*=\s*\"{spot.word}\"", spot.text):
+            yield spot.drop()
+
+
+@kind("urdf")
+def urdf_link_twice(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"(<link\s+name\s*=\s*\"({LITERAL})\"\s*/>)"):
+        yield spot.put(spot.word * 2, spot[2])
+
+
+@kind("urdf")
+def urdf_mistyped_joint_type(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (
+        spot.typo() for spot in own(package, r"<joint\b[^>]*?\btype\s*=\s*\"(fixed|continuous|revolute|prismatic)\"")
+    )
+
+
+@kind("urdf")
+def urdf_without_joint_type(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"<joint name\s*=\s*\"({LITERAL})\"(\s+type\s*=\s*\"fixed\")", 2):
+        yield spot.put("", "type", spot[1])
+
+
+@kind("urdf")
+def urdf_without_limit(package: SourcePackage) -> Iterator[PutFault]:
+    moving = r"<joint name\s*=\s*\"([^\"]+)\"\s+type\s*=\s*\"(?:revolute|prismatic)\">"
+    pattern = rf"{moving}(?:(?!</joint>)[\s\S])*?(<limit[^>]*/>)"
+    for spot in own(package, pattern, 2):
+        yield spot.put("", "limit", spot[1])
+
+
+@kind("urdf")
+def urdf_mistyped_mesh(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(
+        package,
+        r"filename\s*=\s*\"(?:package://|file://\$\(find )([\w-]+)\)?/(?:[\w-]+/)*([\w-]+\.(?:stl|dae|STL|DAE|obj))\"",
+        2,
+    ):
+        if spot[1] in package.siblings and package.matching(rf"/{re.escape(spot.word)}$"):
+            yield spot.typo()
+
+
+@kind("urdf")
+def urdf_mistyped_mesh_package(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in own(package, r"filename\s*=\s*\"package://(\w+)/"))
+
+
+@kind("urdf")
+def urdf_mesh_lost(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(
+        package, rf"filename\s*=\s*\"(?:package://|file://\$\(find ){package.name}\)?/([\w/-]+\.(?:stl|dae|STL|DAE))\""
+    ):
+        if spot.word in package.files:
+            yield package.removed(spot.word)
+
+
+@kind("urdf")
+def urdf_unclosed(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.of_file("") for spot in own(package, r"(</(?:link|joint|visual)>)"))
+
+
+@kind("urdf")
+def urdf_quote_lost(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.of_file("") for spot in own(package, r"<link\s+name\s*=\s*\"[^\"\n]+(\")"))
+
+
+@kind("urdf")
+def urdf_mistyped_mimic(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in own(package, r"<mimic\s+joint\s*=\s*\"(?:\$\{\w+\})?(\w+)\""))
+
+
+@kind("urdf")
+def urdf_mistyped_gazebo_reference(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"<gazebo\s+reference\s*=\s*\"({LITERAL})\""):
+        if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
+            yield spot.typo()
+
+
+@kind("urdf")
+def urdf_mistyped_control_joint(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, rf"<ros2_control\b(?:(?!</ros2_control>)[\s\S])*?<joint name\s*=\s*\"({LITERAL})\""):
+        if len(re.findall(rf"<joint\s+name\s*=\s*\"{spot.word}\"", spot.text)) > 1:
+            yield spot.typo()
+
+
+@kind("urdf")
+def urdf_numbers_missing(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, r"xyz\s*=\s*\"(-?[\d.]+ -?[\d.]+( -?[\d.]+))\"", 2):
+        yield spot.put("", "xyz", spot[1])
+
+
+@kind("urdf")
+def urdf_letter_in_number(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, r"(xyz|rpy)\s*=\s*\"((-?\d+[\d.]*) -?[\d.]+ -?[\d.]+)\"", 3):
+        yield spot.put("O.1", spot[1])
+
+
+@kind("urdf")
+def urdf_comma_in_numbers(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in own(package, r"(xyz|rpy)\s*=\s*\"-?[\d.]+( )-?[\d.]+ -?[\d.]+\"", 2):
+        yield spot.put(", ", spot[1])
+
+
+@kind("urdf")
+def urdf_mistyped_plugin(package: SourcePackage) -> Iterator[PutFault]:
+    yield from (spot.typo() for spot in own(package, r"<plugin>(?:\w+/)(\w+)</plugin>"))
