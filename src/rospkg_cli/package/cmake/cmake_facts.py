@@ -31,7 +31,7 @@ def exported_targets(reading: ReaderInput) -> tuple[tuple[str, ...], bool]:
     """Return the targets that a package exports, as others name them (`pkg::library`), and whether these are all."""
     cmake = reading.parts(CMake).only
     if cmake is None:
-        return (), False
+        return (), not is_built_with_cmake(reading)
     exports = cmake.exports
     names = {text for call in exports for text in call.texts}
     spaces = [call.texts[call.texts.index("NAMESPACE") + 1] for call in exports if "NAMESPACE" in call.texts[:-1]]
