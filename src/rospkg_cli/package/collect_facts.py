@@ -12,6 +12,7 @@ from .cmake.cmake_facts import exported_targets, has_targets, registered_compone
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
+from .interfaces.message_fields import message_fields
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
 from .launch.read_signature import launch_signatures
 from .manifest import Manifest
@@ -93,6 +94,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("loaders",): of_loaders,
     ("plugins",): of_plugins,
     ("parameters", "node_code"): of_code,
+    ("messages",): one("messages", message_fields),
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
     ("launch_files",): one("launch_files", launch_signatures),

@@ -7,6 +7,7 @@ from typing import Literal
 
 from ..light_dataclasses import dataclass
 from ..source import Span
+from .interfaces.message_fields import MessageFields
 from .launch.configuration_events import ConfigurationSummary
 from .launch.launch_signature import LaunchSignature
 from .params.declared_parameter import DeclaredParameter, NodeCode
@@ -83,6 +84,8 @@ class PackageFacts:
     """What its launch files load under literal names: package and class."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
+    messages: tuple[MessageFields, ...] = ()
+    """The fields of its messages, services and actions, but for those in .idl files."""
     share_files: frozenset[str] = frozenset()
     """The files of share/<name> after the build, relative to it."""
     uninstalled: frozenset[str] = frozenset()

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.python.alias_span import alias_span
 from ...languages.python.file import Import, PythonFile
-from ...languages.python.nodes import nodes_of
 from ...light_dataclasses import dataclass
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
-from ...package.python.python_imports import PackageImports
-from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
 from ...ros.imports import STANDARD
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import nearest
-from ..ros1_import import ros1_import
+from ..run_imports import RunImports
 from .installed_modules import InstalledModules
 
 
@@ -46,46 +43,26 @@ class OwnImports:
     facts: PackageFacts
     workspace: Workspace
     files: PackageFiles
-    modules: PythonModules
-    python: PackageImports
+    run: RunImports
     table: InstallTable
 
     @cached_property
     def installed(self) -> InstalledModules:
-        return InstalledModules(self.files, self.modules, self.table)
+        return InstalledModules(self.files, self.run.modules, self.table)
 
     @cached_property
     def is_generated_of(self) -> bool:
         """Whether CMake builds it: a module without a file may be compiled."""
         return self.facts.build_type != "ament_python"
 
-    @cached_property
-    def changes_path(self) -> bool:
-        """Whether a file of the package tells Python to look for modules elsewhere."""
-        return any(file is not None and "sys.path" in file.source.text for _, file in self.read_files)
-
-    @cached_property
-    def read_files(self) -> list[tuple[str, PythonFile]]:
-        """The files that run: their role, and what they hold; none that ends at a module of ROS 1."""
-        read = ((each.role, self.modules.at(each.path)) for each in self.python.files)
-        return [(role, file) for role, file in read if file is not None and ros1_import(file.imports) is None]
-
-    @property
-    def checked(self) -> Iterator[tuple[PythonFile, Import]]:
-        """The imports that are not optional, with their files."""
-        for role, file in self.read_files:
-            for each in file.imports if role != "aside" else ():
-                if not each.is_optional and not each.is_for_typing:
-                    yield file, each
-
     def wrong(self) -> Iterator[WrongImport]:
         """Yield the imports of modules and names that the workspace's packages do not have."""
         is_known = self.table.knows("module")
-        for file, each in self.checked:
+        for file, each in self.run.certain:
             module = self.installed.absolute(each, file.path)
             top = module.partition(".")[0]
             if top in self.installed.tops:
-                if is_known and not (self.changes_path and not each.level):
+                if is_known and not (self.run.changes_path and not each.level):
                     yield from self.of_own(file, each, module)
             elif module and top not in KINDS:
                 yield from self.of_others(file, each, module)
@@ -108,14 +85,14 @@ class OwnImports:
 
     def offered(self, module: str) -> list[str]:
         """Return the names that a module may be asked for."""
-        file = self.modules.at(self.installed.sources[module])
+        file = self.run.modules.at(self.installed.sources[module])
         return [*self.installed.below(module), *(file.definitions if file is not None else ())]
 
     def of_others(self, file: PythonFile, each: Import, module: str) -> Iterator[WrongImport]:
         """Yield an import from another package of the workspace, where it has a module of a near name."""
         top = module.partition(".")[0]
         providers = [facts for facts in self.workspace.packages if top in facts.modules]
-        if len(providers) != 1 or not providers[0].knows("modules") or self.changes_path:
+        if len(providers) != 1 or not providers[0].knows("modules") or self.run.changes_path:
             return
         parts, known = module.split("."), providers[0].modules
         for end in range(1, len(parts)):
@@ -131,11 +108,11 @@ class OwnImports:
     def neighbours(self) -> Iterator[tuple[PythonFile, Import, str]]:
         """Yield imports of a bare name that only the file's own folder has, with the name that Python finds."""
         programs = {row.source for row in self.table.rows if row.what == "executable"}
-        for file, each in self.checked:
+        for file, each in self.run.certain:
             name = self.installed.names.get(file.path, "")
             package = name.rpartition(".")[0] if name in self.started else ""
             top = each.module.partition(".")[0]
-            if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path:
+            if each.level or not package or file.path in programs or self.is_found(top) or self.run.changes_path:
                 continue
             if f"{package}.{top}" in self.installed.sources:
                 yield file, each, f"{package}.{each.module}"
@@ -153,7 +130,7 @@ class OwnImports:
         while waiting:
             module = waiting.pop()
             source = self.installed.sources.get(module, "")
-            file = self.modules.at(source) if source else None
+            file = self.run.modules.at(source) if source else None
             if module not in found and file is not None:
                 found.add(module)
                 for each in file.imports:
@@ -175,14 +152,3 @@ def part_span(file: PythonFile, each: Import, module: str, name: str) -> Span:
         return each.span
     start = each.span.start + len(text) - len(written) + sum(len(part) + 1 for part in parts[before:at])
     return Span(start, start + len(name))
-
-
-def alias_span(file: PythonFile, each: Import, name: str) -> Span:
-    """Return where `from` names what it takes out of a module."""
-    for node in nodes_of(file.tree):
-        if isinstance(node, ast.ImportFrom) and file.module_span(node) == each.span:
-            for alias in node.names:
-                if alias.name == name:
-                    start = file.span(alias).start
-                    return Span(start, start + len(name))
-    return each.span

@@ -1,0 +1,77 @@
+"""Imports of messages, services and actions that their package does not have (IDL011)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.python.alias_span import alias_span
+from ...languages.python.file import Import, PythonFile
+from ...light_dataclasses import dataclass
+from ...package.workspace import Workspace
+from ...ros.interfaces import KINDS
+from ...source import Span
+from ..run_imports import RunImports
+from .known_interfaces import KnownInterfaces
+
+
+@dataclass(frozen=True, slots=True)
+class WrongInterfaceImport:
+    """An import that ends with an exception."""
+
+    path: str
+    span: Span
+    package: str
+    kind: str
+    """The module that is asked for: `msg`, or a word that is none of the kinds."""
+    name: str
+    """What is taken out of the module; "" where that is not there."""
+    meant: str
+    """`package.kind.Name`, or `package.kind` where the module is not there; "" where nothing is near."""
+    is_local: bool
+
+
+@dataclass(frozen=True)
+class InterfaceImports:
+    known: KnownInterfaces
+    run: RunImports
+    workspace: Workspace
+
+    def wrong(self) -> Iterator[WrongInterfaceImport]:
+        for file, each in self.run.certain:
+            package, _, rest = each.module.partition(".")
+            if each.level or self.has_module(each.module):
+                continue
+            kind, _, deeper = rest.partition(".")
+            if kind in KINDS and not deeper:
+                yield from self.of_kind(file, each, package, kind)
+            elif kind and (meant := self.meant_module(package, kind)):
+                yield self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}")
+
+    def has_module(self, module: str) -> bool:
+        """Return whether a package of the workspace installs a module of that name itself, or may do so."""
+        top = module.partition(".")[0]
+        installing = [facts for facts in self.workspace.packages if top in facts.modules or top == facts.name]
+        return any(module in facts.modules or not facts.knows("modules") for facts in installing)
+
+    def meant_module(self, package: str, word: str) -> str | None:
+        facts = self.workspace.named(package)
+        if facts is not None and f"{package}.{word}" in facts.modules:
+            return None
+        return self.known.meant_kind(package, word)
+
+    def of_kind(self, file: PythonFile, each: Import, package: str, kind: str) -> Iterator[WrongInterfaceImport]:
+        known = self.known.of(package)
+        if known is not None and not known.get(kind) and self.known.is_here(package):
+            names = [name for name in each.names if name != "*"]
+            meant = self.known.meant(package, kind, names[0]) if names else None
+            yield self.hit(file, each, each.span, package, kind, "", meant or "")
+            return
+        for name in each.names:
+            if name[:1] not in ("_", "*") and self.known.lacks(package, kind, name):
+                meant = self.known.meant(package, kind, name)
+                yield self.hit(file, each, alias_span(file, each, name), package, kind, name, meant or "")
+
+    def hit(
+        self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str
+    ) -> WrongInterfaceImport:
+        return WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local)

@@ -1,0 +1,103 @@
+"""Rule input: which interfaces packages have, and which fields: those of the workspace, and a table of others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from functools import cached_property
+
+from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...ros import interface_fields
+from ...ros.interfaces import GENERATED_SUFFIXES, KINDS
+from ...suggest import near_names, nearest
+
+BUILD_TYPES = ("ament_cmake", "ament_python")
+NAMES = {"msg": "message", "srv": "service", "action": "action"}
+MEANT = {"messages": "msg", "message": "msg", "services": "srv", "service": "srv"}
+"""What people write for a kind that is not near to it."""
+
+
+@dataclass(frozen=True)
+class KnownInterfaces:
+    package: PackageFacts
+    workspace: Workspace
+
+    def facts(self, package: str) -> PackageFacts | None:
+        """Return the package of the workspace whose interfaces are all known; None where they are not."""
+        facts = self.package if package == self.package.name else self.workspace.named(package)
+        is_read = facts is not None and facts.build_type in BUILD_TYPES and facts.knows("interfaces")
+        return facts if is_read else None
+
+    def is_here(self, package: str) -> bool:
+        return package == self.package.name or self.workspace.named(package) is not None
+
+    def of(self, package: str) -> Mapping[str, Set[str]] | None:
+        """Return the interfaces of a package by kind; None where nothing is known of it."""
+        if (facts := self.facts(package)) is not None:
+            found: dict[str, set[str]] = {}
+            for kind, _, name in (each.partition("/") for each in facts.interfaces):
+                found.setdefault(kind, set()).add(name)
+            return found
+        return None if self.is_here(package) else interface_fields.known_interfaces().get(package)
+
+    def lacks(self, package: str, kind: str, name: str) -> bool:
+        """Return whether a package has no interface of a name: of the table only what is clearly misspelt."""
+        known = self.of(package)
+        base = base_name(name)
+        if known is None or base in known.get(kind, ()):
+            return False
+        return self.is_here(package) or self.meant(package, kind, name) is not None
+
+    def meant(self, package: str, kind: str, name: str) -> str | None:
+        """Return the interface that is meant, as `package.kind.Name`, where exactly one is near."""
+        known = self.of(package) or {}
+        base = base_name(name)
+        other = next((each for each in KINDS if base in known.get(each, ())), "")
+        if other:
+            return f"{package}.{other}.{base}"
+        near = self.nearest(package, base, known.get(kind, ()))
+        if near:
+            return f"{package}.{kind}.{near}"
+        owners = [facts.name for facts in self.workspace.packages if f"{kind}/{base}" in facts.interfaces]
+        if self.is_here(package) and len(owners) == 1:
+            return f"{owners[0]}.{kind}.{base}"
+        return None
+
+    def nearest(self, package: str, name: str, names: Set[str] | tuple[()]) -> str | None:
+        if self.is_here(package):
+            return nearest(name, names)
+        alike = [each for each in names if each.lower() == name.lower()] or near_names(name, names, 1)
+        return alike[0] if len(alike) == 1 else None
+
+    def meant_kind(self, package: str, word: str) -> str | None:
+        """Return the kind that a module of a package of interfaces is meant to be: `std_msgs.msgs`."""
+        known = self.of(package)
+        if not known or word in KINDS:
+            return None
+        near = MEANT.get(word) or next(iter(near_names(word, KINDS, 1)), None)
+        return near if near in known else None
+
+    def fields(self, message: str) -> Mapping[str, str] | None:
+        """Return the fields of a message (`package/msg/Name`) with the messages they hold; None where unknown."""
+        package, _, name = message.partition("/")
+        if self.is_here(package):
+            facts = self.facts(package)
+            return None if facts is None else self.own_fields.get(package, {}).get(name)
+        return interface_fields.known_fields(message)
+
+    @cached_property
+    def own_fields(self) -> Mapping[str, Mapping[str, Mapping[str, str]]]:
+        """The fields of the messages of the workspace: package, message, field."""
+        every = {self.package.name: self.package, **{facts.name: facts for facts in reversed(self.workspace.packages)}}
+        return {
+            package: {message.name: dict(message.fields) for message in facts.messages}
+            for package, facts in every.items()
+        }
+
+
+def base_name(name: str) -> str:
+    """Return the name of the interface that a generated class is of: `SetMode_Request`."""
+    for suffix in (*GENERATED_SUFFIXES, "_Event", "_SendGoal", "_GetResult", "_FeedbackMessage"):
+        name = name.removesuffix(suffix)
+    return name

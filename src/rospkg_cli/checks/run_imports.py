@@ -1,0 +1,43 @@
+"""Rule input: the Python files of a package that run, and what they import for certain."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..languages.python.file import Import, PythonFile
+from ..light_dataclasses import dataclass
+from ..package.file_role import Role
+from ..package.python.python_imports import PackageImports
+from ..package.python_modules import PythonModules
+from .ros1_import import ros1_import
+
+
+@dataclass(frozen=True)
+class RunImports:
+    python: PackageImports
+    modules: PythonModules
+
+    @cached_property
+    def files(self) -> tuple[tuple[Role, PythonFile], ...]:
+        """The files that can be read, with their roles; none that ends at a module of ROS 1."""
+        read = ((each.role, self.modules.at(each.path)) for each in self.python.files)
+        return tuple((role, file) for role, file in read if file is not None and ros1_import(file.imports) is None)
+
+    @property
+    def running(self) -> Iterator[PythonFile]:
+        """The files that are installed, launched, or run as tests."""
+        return (file for role, file in self.files if role != "aside")
+
+    @property
+    def certain(self) -> Iterator[tuple[PythonFile, Import]]:
+        """The imports that are not optional, with their files."""
+        for file in self.running:
+            for each in file.imports:
+                if not each.is_optional and not each.is_for_typing:
+                    yield file, each
+
+    @cached_property
+    def changes_path(self) -> bool:
+        """Whether a file of the package tells Python to look for modules elsewhere."""
+        return any("sys.path" in file.source.text for _, file in self.files)

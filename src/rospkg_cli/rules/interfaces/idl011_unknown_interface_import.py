@@ -1,0 +1,76 @@
+"""IDL011 unknown-interface-import."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.interfaces.interface_imports import InterfaceImports, WrongInterfaceImport
+from ...checks.interfaces.known_interfaces import NAMES
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+NEEDS_STD_MSGS = {"package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n")}
+GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
+
+
+@rule(
+    "IDL011",
+    "unknown-interface-import",
+    over=InterfaceImports,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    examples=(
+        Example(
+            bad={**NEEDS_STD_MSGS, "my_pkg/talker.py": GOOD.replace("import String", "import «Sting»")},
+            good={"my_pkg/talker.py": GOOD},
+        ),
+        Example(
+            bad={**NEEDS_STD_MSGS, "my_pkg/talker.py": GOOD.replace("std_msgs.msg", "«std_msgs.msgs»")},
+            good={"my_pkg/talker.py": GOOD},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={"my_pkg/talker.py": GOOD.replace("std_msgs.msg", "«my_pkg.msg»")},
+            good={**NEEDS_STD_MSGS, "my_pkg/talker.py": GOOD},
+        ),
+    ),
+)
+def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds Python imports of messages, services and actions that their package does not have.
+
+    ## Why is this bad?
+    The build does not look: it is green, and the node ends with ImportError when it starts. A package has the messages
+    of its own .msg files, which only a package of CMake can generate code of.
+
+    ## When it is quiet
+    Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
+    service or action of it; where it makes its interfaces while it is built, or has a Python module of that name; for
+    optional imports, and in files that nothing installs.
+
+    ## Fix safety
+    The intended name is a guess.
+    """
+    for wrong in imports.wrong():
+        level = Severity.WARNING if wrong.is_local else None
+        fix = None
+        if wrong.kind not in NAMES:
+            fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)
+        yield Hit(wrong.path, wrong.span, message(wrong), level, fix=fix)
+
+
+def message(wrong: WrongInterfaceImport) -> str:
+    package, kind = wrong.package, wrong.kind
+    if kind not in NAMES:
+        return f"there is no module `{package}.{kind}`: the import raises ModuleNotFoundError; write `{wrong.meant}`"
+    module, _, name = wrong.meant.rpartition(".")
+    if wrong.name:
+        what = f"`{package}` has no {NAMES[kind]} `{wrong.name}`: the import raises ImportError"
+        advice = f"did you mean `from {module} import {name}`?"
+    else:
+        what = f"`{package}` has no {NAMES[kind]}s: importing `{package}.{kind}` raises ModuleNotFoundError"
+        advice = f"write `from {module} import {name}`" if module else f"import from the package with the .{kind} file"
+        return f"{what}; {advice}"
+    return f"{what}; {advice}" if module else what

@@ -1,0 +1,58 @@
+"""Sentences about imports of interfaces that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
+
+from .setups import python
+
+STD = manifest("  <exec_depend>std_msgs</exec_depend>\n  <exec_depend>my_ifs</exec_depend>\n")
+
+PLAIN = manifest(INTERFACES_BODY, "cmake").replace("my_pkg", "my_ifs")
+
+
+def importing(line: str, **files: str | None) -> Example:
+    paths = {name.replace("__", "/").replace("_DOT_", "."): each for name, each in files.items()}
+    return python({"package.xml": STD, "my_pkg/talker.py": line, **paths})
+
+
+def beside(line: str, cmake: str = INTERFACES_CMAKE, **files: str | None) -> Example:
+    """A package that imports from a package of interfaces in the workspace."""
+    mine = {f"a/{path}": text for path, text in importing(line, **files).bad_files().items()}
+    others = {
+        "b/package.xml": manifest(INTERFACES_BODY, "ament_cmake").replace("my_pkg", "my_ifs"),
+        "b/CMakeLists.txt": cmake.replace("my_pkg", "my_ifs"),
+        "b/msg/Status.msg": "float32 battery\nuint8 IDLE=0\n",
+        "b/srv/SetMode.srv": "string mode\n---\nbool success\n",
+    }
+    return Example(on="", bad={**mine, **others}, good={})
+
+
+CASES = {
+    "IDL011": (
+        importing("from std_msgs.msg import string, _string, Color, Int65, Bool\n"),
+        importing("from std_msgs.msg import *\n"),
+        importing("from std_msgs.msg._string import Strin\nfrom .std_msgs.msgs import a\n"),
+        importing("from std_msgs.message import String\nimport std_srvs.service\nfrom std_msgs.srvs import a\n"),
+        importing("from std_srvs.msg import Trigger\nfrom std_srvs.srv import SetBool_Request, Triger\n"),
+        importing(
+            "from nav_msgs.srv import Odometry\nfrom unknown_msgs.msgs import A\nfrom unknown_msgs.msg import B\n"
+        ),
+        importing("from nav2_msgs.action import NavigateToPos, NavigateToPose_Feedback\n"),
+        importing("try:\n    from std_msgs.msg import Sting\nexcept ImportError:\n    pass\n"),
+        importing("def f():\n    from std_msgs.msg import Sting\n    return Sting\n"),
+        importing("import rospy\nfrom std_msgs.msg import Sting\n"),
+        importing("print(1)\n", tools__a_DOT_py="from std_msgs.msg import Sting\n"),
+        importing("import my_pkg.srv\nfrom my_pkg.action import Drive\n"),
+        importing("from my_pkg.msg import A\n", my_pkg__msg_DOT_py="A = 1\n"),
+        importing(
+            "from my_pkg.msg import A\n", my_pkg__msg____init___DOT_py="A = 1\n", setup_DOT_py="import x\n\nx.setup()\n"
+        ),
+        beside("from my_ifs.msg import Statu, Status\nfrom my_ifs.srv import SetMode_Response, SetModes, SetMode\n"),
+        beside("from my_ifs.msg import Unlike\nfrom my_ifs.srv import Status\nfrom my_ifs.action import Drive\n"),
+        beside("from my_ifs.msgs import Status\nfrom my_ifs.utils import a\nfrom my_ifs.actions import b\n"),
+        beside("from my_pkg.msg import Status\nfrom my_pkg.msg import Status, Unlike\nfrom my_pkg.srv import *\n"),
+        beside("from my_ifs.msg import Statu\n", INTERFACES_CMAKE + "rosidl_generate_interfaces(other ${FILES})\n"),
+        Example(on="", bad={**beside("from my_ifs.msg import Statu\n").bad, "b/package.xml": PLAIN}, good={}),
+    ),
+}
