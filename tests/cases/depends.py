@@ -28,6 +28,24 @@ CASES = {
             "  <exec_depend>std_msgs</exec_depend>\n",
             src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
         ),
+        *(
+            cmake(f"{lines}\n", f"  <{tag}>{name}</{tag}>\n{more}")
+            for lines, tag, name, more in (
+                ("find_package(nav2_core REQUIRED)", "exec_depend", "nav2_core", ""),
+                ("find_package(rclpy REQUIRED)", "test_depend", "rclpy", ""),
+                ("find_package(ament_cmake_python REQUIRED)", "exec_depend", "ament_cmake_python", ""),
+                ("find_package(rclpy REQUIRED)", "test_depend", "rclpy", "  <depend>tf2_ros_py</depend>\n"),
+                ("find_package(rclpy)", "exec_depend", "rclpy", ""),
+                ("find_package(nobody REQUIRED)", "exec_depend", "nobody", ""),
+                ("if(BUILD_TESTING)\n  find_package(rclpy REQUIRED)\nendif()", "test_depend", "rclpy", ""),
+                ("find_package(rclpy REQUIRED)", "build_depend", "rclpy", ""),
+            )
+        ),
+        cmake(
+            "find_package(std_msgs REQUIRED)\nadd_executable(node src/node.cpp)\n",
+            "  <exec_depend>std_msgs</exec_depend>\n",
+            src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
+        ),
     ),
     "DEP104": (
         cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),

@@ -8,7 +8,7 @@ from typing import Literal
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
-from ...ros.manifest import BUILDS, EXPORTED, RUNS
+from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
@@ -16,7 +16,7 @@ from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
 from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
 
-Need = Literal["import", "launch", "include"]
+Need = Literal["import", "launch", "include", "find"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,12 +28,14 @@ class KindUse:
     path: str
     span: Span
     what: str
-    """The module or the header; "" in a launch file."""
+    """The module, the header or the package that CMake finds; "" in a launch file."""
     is_passed_on: bool = False
     """Whether only headers use it that the package installs for others and does not compile itself."""
 
     @property
     def wanted(self) -> str:
+        if self.need == "find":
+            return "buildtool_depend" if is_buildtool(self.names[0]) else "depend"
         return "depend" if self.need == "include" else "exec_depend"
 
 
@@ -59,12 +61,13 @@ class DependencyKinds:
         """Yield the dependencies that are used when the package runs, or is built, and are not there then."""
         if not self.declared.is_checked:
             return
-        seen: set[tuple[str, str]] = set()
+        seen: set[tuple[str, bool]] = set()
         for use in (*self.run_uses(), *self.build_uses()):
-            tags = RUNS if use.wanted == "exec_depend" else BUILDS | EXPORTED if use.is_passed_on else BUILDS
+            runs = use.wanted == "exec_depend"
+            tags = RUNS if runs else BUILDS | EXPORTED if use.is_passed_on else BUILDS
             every = [d for d in self.declared.manifest.dependencies if d.name in use.names]
-            if every and not any(d.tag in tags for d in every) and (every[0].name, use.wanted) not in seen:
-                seen.add((every[0].name, use.wanted))
+            if every and not any(d.tag in tags for d in every) and (every[0].name, runs) not in seen:
+                seen.add((every[0].name, runs))
                 yield WrongKind(every[0], use, self.bringer(use, tags))
 
     def bringer(self, use: KindUse, tags: Collection[str]) -> str:
@@ -86,9 +89,16 @@ class DependencyKinds:
                 yield KindUse((use.name,), "launch", use.path, use.span, "")
 
     def build_uses(self) -> Iterator[KindUse]:
+        """Yield what is included, then what CMake requires, but for what comes with other dependencies for it."""
+        if self.includes is None:
+            return
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
-        for each in self.includes.packages() if self.includes else ():
+        for each in self.includes.packages():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
-                passed_on = self.includes is not None and self.includes.are_passed_on(each)
+                passed_on = self.includes.are_passed_on(each)
                 yield KindUse(each.names, "include", first.path, first.span, first.header, passed_on)
+        for found in self.includes.cmake.packages:
+            names = self.includes.find_packages.needed_providers(found)
+            if names and not found.call.testing:
+                yield KindUse(names, "find", found.word.path, found.word.span, found.name)

@@ -60,6 +60,10 @@ class FindPackageDependencies:
                 may_be_brought = not certain or self.declares_system_library
                 yield UndeclaredFindPackage(found, names, bringer, may_be_brought, self.is_installable(names[0]))
 
+    def needed_providers(self, found: FoundPackage) -> tuple[str, ...]:
+        """Return the names that provide a package without which the configuration certainly fails; else nothing."""
+        return self.providers(found.name) if self.is_needed(found) else ()
+
     def bringer(self, name: str, names: tuple[str, ...]) -> str:
         """Return the declared dependency that certainly brings a package of CMake, by any of its names."""
         alike = self.matching_names(name, self.declared.brought_to_build)

@@ -33,7 +33,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     ## What it does
     Finds dependencies that are declared, but not for the time when they are used.
     A package that is used at run time (imported by what is installed, needed by launch files) is declared for building
-    or testing alone; or a package whose headers are included is declared for running or testing alone.
+    or testing alone; or a package whose headers are included, or that CMake requires, is declared for running or
+    testing alone.
 
     ## Why is this bad?
     A released package is installed without its test_depends and build_depends; what is declared for running or testing
@@ -73,6 +74,8 @@ def usage(each: WrongKind) -> str:
             return "this launch file needs it"
         case "include":
             return f"`{each.use.what}` is included"
+        case "find":
+            return f"CMake requires `{each.use.what}`"
 
 
 def consequence(each: WrongKind) -> str:
@@ -86,6 +89,8 @@ def consequence(each: WrongKind) -> str:
             return f"where only a release is installed, the launch stops with {ends}"
         case "include":
             return 'where it is not installed for building, the build ends with "No such file or directory"'
+        case "find":
+            return 'on the build farm the build stops with "Could not find a package configuration file"'
 
 
 def repair(kinds: DependencyKinds, each: WrongKind) -> Edit:
