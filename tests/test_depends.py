@@ -570,3 +570,35 @@ def test_a_package_is_no_dependency_of_itself_under_its_old_name() -> None:
 def test_a_package_that_declares_rospy_is_for_both_worlds() -> None:
     body = '  <exec_depend condition="$ROS_VERSION == 1">rospy</exec_depend>\n'
     assert imports("import rospy\nimport cv2\n", body) == []
+
+
+@pytest.mark.parametrize(
+    "path, text, code",
+    [
+        ("my_pkg/test_a.py", "import cv2\n\n\ndef test_x():\n    pass\n", "DEP102"),
+        ("my_pkg/a_test.py", "import cv2\nimport unittest\n", "DEP102"),
+        ("my_pkg/a_tests.py", "import cv2\nimport pytest\n", "DEP102"),
+        ("my_pkg/test_a.py", "import cv2\n\n\ndef check_x():\n    pass\n", "DEP101"),
+        ("my_pkg/testing.py", "import cv2\n\n\ndef test_x():\n    pass\n", "DEP101"),
+        ("my_pkg/a.py", "import cv2\n\n\ndef test_x():\n    pass\n", "DEP101"),
+    ],
+)
+def test_a_module_of_tests_needs_what_tests_need(path: str, text: str, code: str) -> None:
+    found = lint_files(existing_files({**PYTHON, path: text}), ["DEP101", "DEP102"]).findings
+    assert [f.code for f in found if "cv2" in f.message or "opencv" in f.message] == [code]
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"my_pkg/b.py": "from .test_a import test_x\n"},
+        {"my_pkg/b.py": "from . import test_a\n"},
+        {"my_pkg/b.py": "import my_pkg.test_a\n"},
+        {"setup.py": SCRIPT.replace("my_pkg.talker:main", "my_pkg.test_a:test_x")},
+        {"setup.py": SCRIPT.replace("['talker = my_pkg.talker:main']", "[line for line in open('/etc/nodes')]")},
+    ],
+)
+def test_a_module_of_tests_that_runs_is_no_test(more: dict[str, str]) -> None:
+    files = {**PYTHON, "my_pkg/test_a.py": "import cv2\n\n\ndef test_x():\n    pass\n", **more}
+    assert "python3-opencv" in said("DEP101", files)
+    assert said("DEP102", {**files, "my_pkg/test_b.py": "from .test_a import x\n\n\ndef test_y():\n    pass\n"}) == []

@@ -10,7 +10,7 @@ from typing import cast
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import Import, PythonFile, parse_python
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import Role, role_of
@@ -18,6 +18,7 @@ from ..install_table import InstallTable
 from ..launch.launch_file import LaunchFile
 from ..python_modules import PythonModules
 from .installed_python import InstalledPython
+from .modules_of_tests import modules_of_tests
 from .node_calls import DescribedNode, described_nodes
 
 NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
@@ -97,6 +98,7 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     assert modules is not None
     reading.parts(LaunchFile)  # those that are skipped are not parsed for their imports, whichever is asked for first
     found: list[PythonImports] = []
+    installed_files: dict[str, PythonFile] = {}
     complete = True
     for path in reading.files.paths:
         if is_python(reading.files, path):
@@ -106,11 +108,14 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
                 continue
             used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
             role = "aside" if not used else "test" if is_launch_test(file) else role
+            if role == "run":
+                installed_files[path] = file
             found.append(PythonImports(path, role, foreign(file, own), tuple(described_nodes(file))))
         elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
             file = read_template(reading.files, path)
             found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
-    yield PackageImports(tuple(found), complete)
+    tests = modules_of_tests(installed_files, reading.parts(InstallTable).only)
+    yield PackageImports(tuple(replace(each, role="test") if each.path in tests else each for each in found), complete)
 
 
 def is_launch_test(file: PythonFile) -> bool:
