@@ -362,6 +362,11 @@ def hardware(name: str) -> str:
         ("a:\n  plugin: 'my_pkg/Planer'  # mine\n", "robot/config/a.yaml"),
         ('- Class: "my_pkg/Planer"\n', "robot/rviz/a.rviz"),
         ("- type: my_pkg/planner/Planner\n", "robot/config/a.yml"),
+        ("a:\n  wheels.type: my_pkg/Planer\n", "robot/config/a.yaml"),
+        ('a:\n  "base/arm.wheels.type": my_pkg/Planer\n', "robot/config/a.yaml"),
+        ("a:\n  plugin_name: my_pkg::Planer\n", "robot/config/a.yaml"),
+        ("a:\n  {% if x %}\n  plugin: my_pkg/Planer\n  {% endif %}\n", "robot/config/a.yaml.j2"),
+        ("a:\n  plugin: my_pkg/Planer\n", "robot/config/a.yml.in"),
     ],
 )
 def test_a_name_that_nobody_describes(text: str, path: str) -> None:
@@ -383,6 +388,9 @@ def test_a_name_that_nobody_describes(text: str, path: str) -> None:
         ("a:\n  path: my_pkg/Planer\n  type: my_pkg/msg/Planer.msg\n  plugin: Planer\n", "robot/config/a.yaml"),
         (hardware("my_pkg/Planer"), "robot/test/robot.urdf"),
         (hardware("my_pkg/Planer"), "robot/urdf/robot.txt"),
+        ("a:\n  plugin: {{ my_pkg/Planer }}\n", "robot/config/a.yaml.j2"),
+        ("a:\n  my.wheel_type: my_pkg/Planer\n", "robot/config/a.yaml"),
+        ("a:\n  plugin: my_pkg/Planer\n", "robot/config/a.yaml.bak"),
     ],
 )
 def test_names_that_may_be_right(text: str, path: str) -> None:

@@ -68,11 +68,11 @@ def test_what_leaves_no_trace_in_a_package_of_cmake() -> None:
 @pytest.mark.parametrize(
     "depends",
     [
-        "<exec_depend>nav_msgs</exec_depend>",
+        "<exec_depend>nav2_amcl</exec_depend>",
         "<depend>eigen</depend>",
         "<depend>who_knows_what</depend>",
         "<test_depend>ament_lint_auto</test_depend>",
-        "<test_depend>nav_msgs</test_depend>",
+        "<test_depend>nav2_amcl</test_depend>",
     ],
 )
 def test_what_may_be_used_without_a_trace(depends: str) -> None:
@@ -84,7 +84,6 @@ def test_traces_in_a_package_of_cmake() -> None:
     assert of_cmake(nav, "find_package(nav_msgs)") == []
     assert of_cmake(nav, "foreach(p nav_msgs)\nfind_package(${p})\nendforeach()") == []
     assert of_cmake(nav, src__a="", **{"src__a.cpp": "#include <nav_msgs/msg/odometry.hpp>\n"}) == []
-    assert of_cmake(nav, **{"README.md": "It needs nav_msgs.\n"}) == []
     assert of_cmake(nav, **{"test__a.py": "import nav_msgs\n"}) == []
     assert of_cmake(nav, "include(${SOMEWHERE}/all.cmake)") == []
 
@@ -103,9 +102,65 @@ def test_a_python_library_that_nothing_imports(clean) -> None:
     assert names(clean, "<exec_depend>python3-numpy</exec_depend>", **{"my_pkg__see.py": "import numpy\n"}) == []
 
 
-def test_a_package_of_cmake_without_code_gathers_on_purpose() -> None:
-    body = manifest("  <depend>nav_msgs</depend>\n", "ament_cmake")
-    assert lint_files({**CPP, "package.xml": body}, ["DEP202"]).findings == ()
+@pytest.mark.parametrize("tag", ["exec_depend", "test_depend"])
+def test_interfaces_are_used_by_code_alone(tag: str) -> None:
+    nav = f"<{tag}>nav_msgs</{tag}>"
+    assert of_cmake(nav) == ["nav_msgs"]
+    assert of_cmake(nav, **{"README.md": "It needs nav_msgs.\n"}) == []
+    assert of_cmake(nav, **{"test__a.py": "import nav_msgs\n"}) == []
+    assert of_cmake(nav, **{"src__a.cpp": "#include <nav_msgs/msg/odometry.hpp>\n"}) == []
+    assert gathered(nav) == []
+    assert of_cmake(f"<{tag}>service_msgs</{tag}>") == []
+
+
+def gathered(depends: str, lines: str = "", **files: str) -> list[str]:
+    """Return what is said of a package that builds nothing."""
+    body = manifest(f"  {depends}\n", "ament_cmake")
+    text = CMAKE.replace("ament_package()", f"{lines}\nament_package()")
+    tree = {**CPP, "package.xml": body, "CMakeLists.txt": text}
+    tree |= {path.replace("__", "/", 1): text for path, text in files.items()}
+    return [f.message.partition(": ")[0] for f in lint_files(tree, ["DEP202"]).findings]
+
+
+NOT_BUILT = "`nav_msgs` is declared as <depend>, and nothing that is built uses it"
+
+
+def test_what_builds_nothing_needs_nothing_for_the_build() -> None:
+    nav = "<depend>nav_msgs</depend>"
+    assert gathered(nav) == [NOT_BUILT]
+    assert gathered(nav, **{"README.md": "It needs nav_msgs.\n"}) == [NOT_BUILT]
+    assert gathered(nav, "message(nav_msgs)") == []
+    assert gathered(nav, "ament_auto_find_build_dependencies()") == []
+    assert gathered(nav, **{"test__a.py": "import nav_msgs\n"}) == []
+    assert gathered("<build_depend>nav_msgs</build_depend>") == []
+    assert gathered("<exec_depend>nav_msgs</exec_depend>") == []
+
+
+def test_a_document_shows_that_a_package_is_meant_and_not_for_what() -> None:
+    readme = {"README.md": "It needs nav_msgs.\n"}
+    assert of_cmake("<depend>nav_msgs</depend>", **readme) == ["nav_msgs"]
+    assert of_cmake("<build_depend>nav_msgs</build_depend>", **readme) == []
+    assert of_cmake("<depend>nav_msgs</depend>", "ament_auto_find_build_dependencies()", **readme) == []
+    launch = {"launch__a.launch.xml": "<launch>\n  <node pkg='nav_msgs' exec='x'/>\n</launch>\n"}
+    assert of_cmake("<build_depend>nav_msgs</build_depend>", **readme, **launch) == ["nav_msgs"]
+    assert of_cmake("<depend>nav_msgs</depend>", **{"test__a.py": "import nav_msgs\n"}, **launch) == ["nav_msgs"]
+
+
+def test_headers_in_a_shared_folder_are_those_of_one_package() -> None:
+    """The workspace knows which package has which header; of others any may be meant."""
+    line = "<depend>moveit_core</depend><depend>moveit_acme</depend>"
+    include = {"src__a.cpp": "#include <moveit/acme/x.hpp>\n"}
+    assert of_cmake(line, **include) == []
+    files = {f"a/{path}": text for path, text in CPP.items()}
+    text = CMAKE.replace("ament_package()", NODE_TARGET + "\nament_package()")
+    files |= {
+        "a/package.xml": manifest(line, "ament_cmake"),
+        "a/CMakeLists.txt": text,
+        "a/src/a.cpp": include["src__a.cpp"],
+    }
+    files |= {"b/package.xml": manifest("", "ament_cmake", "moveit_acme"), "b/CMakeLists.txt": CMAKE}
+    files["b/include/moveit/acme/x.hpp"] = ""
+    assert [f.message.split("`")[1] for f in lint_files(files, ["DEP202"]).findings] == ["moveit_core"]
 
 
 def test_python_that_cannot_be_read_may_use_anything(clean) -> None:

@@ -26,8 +26,8 @@ RELATIONS = ("conflict", "replace")
 NOT_ORDERED = ("doc_depend", "conflict", "replace")
 """Dependencies that colcon does not wait for."""
 
-RUNS = frozenset({"depend", "exec_depend", "run_depend", "build_export_depend"})
-"""Tags whose packages are there when a package runs; so are those of build_export_depend, which others build with."""
+RUNS = frozenset({"depend", "exec_depend", "run_depend", "build_export_depend", "buildtool_export_depend"})
+"""Tags whose packages are there when a package runs; so are those of the tags for others, which build with it."""
 
 BUILDS = frozenset({"depend", "build_depend", "buildtool_depend", "buildtool_export_depend"})
 """Tags whose packages are there when a package is built."""

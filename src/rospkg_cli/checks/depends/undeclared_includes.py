@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.cpp.common_includes import common_includes
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -56,8 +57,11 @@ class IncludeDependencies:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
         for source, role in compiled_sources(self.cmake, self.sources):
+            always = always_included(source)
             for each in source.includes if role != "aside" else ():
-                if "/" in each.path and not each.is_conditional and not self.is_own(each.path):
+                folder, slash, _ = each.path.partition("/")
+                is_certain = not each.is_conditional or folder in always
+                if slash and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
                     if names:
                         use = IncludeUse(source.path, each.span, each.path)
@@ -110,3 +114,10 @@ class IncludeDependencies:
 
     def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
+
+
+def always_included(source: CppFile) -> frozenset[str]:
+    """Return the folders of headers that all branches of a condition include."""
+    if not any(each.is_conditional for each in source.includes):
+        return frozenset()
+    return common_includes(source.source.text, {each.span.start for each in source.includes})

@@ -18,6 +18,7 @@ from ...ros.imports import may_serve
 from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
+from .missing_find_package import AUTOMATIC
 from .word_index import WordIndex
 
 BUILT_IN = frozenset({"depend", "build_depend"})
@@ -25,6 +26,8 @@ BUILT_IN = frozenset({"depend", "build_depend"})
 
 IMPORTED_ONLY = regex(r".*_(msgs|srvs|interfaces|actions)")
 """Packages that nothing but an import uses; another exec_depend may be there for a node started by name."""
+
+LATER = frozenset({"exec_depend", "test_depend"})
 
 BY_GENERATORS = frozenset({"action_msgs", "service_msgs", "builtin_interfaces", "unique_identifier_msgs"})
 """What the code that is made of interfaces uses."""
@@ -81,18 +84,44 @@ class UnusedDependencies:
         return IMPORTED_ONLY.fullmatch(name) is not None or (name.startswith("python") and "-" in name)
 
     def in_cmake_package(self) -> Iterator[UnusedDependency]:
-        """Yield the ROS packages that are declared for the build, or as tools for tests, and that leave no trace."""
+        """Yield the ROS packages that are declared for the build, as tools for tests or as interfaces, without a trace.
+
+        A trace in documents or tests shows that a package is meant, and not that it is needed for the build.
+        """
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag
-            package = self.declared.workspace.kind_of(name) is NameKind.PACKAGE or IMPORTED_ONLY.fullmatch(name)
-            if not package or self.words.has(name, "test", "docs"):
+            interfaces = IMPORTED_ONLY.fullmatch(name) is not None
+            if not interfaces and self.declared.workspace.kind_of(name) is not NameKind.PACKAGE:
                 continue
-            if tag == "test_depend" and name in TOOLS and not self.is_tool_used(name) and not self.words.has(name):
+            if tag in BUILT_IN:
+                yield from self.for_the_build(dependency)
+            elif tag == "test_depend" and name in TOOLS:
+                yield from () if self.is_tool_used(name) or self.words.has(name) else (UnusedDependency(dependency),)
+            elif tag in LATER and interfaces and self.has_code and name not in BY_GENERATORS and not self.may_use(name):
                 yield UnusedDependency(dependency)
-            elif tag in BUILT_IN and not self.is_built_with(name):
-                runs = self.is_imported(name) or self.words.has(name, "run")
-                if (runs or self.has_code) and not (runs and self.runs_already(name)):
-                    yield UnusedDependency(dependency, runs)
+
+    def for_the_build(self, dependency: Dependency) -> Iterator[UnusedDependency]:
+        """Yield a dependency that is declared for the build, where nothing that is built uses it."""
+        name = dependency.name
+        if self.is_built_with(name):
+            return
+        is_tested = self.words.has(name, "test")
+        runs = self.words.has(name, "run") or (self.is_imported(name) and not is_tested)
+        if runs and not self.runs_already(name):
+            yield UnusedDependency(dependency, is_run_only=True)
+        elif not runs and not is_tested:
+            is_meant = self.words.has(name, "docs") or not self.has_code
+            if not is_meant or (dependency.tag == "depend" and not self.may_find_by_manifest):
+                yield UnusedDependency(dependency, is_run_only=is_meant)
+
+    def may_use(self, name: str) -> bool:
+        """Return whether anything in the package may use another one."""
+        return self.is_imported(name) or self.words.has(name) or self.is_built_with(name)
+
+    @property
+    def may_find_by_manifest(self) -> bool:
+        """Whether CMake may find what package.xml declares for the build, by a command that reads it."""
+        return self.cmake is not None and any(AUTOMATIC.fullmatch(call.name) for call in self.cmake.calls)
 
     def is_tool_used(self, name: str) -> bool:
         """Return whether tests import a tool, or launch_testing, which comes with others of its family."""
@@ -118,14 +147,15 @@ class UnusedDependencies:
         """
         if self.words.has(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
             return True
-        folders = {each.path.partition("/")[0] for source in self.sources for each in source.includes}
-        shared = any(name.startswith(folder) for folder in folders & SHARED)
-        around = any(
-            name in self.declared.workspace.with_header(each.path)
-            for source in self.sources
-            for each in source.includes
-        )
-        return shared or around or name.endswith(("_vendor", "_cmake"))
+        return self.has_header(name) or name.endswith(("_vendor", "_cmake"))
+
+    def has_header(self, name: str) -> bool:
+        """Return whether a package may have an included header; of shared folders the workspace knows what is whose."""
+        for header in {each.path for source in self.sources for each in source.includes}:
+            owners, folder = self.declared.workspace.with_header(header), header.partition("/")[0]
+            if name in owners or (not owners and folder in SHARED and name.startswith(folder)):
+                return True
+        return False
 
     def is_imported(self, name: str) -> bool:
         """Return whether an import may use it; `tf2_ros_py` holds the module `tf2_ros`, so its `_py` doesn't count."""

@@ -17,13 +17,13 @@ from ..file_role import role_of
 from ..package_facts import PluginUse
 
 NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
-YAML = regex(
-    rf"""^[ ]*(?:-[ ]+)?(["']?)(?:\w*plugin|plugin_type|type|Class)\1[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
-    re.MULTILINE,
-)
+KEY = r"""(["']?)(?:\w*plugin(?:_name)?|plugin_type|(?:[\w/]+\.)*type|Class)\1"""
+YAML = regex(rf"""^[ ]*(?:-[ ]+)?{KEY}[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""", re.MULTILINE)
 RVIZ = regex(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
 """The names of RViz displays and tools may have blanks."""
 XML = regex(rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</""")
+TEMPLATE = regex(r"\.(?:j2|jinja2?|in|em|tmpl)$")
+"""Endings of templates: what is literal in one stays in what is made of it."""
 PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
 
 
@@ -32,7 +32,8 @@ def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
 
 
 def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
-    pattern = PATTERNS.get(path[path.rfind(".") :])
+    plain = TEMPLATE.sub("", path)
+    pattern = PATTERNS.get(plain[plain.rfind(".") :])
     if pattern is None or role_of(path) not in ("run", "launch"):
         return
     try:
