@@ -228,3 +228,43 @@ def test_a_target_of_another_package_of_the_workspace_may_have_this_ones_name() 
     files = workspace(base=package(CORE + EXPORTED), user=package(user, "  <depend>base</depend>\n"))
     assert levels(files, "CMK110") == [ERROR]
     assert levels({**files, **workspace(more=package(more))}, "CMK110") == []
+
+
+PART = """\
+#include <rclcpp/rclcpp.hpp>
+#include <rclcpp_components/register_node_macro.hpp>
+RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)
+"""
+LINK = "add_executable(main src/main.cpp)\ntarget_link_libraries(main part)\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ("add_library(part SHARED src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", [WARNING]),
+        ("add_library(part src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", [WARNING]),
+        ("add_library(part STATIC src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", []),
+        ("add_library(part OBJECT src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", []),
+        ("add_library(part SHARED src/part.cpp)", []),
+        (f"add_library(part SHARED src/part.cpp)\ninstall(TARGETS part DESTINATION lib)\n{LINK}", []),
+        ("add_executable(part src/part.cpp)\ninstall(TARGETS part DESTINATION lib/${PROJECT_NAME})", []),
+        (
+            "if(SOMETHING_ELSE)\n  add_library(part SHARED src/part.cpp)\nendif()\n"
+            "install(TARGETS part DESTINATION lib)",
+            [],
+        ),
+        (
+            "if(BUILD_TESTING)\n  add_library(part SHARED src/part.cpp)\n  install(TARGETS part DESTINATION lib)\n"
+            "endif()",
+            [],
+        ),
+        (
+            "add_library(part SHARED src/part.cpp)\ninstall(TARGETS part DESTINATION lib)\n"
+            'rclcpp_components_register_nodes(part "my_pkg::Part")',
+            [],
+        ),
+    ],
+)
+def test_a_component_of_a_library_that_is_only_loaded(lines: str, expected: list[Severity]) -> None:
+    files = {**package(lines), "src/part.cpp": PART, "src/main.cpp": "int main() {return 0;}\n"}
+    assert levels(files, "CMK108") == expected

@@ -6,12 +6,14 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.targets import Target
 from ...languages.cmake.values import BINARY, UNKNOWN
 from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import Component
+from ...package.cmake.target_links import TargetLinks
 from ...source import Span
 from ...suggest import nearest
 from .target_references import TargetReferences
@@ -105,11 +107,21 @@ class ComponentRegistration:
 
     @cached_property
     def in_libraries(self) -> frozenset[str]:
-        """The sources of the libraries that components are registered of."""
+        """The sources of the libraries that components are registered of, and of those that nothing links."""
         cmake = self.package.cmake
         names = {component.target.text for component in cmake.components}
         targets = [target for name in names if (target := cmake.target(name)) is not None]
+        targets += [target for target in cmake.targets if self.is_only_loaded(target)]
         return frozenset(p for t in targets for w in t.sources if (p := path_in_package(w.text, t.call.folder)))
+
+    def is_only_loaded(self, target: Target) -> bool:
+        """Return whether a shared library is installed and nothing of the package links it: programs may make nodes of
+        its classes themselves."""
+        links = TargetLinks(self.package.cmake)
+        is_sure = not target.call.maybe and not target.call.testing and target.is_built
+        if not is_sure or not target.is_library or target.options & {"STATIC"}:
+            return False
+        return target.name in links.installed and not links.with_word(target.name)
 
 
 def name_of(argument: CppArgument) -> str:
