@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.depends.brought_dependencies import brought_by, brought_by_others, everything, running
+from rospkg_cli.checks.depends.brought_dependencies import Brought, brought, brought_by, brought_by_others
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Safety
 from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts
@@ -58,7 +58,23 @@ def test_only_what_is_there_at_run_time_brings_something(tag: str, level: str) -
 def test_what_holds_for_some_distributions_brings_nothing_for_certain() -> None:
     body = '  <exec_depend condition="$ROS_DISTRO == humble">sensor_msgs</exec_depend>\n'
     (finding,) = found("DEP101", body, my_pkg__a_DOT_py="import std_msgs.msg\n")
-    assert finding.severity.value == "warning"
+    assert finding.message == (
+        "`std_msgs` is imported and not declared: it may come with `sensor_msgs`; declare what you use"
+    )
+    assert finding.severity.value == "info"
+
+
+def test_anything_may_come_with_a_package_that_is_not_here() -> None:
+    (finding,) = found("DEP101", declared("rclpy", "acme_driver"), my_pkg__a_DOT_py="import std_msgs.msg\n")
+    assert ("it may come with `acme_driver`" in finding.message, finding.severity.value) == (True, "info")
+
+
+def test_what_comes_with_others_for_certain_and_what_perhaps_are_told_apart() -> None:
+    text = "import std_msgs.msg\nimport nav_msgs.msg\n"
+    certain, perhaps = found("DEP101", declared("sensor_msgs", "acme_driver"), my_pkg__a_DOT_py=text)
+    assert certain.message.startswith("`std_msgs` is imported and not declared: it comes with `sensor_msgs` today")
+    assert perhaps.message.startswith("`nav_msgs` is imported and not declared: it may come with `acme_driver`;")
+    assert {certain.severity.value, perhaps.severity.value} == {"info"}
 
 
 @pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("build_export_depend", "info"),
@@ -150,10 +166,24 @@ def test_what_is_there_at_run_time_and_at_any_time() -> None:
         ActiveDependency(tag, f"{tag[:4]}_{certain}", certain=certain) for tag in tags for certain in (True, False)
     ]
     facts = PackageFacts("a", "a", dependencies=tuple(needs))
-    assert running(facts) == ["exec_True"]
-    assert everything(facts) == ["buil_True", "exec_True", "test_True"]
     workspace = Workspace((facts,))
     assert brought_by(["a"], workspace) == {"exec_True": "a"}
+    assert brought(["a"], [], workspace).perhaps == {"exec_False": "a"}
+
+
+def test_what_comes_along_under_a_condition_brings_others() -> None:
+    needs = (ActiveDependency("depend", "b", certain=False), ActiveDependency("depend", "c"))
+    workspace = Workspace((PackageFacts("a", "a", dependencies=needs), package("b", "d", "c"), package("c", "e")))
+    found = brought(["a"], ["f"], workspace)
+    assert found == Brought({"c": "a", "e": "a"}, {"f": "f", "b": "a", "d": "a"}, ("e", "f", "d"), ())
+    assert [found.may_bring(name, workspace) for name in ("b", "d", "g")] == ["a", "a", "e"]
+
+
+def test_a_key_brings_no_package_of_ros_and_python_no_library() -> None:
+    found = brought(["python3-mediapipe-pip", "ignition-gui6"], [], Workspace())
+    assert found.unknown == ()
+    asked = ("rclpy", "python3-numpy", "eigen", "acme")
+    assert [found.may_bring(name, Workspace()) for name in asked] == ["", "python3-mediapipe-pip", "ignition-gui6", ""]
 
 
 def package(name: str, *needs: str) -> PackageFacts:

@@ -11,7 +11,15 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from bench import exported_dependencies, interface_fields, names, ros1_packages, runtime_dependencies, well_known
+from bench import (
+    debian_dependencies,
+    exported_dependencies,
+    interface_fields,
+    names,
+    ros1_packages,
+    runtime_dependencies,
+    well_known,
+)
 from bench.tables import Origin, Revision, header
 from rospkg_cli.ros.read_table import FOLDER, lines, marked, pairs, phrases, rows, sets, unfolded, words
 
@@ -21,7 +29,15 @@ TABLES = sorted(path.name for path in FOLDER.iterdir())
 FIELDS = ["source", "commit", "date", "license", "made by"]
 GENERATED: dict[str, tuple[str, Origin]] = {
     name: (about, script.ORIGIN)
-    for script in (exported_dependencies, interface_fields, names, ros1_packages, runtime_dependencies, well_known)
+    for script in (
+        debian_dependencies,
+        exported_dependencies,
+        interface_fields,
+        names,
+        ros1_packages,
+        runtime_dependencies,
+        well_known,
+    )
     for name, about in script.ABOUT.items()
 }
 

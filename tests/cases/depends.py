@@ -46,6 +46,12 @@ CASES = {
             "  <exec_depend>std_msgs</exec_depend>\n",
             src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
         ),
+        cmake(
+            "add_executable(node src/node.cpp)\nif(BUILD_EXAMPLES)\n  add_executable(e src/e.cpp)\nendif()\n",
+            "  <exec_depend>std_msgs</exec_depend>\n  <exec_depend>nav_msgs</exec_depend>\n",
+            src__node_DOT_cpp="#include <nav_msgs/msg/path.hpp>\n",
+            src__e_DOT_cpp="#include <std_msgs/msg/string.hpp>\n#include <nav_msgs/msg/path.hpp>\n",
+        ),
     ),
     "DEP104": (
         cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),

@@ -11,6 +11,20 @@ from .shown_interfaces import BOTH, listed, typed
 
 TESTS = "  <test_depend>launch_testing</test_depend>\n  <test_depend>{}</test_depend>\n"
 JOY = '<launch>\n  <node pkg="joy" exec="joy_node"/>\n</launch>\n'
+TURTLES = """\
+<launch>
+  <node pkg="turtlesim" exec="turtlesim_node"/>
+  <node pkg="demo_nodes_cpp" exec="talker"/>
+</launch>
+"""
+LOADS = """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">
+    <composable_node pkg="image_proc" plugin="image_proc::RectifyNode" name="r"/>
+  </node_container>
+  <executable cmd="rviz2 -d a.rviz"/>
+</launch>
+"""
 LOOKS = """\
 <launch>
   <arg name="x" default="$(find-pkg-share joy)/$(find-exec xacro)"/>
@@ -151,8 +165,10 @@ CASES = {
         built(TESTED, files={"launch/a.launch.xml": JOY}),
         built(TESTED, INSTALLED, files={"launch/a.launch.xml": JOY}),
         built(INSTALLED, files={"launch/a.launch.xml": JOY, "launch/b.launch.xml": JOY.replace("joy_node", "other")}),
-        built(INSTALLED, files={"launch/example.launch.xml": JOY, "launch/demo.launch.xml": JOY.replace("joy",
-              "turtlesim")}),
+        built(INSTALLED, files={"launch/example.launch.xml": JOY, "launch/demo.launch.xml": JOY.replace("joy", "rviz2"),
+              "launch/a_test.launch.xml": JOY.replace("joy", "twist_mux"), "launch/b.launch.xml": TURTLES,
+              "launch/demos/c.launch.xml": JOY.replace("joy", "teleop_twist_keyboard")}),
+        built(INSTALLED, files={"launch/a.launch.xml": LOADS}),
         built(files={"launch/a.launch.xml": JOY.replace("joy", "jooy")}),
         built(INSTALLED, files={"launch/a.launch.xml": LOOKS}),
     ),

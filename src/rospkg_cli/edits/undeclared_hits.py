@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import source_of
 from ..checks.depends.unavailable_on_target import enumerated
@@ -17,10 +18,10 @@ MAX_RELATED = 3
 
 @dataclass(frozen=True, slots=True)
 class BroughtUse:
-    """A dependency that is used and that a declared one brings today."""
+    """A dependency that is used and that a declared one brings today, or may bring."""
 
     name: str
-    bringer: str
+    bringer: Bringer
     tag: str
     """Under which it is to be declared."""
     path: str
@@ -40,6 +41,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
             return f"add <{tag}>{name}</{tag}>"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and keeps the package from being released"
+        case "unknown" if not declared.workspace.is_complete:
+            return "a repository that is listed and not checked out may have it"
         case "unknown":
             return "no distribution has it: clone it, or list it in a .repos file"
 
@@ -51,19 +54,32 @@ def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
 
 
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
-    """Yield one info for all that declared dependencies bring; `used` is what is done: "imported"."""
-    if not uses:
-        return
+    """Yield an info for all that declared dependencies bring, and one for all that they may bring.
+
+    `used` is what is done: "imported".
+    """
+    for is_certain in (True, False):
+        if alike := [use for use in uses if use.bringer.is_certain is is_certain]:
+            yield left_to_some(declared, alike, used)
+
+
+def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Hit:
     names = [use.name for use in uses]
-    bringers = [*dict.fromkeys(use.bringer for use in uses)]
-    be, come = ("is", "it comes") if len(uses) == 1 else ("are", "they come")
-    message = (
-        f"{quoted(names)} {be} {used} and not declared: {come} with {quoted(bringers)} today; declare what you use"
-    )
+    bringers = quoted([*dict.fromkeys(use.bringer.name for use in uses)])
+    be, it, comes = ("is", "it", "comes") if len(uses) == 1 else ("are", "they", "come")
+    come = f"{comes} with {bringers} today" if uses[0].bringer.is_certain else f"may come with {bringers}"
+    message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
     edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in uses))
     first, *others = uses
     places = tuple(Related(use.path, use.span, f"`{use.name}` here") for use in others)
-    yield Hit(first.path, first.span, message, Severity.INFO, places, Fix(f"declare {quoted(names)}", edits))
+    unsure = any(source_of(declared, name) != "released" for name in names)
+    fix = Fix(f"declare {quoted(names)}", edits, Safety.UNSAFE if unsure else Safety.SAFE)
+    return Hit(first.path, first.span, message, Severity.INFO, places, fix)
+
+
+def comes_with(bringer: Bringer) -> str:
+    """Return who brings a dependency, as a clause."""
+    return f"it comes with `{bringer.name}` today" if bringer.is_certain else f"it may come with `{bringer.name}`"
 
 
 def quoted(names: Sequence[str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Mapping
 
-from ...package.package_facts import PackageFacts
+from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ...ros.manifest import EXPORTED, RUNS
 from ...ros.read_table import rows
@@ -16,6 +16,64 @@ PASSED_ON = RUNS | EXPORTED
 COLCON = "colcon"
 WITH_COLCON = {"python3-pytest": COLCON}
 """What is installed wherever `colcon test` can run."""
+
+RUNTIME, EXPORTS, DEBIAN = "runtime_dependencies.txt", "exported_dependencies.txt", "debian_dependencies.txt"
+PERHAPS = "?"
+"""Begins a name in the table that comes with a package on some distributions alone."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bringer:
+    """A dependency that brings another one: for certain, or perhaps."""
+
+    name: str
+    is_certain: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Brought:
+    """All that comes with some packages, each name with the one of them that brings it, and what is not known."""
+
+    certain: Mapping[str, str]
+    perhaps: Mapping[str, str]
+    """What comes with them on some distributions, or under a condition."""
+    unknown: tuple[str, ...]
+    """Packages among them whose own dependencies nobody here knows: anything may come with them."""
+    unknown_keys: tuple[str, ...]
+    """Keys of rosdep among them, likewise: a package of the system, or of PyPI, brings no package of ROS."""
+
+    def may_bring(self, name: str, workspace: Workspace) -> str:
+        """Return what may bring a package or a key; "" where it certainly does not come."""
+        if name in self.perhaps:
+            return self.perhaps[name]
+        if self.unknown:
+            return self.unknown[0]
+        is_package = workspace.is_available(name) or workspace.index.is_package(name)
+        alike = (key for key in self.unknown_keys if is_python(key) == is_python(name))
+        return next(alike, "") if workspace.index.is_key(name) and not is_package else ""
+
+
+def is_python(key: str) -> bool:
+    return key.startswith("python")
+
+
+def brought(first: Iterable[str], perhaps: Iterable[str], workspace: Workspace) -> Brought:
+    """Return what comes with packages that are certainly there, and with others that are there under a condition."""
+    first, perhaps = list(first), list(perhaps)
+    certain = brought_by(first, workspace)
+    rest: dict[str, str] = {name: name for name in perhaps if name not in certain and name not in first}
+    waiting = deque((*((name, certain.get(name, name)) for name in (*first, *certain)), *rest.items()))
+    while waiting:
+        name, bringer = waiting.popleft()
+        for need in (*may_need(name, workspace), *(needs_of(name, workspace) if name in rest else ())):
+            if need not in rest and need not in certain and need not in first:
+                rest[need] = bringer
+                waiting.append((need, bringer))
+    every = dict.fromkeys((*first, *certain, *rest))
+    unknown = [name for name in every if not is_known(name, workspace)]
+    named = {*first, *perhaps, *(need for each in every for need in named_around(each, workspace))}
+    keys = tuple(name for name in unknown if is_key(name, workspace, is_named=name in named))
+    return Brought(certain, rest, tuple(name for name in unknown if name not in keys), keys)
 
 
 def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
@@ -50,14 +108,36 @@ def needs_of(name: str, workspace: Workspace) -> Iterable[str]:
     facts = workspace.named(name)
     if facts is not None:
         return [need.name for need in facts.dependencies if need.certain and need.tag in PASSED_ON]
-    return (*rows("runtime_dependencies.txt").get(name, ()), *rows("exported_dependencies.txt").get(name, ()))
+    return [need for need in table_needs(name) if need[0] != PERHAPS]
 
 
-def running(facts: PackageFacts) -> list[str]:
-    """Return what a package declares for its run time, under conditions that hold for every target."""
-    return [need.name for need in facts.dependencies if need.certain and need.tag in RUNS]
+def may_need(name: str, workspace: Workspace) -> Iterable[str]:
+    """Return what a package passes on under a condition, or on some distributions alone."""
+    facts = workspace.named(name)
+    if facts is not None:
+        return [need.name for need in facts.dependencies if not need.certain and need.tag in PASSED_ON]
+    return [need[1:] for need in table_needs(name) if need[0] == PERHAPS]
 
 
-def everything(facts: PackageFacts) -> list[str]:
-    """Return what a package declares for any time: all of it is there where it is built and tested."""
-    return [need.name for need in facts.dependencies if need.certain and need.tag != "doc_depend"]
+def named_around(name: str, workspace: Workspace) -> Iterable[str]:
+    """Return the dependencies of a package of the workspace."""
+    facts = workspace.named(name)
+    return (need.name for need in facts.dependencies) if facts is not None else ()
+
+
+def is_key(name: str, workspace: Workspace, *, is_named: bool) -> bool:
+    """Return whether a name is a key; what only the table names is a released package, or a key of some lists."""
+    return workspace.index.is_key(name) or not (is_named or workspace.index.is_package(name))
+
+
+def table_needs(name: str) -> tuple[str, ...]:
+    """Return the row of the first table that knows a name."""
+    return next((rows(table)[name] for table in (RUNTIME, EXPORTS, DEBIAN) if name in rows(table)), ())
+
+
+def is_known(name: str, workspace: Workspace) -> bool:
+    """Return whether it is known of a package what comes with it."""
+    facts = workspace.named(name)
+    if facts is not None:
+        return facts.knows("dependencies")
+    return any(name in rows(table) for table in (RUNTIME, EXPORTS, DEBIAN))

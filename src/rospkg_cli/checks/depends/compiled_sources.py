@@ -49,6 +49,13 @@ def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
     return with_included(files, named_sources(cmake, files, False)) if are_sources_known(cmake) else None
 
 
+def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
+    """Return the files that are compiled under a condition alone, such as an option that is off by default."""
+    files = {source.path: source for source in sources}
+    every, certain = (with_included(files, named_sources(cmake, files, False, maybe=maybe)) for maybe in (True, False))
+    return every - certain if are_sources_known(cmake) else set()
+
+
 def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 
@@ -71,15 +78,18 @@ def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str
     return found
 
 
-def named_sources(cmake: CMake, files: Collection[str], testing: bool) -> set[str]:
-    """Return the files that any command names: one that is run for tests alone, or one that always is."""
+def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True) -> set[str]:
+    """Return the files that any command names: one that is run for tests alone, or one that always is.
+
+    Without `maybe`, commands under a condition that may not hold are left out.
+    """
     found: set[str] = set()
     for target in cmake.targets:
         base = path_in_package(target.folder.text, target.call.folder) if target.folder is not None else None
-        if base is not None and target.call.testing is testing:
+        if base is not None and target.call.testing is testing and (maybe or not target.call.maybe):
             found |= {path for path in files if path.startswith(f"{base}/")}
     for call in cmake.calls:
-        if call.testing is testing:
+        if call.testing is testing and (maybe or not call.maybe):
             paths = (path_in_package(word.text, call.folder) for word in call.words)
             found |= {path for path in paths if path is not None and path in files}
     return found

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
-from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED
+from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from .brought_dependencies import WITH_COLCON, brought_by, everything, running
+from .brought_dependencies import WITH_COLCON, Bringer, Brought, brought, brought_by_others
 
 MAX_DEPTH = 20
 
@@ -98,35 +98,42 @@ class DeclaredDependencies:
         """The rosdep keys of declared names that are names on PyPI."""
         return frozenset(key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
 
-    def bringer(self, names: Iterable[str], *, runs: bool) -> str:
-        """Return the declared dependency that certainly brings one of some names, "" where none does.
+    def bringer(self, names: Iterable[str], *, runs: bool) -> Bringer | None:
+        """Return what brings one of some names for certain, else what may bring it; None where nothing does.
 
-        With `runs`, one that is there when the package runs; else one that is there where it is built and tested.
+        With `runs`, it is there when the package runs; else where the package is built and tested.
         """
-        brought = self.brought_to_run if runs else self.brought_to_build
-        return next((brought[name] for name in names if name in brought), "")
+        return self.bringer_among([*names], self.brought_to_run if runs else self.brought_to_build)
+
+    def bringer_among(self, names: Sequence[str], there: Brought) -> Bringer | None:
+        """Return what brings one of some names, of all that comes with some dependencies."""
+        if certain := next((there.certain[name] for name in names if name in there.certain), ""):
+            return Bringer(certain)
+        perhaps = next((found for name in names if (found := there.may_bring(name, self.workspace))), "")
+        return Bringer(perhaps, is_certain=False) if perhaps else None
+
+    def bringers(self, names: Iterable[str], *, runs: bool) -> Mapping[str, Bringer]:
+        """Return what brings each of some missing packages: a declared dependency, or another one of them."""
+        every = {name: found for name in names if (found := self.bringer([name], runs=runs))}
+        certain = {name: found for name, found in every.items() if found.is_certain}
+        others = brought_by_others(set(names) - certain.keys(), self.workspace)
+        return every | {name: Bringer(other) for name, other in others.items()} | certain
 
     @cached_property
-    def brought_to_run(self) -> Mapping[str, str]:
-        return brought_by(sorted(self.closure(running(self.facts))), self.workspace)
+    def brought_to_run(self) -> Brought:
+        return self.brought_with(RUNS)
 
     @cached_property
-    def brought_to_build(self) -> Mapping[str, str]:
-        return {**WITH_COLCON, **brought_by(sorted(self.closure(everything(self.facts))), self.workspace)}
+    def brought_to_build(self) -> Brought:
+        """What is there where the package is built and tested, pytest included, which colcon needs itself."""
+        found = self.brought_with({*DEPENDENCY_TAGS} - {"doc_depend"})
+        return replace(found, certain={**found.certain, **WITH_COLCON})
 
-    @property
-    def transitive_names(self) -> frozenset[str]:
-        """What comes with the declared packages at build time, as far as it is known."""
-        return self._transitive[0]
-
-    @property
-    def are_transitive_names_known(self) -> bool:
-        """Whether it is known of all declared packages what comes with them."""
-        return self._transitive[1]
-
-    @cached_property
-    def _transitive(self) -> tuple[frozenset[str], bool]:
-        return self.transitive_names_of(self.names)
+    def brought_with(self, tags: Collection[str]) -> Brought:
+        """Return what comes with the dependencies of some tags."""
+        needs = [need for need in self.facts.dependencies if need.tag in tags]
+        certain = self.closure(need.name for need in needs if need.certain)
+        return brought(sorted(certain), sorted(need.name for need in needs if not need.certain), self.workspace)
 
     def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
         """Return the exported dependencies of some packages, and whether they are known of all of them."""

@@ -10,7 +10,7 @@ from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span
-from .brought_dependencies import brought_by
+from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
@@ -29,6 +29,8 @@ class KindUse:
     span: Span
     what: str
     """The module, the header or the package that CMake finds; "" in a launch file."""
+    is_optional: bool = False
+    """Whether only files use it that are compiled on demand."""
     is_passed_on: bool = False
     """Whether only headers use it that the package installs for others and does not compile itself."""
 
@@ -46,8 +48,8 @@ class WrongKind:
     dependency: Dependency
     """The first of its name."""
     use: KindUse
-    bringer: str
-    """The dependency that is declared for it and brings this one today; "" where none does."""
+    bringer: Bringer | None
+    """The dependency that is declared for it and brings this one today, or may bring it; None where none does."""
 
 
 @dataclass(frozen=True)
@@ -70,14 +72,11 @@ class DependencyKinds:
                 seen.add((every[0].name, runs))
                 yield WrongKind(every[0], use, self.bringer(use, tags))
 
-    def bringer(self, use: KindUse, tags: Collection[str]) -> str:
-        """Return what brings a dependency at the time of its use; `ros2launch` to a launch file."""
-        facts = self.declared.facts
-        first = [need.name for need in facts.dependencies if need.certain and need.tag in tags]
-        found = brought_by(sorted(self.declared.closure(first)), self.declared.workspace)
+    def bringer(self, use: KindUse, tags: Collection[str]) -> Bringer | None:
+        """Return what brings a dependency at the time of its use, or may bring it; `ros2launch` to a launch file."""
         if use.need == "launch" and not there_to_launch(self.declared).isdisjoint(use.names):
-            return STARTER
-        return next((found[name] for name in use.names if name in found), "")
+            return Bringer(STARTER)
+        return self.declared.bringer_among(use.names, self.declared.brought_with(tags))
 
     def run_uses(self) -> Iterator[KindUse]:
         """Yield what is used at run time, but for what comes with other dependencies for it."""
@@ -96,8 +95,8 @@ class DependencyKinds:
         for each in self.includes.packages():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
-                passed_on = self.includes.are_passed_on(each)
-                yield KindUse(each.names, "include", first.path, first.span, first.header, passed_on)
+                optional, passed_on = self.includes.are_optional(each), self.includes.are_passed_on(each)
+                yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)
         for found in self.includes.cmake.packages:
             names = self.includes.find_packages.needed_providers(found)
             if names and not found.call.testing:

@@ -26,3 +26,12 @@ def source_of(declared: DeclaredDependencies, name: str) -> NameSource:
         return "unknown"
     ways = {index.installer(name, each) for each in Targets()}
     return "pip" if "pip" in ways and ways <= {"pip", "-"} else "released"
+
+
+def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
+    """Return whether a dependency is missing on purpose: package.xml has it in a comment, or it may come otherwise.
+
+    A package that no distribution has may lie in a repository that a `.repos` file lists, or in an empty submodule.
+    """
+    is_elsewhere = not declared.workspace.is_complete and source_of(declared, name) == "unknown"
+    return is_elsewhere or name in declared.commented_out

@@ -13,9 +13,9 @@ from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.distros import Targets
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
-from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
 from ...ros.rosdep import NOT_THERE
+from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
@@ -28,10 +28,8 @@ class UndeclaredFindPackage:
 
     found: FoundPackage
     names: tuple[str, ...]
-    bringer: str
-    """The declared dependency that it comes with today; "" where none certainly brings it."""
-    may_be_brought: bool
-    """Whether it is not known of every declared dependency what comes with it."""
+    bringer: Bringer | None
+    """The declared dependency that it comes with, or may come with; None where none brings it."""
     is_installable: bool
     """Whether rosdep installs something for it on a supported distribution."""
 
@@ -56,25 +54,19 @@ class FindPackageDependencies:
             seen.add(found.name)
             names = self.providers(found.name)
             if names and not self.declared.has(names) and not there.intersection(names):
-                bringer, certain = self.bringer(found.name, names), self.declared.are_transitive_names_known
-                may_be_brought = not certain or self.declares_system_library
-                yield UndeclaredFindPackage(found, names, bringer, may_be_brought, self.is_installable(names[0]))
+                yield UndeclaredFindPackage(
+                    found, names, self.bringer(found.name, names), self.is_installable(names[0])
+                )
 
     def needed_providers(self, found: FoundPackage) -> tuple[str, ...]:
         """Return the names that provide a package without which the configuration certainly fails; else nothing."""
         return self.providers(found.name) if self.is_needed(found) else ()
 
-    def bringer(self, name: str, names: tuple[str, ...]) -> str:
-        """Return the declared dependency that certainly brings a package of CMake, by any of its names."""
-        alike = self.matching_names(name, self.declared.brought_to_build)
+    def bringer(self, name: str, names: tuple[str, ...]) -> Bringer | None:
+        """Return the declared dependency that brings a package of CMake, or may do so, by any of its names."""
+        there = self.declared.brought_to_build
+        alike = self.matching_names(name, (*there.certain, *there.perhaps))
         return self.declared.bringer((*names, *alike), runs=False)
-
-    @cached_property
-    def declares_system_library(self) -> bool:
-        """Whether a library of the system is declared for building: Debian's -dev packages bring others with them."""
-        needs = (each.name for each in self.declared.facts.dependencies if each.tag in BUILDS)
-        index = self.declared.workspace.index
-        return any(index.is_key(name) and not name.startswith(("python", "cmake")) for name in needs)
 
     def is_installable(self, name: str) -> bool:
         """Return whether a name is a package, or a key with a rule for a distribution that is supported."""

@@ -13,7 +13,7 @@ from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
 from ..ros1_import import ROS1, ros1_import
-from .brought_dependencies import COLCON, brought_by_others
+from .brought_dependencies import COLCON, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 from .name_source import source_of
@@ -43,8 +43,8 @@ class UndeclaredImport:
     places: tuple[ImportUse, ...]
     also_provides: tuple[str, ...] = ()
     """What is undeclared as well and comes with this one."""
-    bringer: str = ""
-    """The declared dependency that it comes with today."""
+    bringer: Bringer | None = None
+    """The declared dependency that it comes with today, or may come with."""
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,8 @@ class ImportDependencies:
 
     def with_bringers(self, missing: Mapping[str, list[ImportUse]], *, runs: bool) -> list[UndeclaredImport]:
         """Return what is missing, each with what brings it: a declared dependency, or another that is missing."""
-        certain = {name: found for name in missing if (found := self.declared.bringer([name], runs=runs))}
-        certain |= brought_by_others(missing.keys() - certain.keys(), self.declared.workspace)
-        return [UndeclaredImport(name, tuple(p), (), certain.get(name, "")) for name, p in missing.items()]
+        bringers = self.declared.bringers(missing, runs=runs)
+        return [UndeclaredImport(name, tuple(p), (), bringers.get(name)) for name, p in missing.items()]
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""
@@ -88,19 +87,20 @@ class ImportDependencies:
         result = []
         for name, places in found.items():
             found_with = self.bringer_in_tests(name)
-            if found_with in ("", COLCON) and name in implied_by(found.keys() - {name}, IN_TESTS):
+            is_colcon = found_with is not None and found_with.name == COLCON
+            if (found_with is None or is_colcon) and name in implied_by(found.keys() - {name}, IN_TESTS):
                 continue
             if found_with:
-                is_fine = name in RUNNERS and found_with != COLCON
+                is_fine = name in RUNNERS and not is_colcon
                 result += [] if is_fine else [UndeclaredImport(name, tuple(places), (), found_with)]
             else:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())
                 result.append(UndeclaredImport(name, tuple(places), tuple(brings)))
         return result
 
-    def bringer_in_tests(self, name: str) -> str:
-        implying = (each for each in sorted(self.declared.names) if name in implied_by([each], IN_TESTS))
-        return next(implying, "") or self.declared.bringer([name], runs=False)
+    def bringer_in_tests(self, name: str) -> Bringer | None:
+        implying = (Bringer(each) for each in sorted(self.declared.names) if name in implied_by([each], IN_TESTS))
+        return next(implying, None) or self.declared.bringer([name], runs=False)
 
     def missing_in_setup(self) -> list[UndeclaredImport]:
         """Return what setup.py itself imports undeclared, but for the tools that run it."""

@@ -15,7 +15,7 @@ from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.names import NameKind
 from ...source import Span
-from .compiled_sources import compiled_sources, own_compiled
+from .compiled_sources import compiled_on_demand, compiled_sources, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
@@ -74,6 +74,11 @@ class IncludeDependencies:
         """Return whether only headers for others include it: the package itself compiles none of them."""
         compiled = own_compiled(self.cmake, self.sources)
         return compiled is not None and compiled.isdisjoint(use.path for use in each.uses)
+
+    def are_optional(self, each: IncludedPackage) -> bool:
+        """Return whether only files include it that an option must ask for."""
+        on_demand = compiled_on_demand(self.cmake, self.sources)
+        return all(use.path in on_demand for use in each.uses)
 
     def providers(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return the providers of a header, and its name in CMake; no providers where they are unknown."""

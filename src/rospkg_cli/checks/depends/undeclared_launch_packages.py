@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -17,15 +17,18 @@ from ...package.python.python_imports import PackageImports, own_modules
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
+from ...suggest import nearest
 from ..launch.idle_actions import contains, never_added
 from ..launch.package_references import NAME, PackageReference, package_references
-from .brought_dependencies import brought_by, brought_by_others
+from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
-EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo)s?(?:[_.-]|$)")
+EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test)s?(?:[_.-]|$)")
+FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
+"""Packages that nobody installs a robot for."""
 STARTER = "ros2launch"
 ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 
@@ -51,12 +54,18 @@ class LaunchDependencies:
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
 
     def is_example(self, path: str) -> bool:
-        """Return whether a launch file is called an example, which not all users start.
+        """Return whether a launch file, or its folder, is called an example or a test, which not all users start.
 
         MoveIt's `demo.launch.py` is none: it is the one that all users start.
         """
-        name = ENDING.sub("", path.rpartition("/")[2])
-        return name != "demo" and EXAMPLE.search(name) is not None
+        folder, _, file = path.rpartition("/")
+        name = ENDING.sub("", file)
+        parts = (*folder.split("/"), *(() if name == "demo" else (name,)))
+        return any(EXAMPLE.search(part) for part in parts)
+
+    def is_for_examples(self, name: str, uses: Iterable[PackageReference]) -> bool:
+        """Return whether only examples need a package, or it is one of the demos of ROS."""
+        return FOR_DEMOS.fullmatch(name) is not None or all(self.is_example(use.path) for use in uses)
 
     @cached_property
     def test_files(self) -> frozenset[str]:
@@ -81,6 +90,11 @@ class LaunchDependencies:
         workspace = self.declared.workspace
         return not workspace.is_available(name) and workspace.kind_of(name) is not NameKind.PACKAGE
 
+    def meant(self, name: str) -> str | None:
+        """Return the known package that an unknown name is a slip of; a slip in the first letter is rare."""
+        near = nearest(name, self.known_names) if self.is_unknown_package(name) else None
+        return near if near and near[0] == name[0] else None
+
     def missing(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return each package that is needed and not declared, with the places that need it."""
         if not self.declared.is_checked:
@@ -91,19 +105,14 @@ class LaunchDependencies:
             there |= self.missing(tests=False).keys()  # an exec_depend covers the tests
         found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
-            is_launch = use.name in LAUNCH and bool(self.bringer(use.name, tests=tests))
+            is_launch = use.name in LAUNCH and self.is_brought(use.name, tests=tests)
             if not self.declared.has([use.name]) and use.name not in there and not is_launch:
                 found.setdefault(use.name, []).append(use)
         return found
 
-    def bringer(self, name: str, *, tests: bool) -> str:
-        """Return the declared dependency that certainly brings a package, "" where none does."""
-        return self.declared.bringer([name], runs=not tests)
-
-    def bringers(self, names: Iterable[str], *, tests: bool) -> Mapping[str, str]:
-        """Return what brings each of some missing packages: a declared dependency, or another one of them."""
-        found = {name: bringer for name in names if (bringer := self.bringer(name, tests=tests))}
-        return found | brought_by_others(set(names) - found.keys(), self.declared.workspace)
+    def is_brought(self, name: str, *, tests: bool) -> bool:
+        """Return whether a declared dependency brings a package."""
+        return self.declared.bringer([name], runs=not tests) is not None
 
     def asked_for(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return what is missing, but for what modules import undeclared: one line is asked for once (DEP101)."""
@@ -150,7 +159,7 @@ class LaunchDependencies:
             if declared or not any(may_serve(name, each.module) for name in self.declared.names):
                 for name in (declared,) if declared else names[:1]:
                     does = "imports" if name == each.module.partition(".")[0] else f"imports `{each.module}` of"
-                    yield PackageReference(name, file.path, each.span, does, is_import=True)
+                    yield PackageReference(name, file.path, each.span, does, fails="import")
 
 
 def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:

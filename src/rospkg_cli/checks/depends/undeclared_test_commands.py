@@ -29,7 +29,7 @@ class UndeclaredTestCommand:
     call: EvaluatedCommand
     package: str
     may_be_brought: bool
-    """Whether it is not known of every package that is found what it finds in turn."""
+    """Whether another package may bring it that is found or declared."""
 
 
 @dataclass(frozen=True)
@@ -52,5 +52,6 @@ class CommandsForTests:
             if not package or call.maybe or {package, call.name} & seen:
                 continue
             seen.add(package)
-            if not self.declared.has([package]) and not self.declared.bringer([package], runs=False):
-                yield UndeclaredTestCommand(call, package, not known)
+            bringer = self.declared.bringer([package], runs=False)
+            if not self.declared.has([package]) and not (bringer and bringer.is_certain):
+                yield UndeclaredTestCommand(call, package, not known or bringer is not None)

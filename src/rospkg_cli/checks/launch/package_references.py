@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
-from ...package.launch.text import LaunchText, Literal, Substitution
+from ...package.launch.text import LaunchText, Substitution
+from ...package.launch.text import Literal as LiteralText
 from ...source import Span
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
+
+Failure = Literal["launch", "import", "component", "program", "process"]
+"""A node, or a search for files, stops the launch, and so do an import and a program that is run for its output. The
+launch goes on without a component or another process, and an error is logged (launch_ros/actions/load_composable_nodes
+and launch/actions/execute_local)."""
 
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
@@ -27,8 +34,8 @@ class PackageReference:
     """What the file does with it, as a sentence goes on: "starts a node of"."""
     is_late: bool = True
     """Whether nothing happens before the launch comes to it; a function of Python runs when the file is loaded."""
-    is_import: bool = False
-    """Whether it is a module of the package that Python imports."""
+    fails: Failure = "launch"
+    """What ends where the package is not there."""
     only_with: str = ""
     """The argument without which the file does not come to it: `sim:=true`; "" for what it does by default."""
 
@@ -45,13 +52,16 @@ def package_references(file: LaunchFile) -> Iterator[PackageReference]:
 
 def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
     for node in file.nodes:
-        does = "loads a component of" if node.kind == "composable_node" else "starts a node of"
-        yield from package_named(file, node.package, does)
+        if node.kind == "composable_node":
+            uses = package_named(file, node.package, "loads a component of")
+            yield from (replace(use, fails="component") for use in uses)
+        else:
+            yield from package_named(file, node.package, "starts a node of")
     for each in file.substitutions:
         is_late = not file.source.slice(each.span).partition("(")[0].rpartition(".")[2].startswith("get_package_")
         yield from (replace(use, is_late=is_late) for use in found_by(file, each))
     for command in file.commands:
-        yield from run_by(file, list(command.words))
+        yield from (replace(use, fails="process") for use in run_by(file, list(command.words)))
 
 
 def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:
@@ -75,7 +85,7 @@ def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageReference]
 def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReference]:
     """Yield what a command needs: the package of its program, and of `ros2 run` and `ros2 launch`."""
     first = next((word.parts[0] for word in words if word.parts), None)
-    if isinstance(first, Literal):
+    if isinstance(first, LiteralText):
         program = first.text.split(" ")[0].strip()
         if program in PROGRAMS:
             start = first.span.start + first.text.index(program)
@@ -84,7 +94,7 @@ def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReferen
                 if first.span.end - first.span.start == len(first.text)
                 else first.span
             )
-            yield PackageReference(PROGRAMS[program], file.path, span, f"runs `{program}` of")
+            yield PackageReference(PROGRAMS[program], file.path, span, f"runs `{program}` of", fails="program")
     literals = [word.literal for word in words]
     if literals[:1] == ["ros2"] and literals[1:2] in (["run"], ["launch"]):
         yield from package_named(file, words[2] if len(words) > 2 else None, "runs a program of")
@@ -93,4 +103,4 @@ def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReferen
 def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageReference]:
     name = program.literal
     if name in PROGRAMS:
-        yield PackageReference(PROGRAMS[name], file.path, program.span, f"runs `{name}` of")
+        yield PackageReference(PROGRAMS[name], file.path, program.span, f"runs `{name}` of", fails="program")

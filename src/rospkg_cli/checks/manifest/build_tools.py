@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...light_dataclasses import dataclass
 from ...ros.manifest import BUILDS
-from ..depends.brought_dependencies import brought_by
+from ..depends.brought_dependencies import Bringer
 from ..depends.declared_dependencies import DeclaredDependencies
 from .manifest_inputs import ManifestAndCMake
 
@@ -14,12 +14,10 @@ class BuildTools:
     package: ManifestAndCMake
     declared: DeclaredDependencies
 
-    def bringer(self, name: str) -> str:
-        """Return what certainly brings a build tool wherever the package is built, the build farm included; else "".
+    def bringer(self, name: str) -> Bringer | None:
+        """Return what brings a build tool wherever the package is built, the build farm included, or may bring it.
 
         The build farm installs what is declared to build and to test; a test dependency is not asked here, since it may
         be left out.
         """
-        needs = (each for each in self.declared.facts.dependencies if each.certain and each.tag in BUILDS)
-        first = sorted(self.declared.closure(each.name for each in needs))
-        return brought_by(first, self.declared.workspace).get(name, "")
+        return self.declared.bringer_among([name], self.declared.brought_with(BUILDS))

@@ -10,6 +10,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency, Manifest
 from ...ros.interfaces import GROUP, RUNTIMES
 from ...ros.manifest import RUNS
+from ..depends.brought_dependencies import Bringer
 from ..depends.declared_dependencies import DeclaredDependencies
 
 GENERATORS = "rosidl_default_generators"
@@ -47,8 +48,8 @@ class InterfacePackage:
         return next(found, None)
 
     @property
-    def runtime_bringer(self) -> str:
-        """The declared dependency that the runtime certainly comes with, as messages that these use do; else ""."""
+    def runtime_bringer(self) -> Bringer | None:
+        """The declared dependency that the runtime comes with, or may come with, as messages that these use do."""
         return self.declared.bringer(RUNTIMES, runs=True)
 
     @property

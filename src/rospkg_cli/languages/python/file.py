@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import cast
 
@@ -74,7 +74,7 @@ class PythonFile(PythonSyntax):
                     inner = Import("", (), 0, under.span, survives, under.is_for_typing, under.is_local)
                     yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
                     yield from self.imports_in(node.finalbody, under)
-                case ast.If() | ast.While() if (always := constant_truth(node.test)) is not None:
+                case ast.If() | ast.While() if (always := constant_truth(node.test, self.constants)) is not None:
                     yield from self.imports_in(node.body if always else node.orelse, under)
                 case ast.If():
                     typing = under.is_for_typing or is_type_checking(node.test)
@@ -89,6 +89,20 @@ class PythonFile(PythonSyntax):
                     yield from self.imports_in(node.body, inner)
                 case ast.stmt() | ast.ExceptHandler() | ast.match_case():
                     yield from self.imports_in(children_of(node), under)
+
+    @cached_property
+    def constants(self) -> Mapping[str, bool]:
+        """What each name is as a truth that the top level alone binds, and to a constant: `DEBUG = False`."""
+        found: dict[str, bool] = {}
+        for node in self.tree.body:
+            match node:
+                case ast.Assign(targets=[ast.Name(id=name)], value=ast.Constant(value=value)):
+                    found[name] = bool(value)
+        if not found:
+            return found
+        stored = [n.id for n in nodes_of(self.tree) if isinstance(n, ast.Name) and not isinstance(n.ctx, ast.Load)]
+        shared = {name for node in nodes_of(self.tree) if isinstance(node, ast.Global) for name in node.names}
+        return {name: value for name, value in found.items() if stored.count(name) == 1 and name not in shared}
 
     def module_span(self, node: ast.ImportFrom) -> Span:
         whole = self.span(node)
@@ -191,17 +205,19 @@ def names_in(node: ast.expr) -> set[str]:
     return names | {each.attr for each in nodes_of(node) if isinstance(each, ast.Attribute)}
 
 
-def constant_truth(test: ast.expr) -> bool | None:
-    """Return what a condition always is, None where that is unknown: `if False:`."""
+def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
+    """Return what a condition always is, None where that is unknown: `if False:`; of some names it is known."""
     match test:
         case ast.Constant(value=value):
             return bool(value)
+        case ast.Name(id=name):
+            return names.get(name)
         case ast.UnaryOp(op=ast.Not(), operand=operand):
-            inside = constant_truth(operand)
+            inside = constant_truth(operand, names)
             return None if inside is None else not inside
         case ast.BoolOp(op=operator, values=values):
             decides = isinstance(operator, ast.Or)
-            found = [constant_truth(each) for each in values]
+            found = [constant_truth(each, names) for each in values]
             return decides if decides in found else None if None in found else not decides
     return None
 

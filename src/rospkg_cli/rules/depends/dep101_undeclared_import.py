@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
@@ -22,8 +23,8 @@ BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency brings it, where package.xml has it in a comment, and where only "
-        "PyPI has it and setup.py or requirements.txt names it"
+        Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, and "
+        "where only PyPI has it and setup.py or requirements.txt names it"
     },
     examples=(
         Example(
@@ -57,11 +58,12 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
 
     ## When it is quiet
-    Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once.
-    What a declared dependency certainly installs can't be missing: that is one info, which names who brings it. Left
-    out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one
-    that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files
-    that nothing installs, and the package's own modules.
+    Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once. What a
+    declared dependency certainly installs can't be missing: that is one info, which names who brings it. What may come
+    with a declared one is another: with a package that is neither here nor in the table of what is installed with what,
+    anything may come. Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition
+    on the machine, or one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that
+    never run. So are files that nothing installs, and the package's own modules.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, or where no released package has the name.
@@ -98,6 +100,6 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
         f"{advice(declared, kind, missing.name)}"
     )
     places = related((place.path, place.span) for place in missing.places)
-    mild = missing.name in declared.commented_out or imports.is_left_to_pip(missing.name)
+    mild = is_left_out(declared, missing.name) or imports.is_left_to_pip(missing.name)
     fix = declaration(declared, kind, missing.name)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
@@ -16,7 +17,10 @@ from ...rule import rule
     "undeclared-test-import",
     over=ImportDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a declared dependency or colcon brings it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a declared dependency or colcon brings or may bring it, or package.xml has it in a "
+        "comment"
+    },
     examples=(
         Example(
             bad={"test/test_viewer.py": "import «cv2»\n\n\ndef test_version():\n    assert cv2.__version__\n"},
@@ -38,8 +42,9 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
-    one info, which names who brings it. Left out are optional imports, helpers that no test uses, `launch_testing`
-    where another test tool brings it, and what installed code imports as well (DEP101).
+    one info, which names who brings it. What may come with a declared one is another: with a package that is neither
+    here nor in the table of what is installed with what, anything may come. Left out are optional imports, helpers that
+    no test uses, `launch_testing` where another test tool brings it, and what installed code imports as well (DEP101).
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, or where no released package has the name.
@@ -61,7 +66,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             f"ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
         places = related((place.path, place.span) for place in missing.places)
-        level = Severity.INFO if missing.name in declared.commented_out else None
+        level = Severity.INFO if is_left_out(declared, missing.name) else None
         fix = declaration(declared, "test_depend", missing.name)
         yield Hit(first.path, first.span, message, level, places, fix)
     yield from left_to_others(declared, brought, "imported by tests")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.unavailable_on_target import enumerated
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
+from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
 from ...edits.manifest import add_dependency
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
@@ -13,7 +15,6 @@ from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
 from ...rule import rule
-from ...suggest import nearest
 
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
 
@@ -71,9 +72,11 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
-    is one info; what only an argument turns on (`sim:=true`) is an info that names the argument. Left out are computed
-    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS
-    1, actions that nothing adds, and what a module imports too (DEP101).
+    is one info, and what may come with one is another, as anything may with a package that is not here; what only an
+    argument turns on (`sim:=true`) is an info that names the argument; so are packages for examples, and unknown ones
+    where a `.repos` file lists repositories that are not here. Left out are computed names, uses that catch
+    PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that
+    nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or where another name may be intended.
@@ -86,9 +89,10 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
         missing = launch.asked_for(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
-        bringers = launch.bringers(missing, tests=tests)
+        bringers = launch.declared.bringers(missing, runs=not tests)
         for name, uses in missing.items():
-            if bringer := bringers.get(name):
+            bringer = bringers.get(name)
+            if bringer and (bringer.is_certain or launch.meant(name) is None):
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(launch, tag, name, uses)
@@ -103,8 +107,7 @@ def undeclared(
     declared = launch.declared
     uses = sorted(uses, key=lambda use: bool(use.only_with))
     first = uses[0]
-    near = nearest(name, launch.known_names) if launch.is_unknown_package(name) else None
-    meant = near if near and near[0] == name[0] else None  # many clone packages, few mistype a first letter
+    meant = launch.meant(name)
     who = "this code" if is_described else "this launch file"
     if meant:
         message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
@@ -114,17 +117,10 @@ def undeclared(
         ends = ends_with(first, name)
         message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
         fix_or_none = declaration(declared, tag, name)
-    mild = is_described or first.only_with or name in declared.commented_out
-    level = Severity.INFO if mild or all(launch.is_example(use.path) for use in uses) else None
-    return Hit(first.path, first.span, message, level, related((use.path, use.span) for use in uses), fix_or_none)
-
-
-def ends_with(use: PackageReference, name: str) -> str:
-    """Return what happens on a machine that lacks a package."""
-    if use.only_with:
-        return f"with `{use.only_with}` it must be there"
-    ends = "ModuleNotFoundError" if use.is_import else f"\"package '{name}' not found\""
-    return f"on a clean machine the launch stops with {ends}"
+    mild = is_described or first.only_with or (meant is None and is_left_out(declared, name))
+    mild = mild or (tag == "exec_depend" and launch.is_for_examples(name, uses))
+    places = related((use.path, use.span) for use in uses)
+    return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)
 
 
 def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageReference]]) -> Hit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_find_package import FindPackageDependencies, UndeclaredFindPackage
 from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
@@ -27,8 +28,8 @@ FOUND_IN_TESTS = CMAKE.replace(
     levels={
         Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
         "is a command that nothing defines",
-        Severity.INFO: "where a declared dependency brings it, package.xml has it in a comment, or its rosdep key has "
-        "no rule for a supported distribution",
+        Severity.INFO: "where a declared dependency brings or may bring it, package.xml has it in a comment, or its "
+        "rosdep key has no rule for a supported distribution",
     },
     examples=(
         Example(
@@ -64,10 +65,10 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it; so is a key of rosdep that no
-    supported distribution has a rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET,
-    without use) or under a condition that depends on the machine is left alone, and so is what comes with the build
-    tools.
+    What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
+    another, as anything may with a package that is not here; so is a key of rosdep that no supported distribution has a
+    rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
+    condition that depends on the machine is left alone, and so is what comes with the build tools.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -92,11 +93,12 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
             f"CMake requires `{found.name}`{known}, and package.xml does not declare it: {consequence(missing)}; "
             f"{advice(declared, kind, name)}"
         )
-        level = Severity.INFO if name in declared.commented_out else Severity.WARNING
+        level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "required by CMake")
     for each in CommandsForTests(declared, dependencies.cmake).undeclared():
-        level = Severity.WARNING if each.call.testing or each.may_be_brought else Severity.ERROR
+        level = Severity.WARNING if each.call.testing else Severity.ERROR
+        level = Severity.INFO if each.may_be_brought else level
         yield Hit(each.call.path, each.call.command.name_span, unknown_command(each), level)
 
 
@@ -119,7 +121,5 @@ def not_installable(missing: UndeclaredFindPackage) -> str:
 
 
 def consequence(missing: UndeclaredFindPackage) -> str:
-    if missing.may_be_brought:
-        return "it is there only if another dependency brings it"
     what = "the build of the tests" if missing.found.call.testing else "the build"
     return f'on a clean machine {what} stops with "Could not find a package configuration file"'

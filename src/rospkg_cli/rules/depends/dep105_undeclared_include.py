@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import CMAKE, Example, manifest
@@ -44,10 +45,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it. Where it is not known of every
-    declared one what comes with it, this is an info: CMake finds the header with one of those that are linked. Files
-    that no target compiles, includes under `#if`, and packages that `find_package()` names as well (DEP104) are left
-    alone.
+    What a declared dependency certainly installs is one info, which names who brings it. What may come with one is
+    another, as anything may with a package that is not here; so is what only files include that an option of CMake must
+    ask for. Files that no target compiles, includes under `#if`, and packages that `find_package()` names as well
+    (DEP104) are left alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -68,7 +69,6 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
             f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
         )
         places = related((use.path, use.span) for use in each.uses)
-        mild = name in declared.commented_out or not declared.are_transitive_names_known
-        level = Severity.INFO if mild else None
+        level = Severity.INFO if is_left_out(declared, name) or includes.are_optional(each) else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "included")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_left_out
 from ...checks.depends.robot_uses import RobotUses
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
@@ -34,7 +35,7 @@ Visualization Manager:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for plugins of robots and of RViz configs, or in a package that launches nothing, and where "
-        "a declared dependency brings it, or package.xml has it in a comment"
+        "a declared dependency brings or may bring it, or package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -61,11 +62,13 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     not name: xacro stops, meshes are missing, and nodes stop because their plugin can't be loaded.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it. Left alone are files that are
-    not installed, what comes with RViz itself, plugins of a metapackage or of a package whose node is launched, and
-    what launch files need as well (DEP103). Plugins of robots and RViz configs are infos, and so are those of parameter
-    files in a package that launches nothing that loads plugins (controller_manager, nav2, MoveIt), or in an example
-    that no launch file names: others may use the file without them.
+    What a declared dependency certainly installs is one info, which names who brings it. What may come with a declared
+    one is another: with a package that is neither here nor in the table of what is installed with what, anything may
+    come. Left alone are files that are not installed, what comes with RViz itself, plugins of a metapackage or of a
+    package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
+    infos, and so are those of parameter files in a package that launches nothing that loads plugins
+    (controller_manager, nav2, MoveIt), or in an example that no launch file names: others may use the file without
+    them.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -85,6 +88,6 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
         message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
         fix = None if meant else declaration(declared, TAG, name)
         places = related((use.path, use.span) for use in uses)
-        mild = name in declared.commented_out or all(use.is_optional for use in uses)
+        mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
         yield Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
     yield from left_to_others(declared, brought, "used by robots, worlds or parameters")

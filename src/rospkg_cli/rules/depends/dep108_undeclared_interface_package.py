@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.interface_types import InterfaceTypeDependencies
+from ...checks.depends.name_source import is_left_out
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -28,7 +29,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     over=InterfaceTypeDependencies,
     severity=Severity.ERROR,
     levels={
-        Severity.INFO: "where a declared dependency brings it, or package.xml has it in a comment",
+        Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment",
     },
     examples=(
         Example(
@@ -57,7 +58,8 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
 
     ## When it is quiet
     Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
-    certainly installs is one info, which names who brings it.
+    certainly installs is one info, which names who brings it. What may come with a declared one is another: with a
+    package that is neither here nor in the table of what is installed with what, anything may come.
 
     ## Fix safety
     The fix is unsafe where no released package has the name.
@@ -77,6 +79,6 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
             f"does not build; {advice(declared, 'depend', name)}"
         )
         places = related((use.path, use.span) for use in uses)
-        level = Severity.INFO if name in declared.commented_out else None
+        level = Severity.INFO if is_left_out(declared, name) else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
     yield from left_to_others(declared, brought, "used in interfaces")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
 from ...edits.manifest import add_dependency, change_tag
+from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -19,7 +20,10 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
     "wrong-dependency-kind",
     over=DependencyKinds,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another dependency, or `ros2 launch`, brings it, and for examples"},
+    levels={
+        Severity.INFO: "where another dependency, or `ros2 launch`, brings or may bring it, for examples, and "
+        "for what an option of CMake asks for"
+    },
     examples=(
         Example(
             bad={"package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
@@ -41,9 +45,10 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     alone need not be there when the package is built.
 
     ## When it is quiet
-    What another dependency certainly brings at that time, or `ros2 launch` itself to a launch file, is an info, and so
-    is what only a launch file needs that is called an example or a demo. A <build_export_depend> is right for headers
-    that are installed for others and not compiled here.
+    What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
+    so is what only a launch file needs that is called an example or a demo, and what only files include that an option
+    of CMake must ask for. A <build_export_depend> is right for headers that are installed for others and not compiled
+    here.
     Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
     DEP103, DEP105).
 
@@ -62,7 +67,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
         related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
         fix = Fix(f"declare `{name}` as <{wanted}>", (repair(kinds, each),), Safety.UNSAFE)
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        level = Severity.INFO if each.bringer or is_example else None
+        level = Severity.INFO if each.bringer or is_example or each.use.is_optional else None
         yield Hit(each.use.path, each.use.span, message, level, related, fix)
 
 
@@ -80,7 +85,7 @@ def usage(each: WrongKind) -> str:
 
 def consequence(each: WrongKind) -> str:
     if each.bringer:
-        return f"it comes with `{each.bringer}` today"
+        return comes_with(each.bringer)
     match each.use.need:
         case "import":
             return "where only a release is installed, ModuleNotFoundError is raised"

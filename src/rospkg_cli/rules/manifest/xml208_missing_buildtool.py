@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.manifest.build_tools import BuildTools
 from ...edits.manifest import add_dependency
+from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...lazy_regex import regex
@@ -63,7 +64,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     for element in manifest.build_types(package.targets):
         if element.text == "ament_cmake":
             bringer = tools.bringer(name)
-            harm = f"it comes with `{bringer}` today" if bringer else "on the build farm `find_package` fails"
+            harm = comes_with(bringer) if bringer else "on the build farm `find_package` fails"
             message = (
                 f"package.xml does not declare `{name}`, which CMakeLists.txt needs: {harm}; "
                 f"add `<buildtool_depend>{name}</buildtool_depend>`"

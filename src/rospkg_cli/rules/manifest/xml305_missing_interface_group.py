@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.manifest.interface_package import InterfacePackage
 from ...edits.manifest import add_dependency, add_element, rename_dependency
 from ...edits.manifest_format import to_format_3
+from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Operation, Safety, Severity
 from ...package.manifest import Dependency
@@ -81,7 +82,7 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
     bringer = package.runtime_bringer
-    harm_to_users = f"it comes with `{bringer}` today" if bringer else "users of the package can't use its messages"
+    harm_to_users = comes_with(bringer) if bringer else "users of the package can't use its messages"
     for tag, names, harm, level in (
         ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", Severity.WARNING),
         ("exec_depend", RUNTIMES, harm_to_users, Severity.INFO if bringer else Severity.WARNING),

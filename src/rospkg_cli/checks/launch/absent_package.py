@@ -1,0 +1,23 @@
+"""What happens to a launch on a machine that lacks a package of it."""
+
+from __future__ import annotations
+
+from .package_references import PackageReference
+
+
+def ends_with(use: PackageReference, name: str) -> str:
+    """Return what happens on a machine that lacks a package."""
+    if use.only_with:
+        return f"with `{use.only_with}` it must be there"
+    match use.fails:
+        case "launch":
+            ends = f"the launch stops with \"package '{name}' not found\""
+        case "import":
+            ends = "the launch stops with ModuleNotFoundError"
+        case "program":
+            ends = "the launch stops: the program is not found"
+        case "component":
+            ends = "the container logs an error and runs without it"
+        case "process":
+            ends = "the process does not start"
+    return f"on a clean machine {ends}"
