@@ -56,6 +56,7 @@ FLOORS = (
     {"rule_docs"},
     {"report", "scaffold", "index"},
     {"change"},
+    {"addition"},
     {"cli"},
     {"testing"},
     {"__main__"},

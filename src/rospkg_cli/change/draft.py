@@ -59,6 +59,15 @@ class Draft:
                 self.changes[path] = entry
         self._packages.clear()
 
+    def put_all(self, changes: Changes) -> None:
+        """Take the changes of another draft of the same tree in the place of all that there are."""
+        self.changes = dict(changes)
+        self._packages.clear()
+
+    def entry(self, path: str) -> TreeEntry | None:
+        """Return a file as it is now; None where there is none."""
+        return entry_in(self.tree, path)
+
     def copy(self) -> Draft:
         """Return a draft that may go another way."""
         return Draft(self.base, dict(self.changes))

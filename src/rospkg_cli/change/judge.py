@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from ..engine.fixing.overlay import Overlay
 from ..engine.run.session import Results, Scope, Session
-from ..finding import Finding
+from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from . import ChangeError
 from .draft import Draft
@@ -19,28 +19,55 @@ class Judgement:
 
     before: Results
     after: Results
+    changed: frozenset[str] = frozenset()
+    """The files that were changed or made."""
 
     @property
     def new(self) -> tuple[Finding, ...]:
-        """The findings that are there since the change: a line that moved is the same finding."""
-        known = Counter(map(identity, self.before.findings))
-        found = []
-        for finding in self.after.findings:
-            if known[identity(finding)]:
-                known[identity(finding)] -= 1
-            else:
-                found.append(finding)
-        return tuple(found)
+        """The findings that are there since the change.
+
+        A line that moved is the same finding, and so is one that counts or names something more in its message. Infos
+        are those of the changed files: they tell of nothing that fails, and a declared package lets others be seen.
+        """
+        after, before = list(self.after.findings), list(self.before.findings)
+        for key in (exactly, at_its_line):
+            known = Counter(map(key, before))
+            after, matched = left_over(after, known, key), Counter(map(key, after))
+            before = left_over(before, matched, key)
+        return tuple(each for each in after if self.matters(each))
+
+    def matters(self, finding: Finding) -> bool:
+        return finding.severity is not Severity.INFO or finding.location.path in self.changed
 
 
-def identity(finding: Finding) -> tuple[str, str, str]:
+def left_over(
+    findings: list[Finding], others: Counter[tuple[str, ...]], key: Callable[[Finding], tuple[str, ...]]
+) -> list[Finding]:
+    """Return the findings that are none of the others."""
+    known, left = Counter(others), []
+    for finding in findings:
+        if known[key(finding)]:
+            known[key(finding)] -= 1
+        else:
+            left.append(finding)
+    return left
+
+
+def exactly(finding: Finding) -> tuple[str, ...]:
     return finding.code, finding.location.path, finding.message
 
 
-def judge(session: Session, draft: Draft, scope: Scope | None = None) -> Judgement:
-    """Lint what is there and what would be; `scope` holds the packages after the change, where they are others."""
+def at_its_line(finding: Finding) -> tuple[str, ...]:
+    return finding.code, finding.location.path, finding.excerpt
+
+
+def judge(session: Session, draft: Draft, scope: Scope | None = None, before: Results | None = None) -> Judgement:
+    """Lint what is there and what would be.
+
+    `scope` holds the packages after the change, where they are others; `before` is what lint says now, if known.
+    """
     after = replace(session, tree=Overlay(session.tree, draft.changes), scope=scope or session.scope)
-    return Judgement(session.run(), after.run())
+    return Judgement(before or session.run(), after.run(), frozenset(draft.changes))
 
 
 def refuse_new(new: Iterable[Finding]) -> None:

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from .. import __version__
+from .add.options import adding, removing
 from .cache import options as cache
 from .doctor import options as doctor
 from .exit_status import CTRL_C, interrupted, status_of
@@ -46,6 +47,8 @@ def verbs() -> list[str]:
 
 
 app.command(cls=new.NewCommand, epilog=new.EPILOG)(new.new)
+app.add_typer(adding, name="add")
+app.add_typer(removing, name="remove")
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
 app.command(epilog=inspect.EPILOG)(inspect.inspect)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any
 
@@ -46,11 +46,14 @@ class RenderedFile:
     about: str
 
 
-def render(template: Template, answers: Answers) -> tuple[RenderedFile, ...]:
-    """Return every file, sorted by path; raises ScaffoldError where two have one path."""
+def render(template: Template, answers: Answers, more: Mapping[str, object] | None = None) -> tuple[RenderedFile, ...]:
+    """Return every file, sorted by path; raises ScaffoldError where two have one path.
+
+    `more` is what the files know besides the answers.
+    """
     environment = make_environment(template)
     bracketed = make_environment(template, brackets=True)
-    values = template_context(answers)
+    values = {**template_context(answers), **(more or {})}
     files: dict[str, RenderedFile] = {}
     for file in template.files:
         for extra in items(environment, file, values):

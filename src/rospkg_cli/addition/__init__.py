@@ -1,0 +1,1 @@
+"""Adding to packages that exist, and taking away again what was added."""

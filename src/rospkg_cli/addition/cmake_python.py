@@ -1,0 +1,69 @@
+"""Python in a package that CMake builds: the modules, and the scripts that start them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..edits.cmake_commands import remove, remove_argument
+from ..edits.cmake_install import LIBEXEC, block, install_script
+from ..edits.cmake_python import FINDER, install_python_package
+from ..light_dataclasses import dataclass
+from ..package.package import Package
+from .cmake_block import block_removals
+from .cmake_find import cmake_of
+from .part import Operations
+
+
+@dataclass(frozen=True)
+class InstalledPythonPackage:
+    """`ament_python_install_package`, with what defines it."""
+
+    module: str
+
+    def add(self, package: Package) -> Operations:
+        """Return the edits, nothing where the package is installed already."""
+        cmake = cmake_of(package)
+        calls = cmake.named("ament_python_install_package")
+        if any(call.words and call.words[0].text == self.module for call in calls):
+            return ()
+        return install_python_package(cmake, self.module)
+
+    def remove(self, package: Package) -> Iterator[Operations]:
+        """Yield the removal, nothing where the folder still has modules."""
+        cmake = cmake_of(package)
+        modules = [path for path in package.files.below(self.module) if not path.endswith("__init__.py")]
+        if modules:
+            return
+        shown = "${PROJECT_NAME}" if self.module == cmake.project_name else self.module
+        finders = [each for each in cmake.root.top if [a.text for a in each.arguments] == [FINDER, "REQUIRED"]]
+        finding = tuple(remove(cmake.root, each) for each in finders[-1:])
+        for found in block_removals(cmake.root, f"ament_python_install_package({shown})"):
+            yield (*finding, *found)
+            yield found
+
+
+@dataclass(frozen=True)
+class InstalledProgram:
+    """A script among the programs that go to where `ros2 run` looks."""
+
+    path: str
+
+    def add(self, package: Package) -> Operations:
+        """Return the edit, nothing where it is installed already."""
+        cmake = cmake_of(package)
+        if any(word.text == self.path for rule in cmake.installs for word in rule.items):
+            return ()
+        return (install_script(cmake, self.path),)
+
+    def remove(self, package: Package) -> Iterator[Operations]:
+        """Yield the removal of the rule where it installs nothing else, else of the path in it."""
+        cmake = cmake_of(package)
+        for rule in cmake.installs:
+            mine = [word for word in rule.items if word.text == self.path]
+            file = cmake.file(rule.call.path)
+            if mine and file.is_top(rule.call.command):
+                if len(rule.items) > 1:
+                    yield (remove_argument(file, mine[0].span),)
+                else:
+                    yield from block_removals(file, block(file, "PROGRAMS", self.path, LIBEXEC))
+                    yield (remove(file, rule.call.command),)

@@ -1,0 +1,82 @@
+"""A dependency in package.xml, under the tag that fits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from ..change import ChangeError
+from ..edits.manifest import add_dependency, remove_element
+from ..light_dataclasses import dataclass
+from ..package.manifest import Manifest
+from ..package.package import Package
+from ..ros.manifest import BUILDS, NEW_IN, RELATIONS, RUNS
+from .named import is_needed
+from .part import Operations
+
+Need = Literal["all", "exec", "test", "buildtool"]
+"""When it is needed: to build and to run, to run, for tests, or as a tool of the build."""
+
+TAGS: dict[Need, str] = {"all": "depend", "exec": "exec_depend", "test": "test_depend", "buildtool": "buildtool_depend"}
+
+
+@dataclass(frozen=True)
+class Dependency:
+    name: str
+    need: Need = "all"
+    tag: str = ""
+    """The tag that was asked for; "" for the one that fits."""
+    force: bool = False
+    """Whether it is removed even where something names it."""
+
+    def add(self, package: Package) -> Operations:
+        """Return the new element, nothing where what is declared is enough; raises ChangeError without a manifest."""
+        manifest = manifest_of(package)
+        if self.name == manifest.name or (not self.tag and self.is_met(manifest)):
+            return ()
+        tag = self.tag or self.missing_tag(manifest)
+        if manifest.depends_on(self.name, (tag,)):
+            return ()
+        if manifest.format == 1 and tag in NEW_IN[2]:
+            tags = {"depend": ("build_depend", "run_depend"), "exec_depend": ("run_depend",)}.get(tag)
+            if tags is None:
+                raise ChangeError(f"package.xml has format 1, which has no <{tag}>; set format 3 first")
+            return tuple(add_dependency(manifest, each, self.name) for each in tags)
+        return (add_dependency(manifest, tag, self.name),)
+
+    def is_met(self, manifest: Manifest) -> bool:
+        tags = {each.tag for each in manifest.dependencies if each.name == self.name}
+        builds, runs = bool(tags & BUILDS), bool(tags & RUNS)
+        match self.need:
+            case "all":
+                return builds and runs
+            case "exec":
+                return runs
+            case "buildtool":
+                return builds
+            case "test":
+                return bool(tags.difference(RELATIONS))
+
+    def missing_tag(self, manifest: Manifest) -> str:
+        """Return the tag for what is not declared yet."""
+        if self.need != "all":
+            return TAGS[self.need]
+        tags = {each.tag for each in manifest.dependencies if each.name == self.name}
+        return "exec_depend" if tags & BUILDS else "build_depend" if tags & RUNS else "depend"
+
+    def remove(self, package: Package) -> Iterator[Operations]:
+        """Yield the removal of the element, nothing where a file of the package needs it."""
+        manifest = manifest_of(package)
+        wanted = self.tag or TAGS[self.need]
+        tags = {wanted} | ({"build_depend", "run_depend"} if manifest.format == 1 else set())
+        found = [each.element for each in manifest.dependencies if each.name == self.name and each.tag in tags]
+        if found and (self.force or not is_needed(package, self.name)):
+            yield tuple(remove_element(manifest, element) for element in found)
+
+
+def manifest_of(package: Package) -> Manifest:
+    """Return package.xml; raises ChangeError where it can't be read."""
+    manifest = package.parts(Manifest).only
+    if manifest is None or not manifest.name:
+        raise ChangeError("package.xml can't be read; `rospkg lint` says why")
+    return manifest

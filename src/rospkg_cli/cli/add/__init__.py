@@ -1,0 +1,1 @@
+"""`rospkg add` and `rospkg remove`: their options, and what they do."""

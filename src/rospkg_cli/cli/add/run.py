@@ -1,0 +1,79 @@
+"""`rospkg add` and `rospkg remove`: to and from a package that exists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from ...addition.dependency import Dependency, manifest_of
+from ...addition.node import names_message
+from ...addition.part import Part, put_in, take_out
+from ...addition.wanted import Wanted, parts_to_add, parts_to_remove
+from ...change import ChangeError
+from ...change.draft import Draft
+from ...change.git_state import require_clean
+from ...scaffold import ScaffoldError
+from ...scaffold.workspace import WorkspacePackages, workspace_packages
+from ..change.finish import ChangeOptions, finish, guarded_change
+from ..change.place import Place, place_of
+
+
+def add(wanted: Wanted, path: Path, options: ChangeOptions) -> int:
+    """Add to the package at a path; return the exit status: 2 for what can't be done, with nothing written."""
+    return guarded_change(lambda: add_to(place_of(path), wanted, options))
+
+
+def add_to(place: Place, wanted: Wanted, options: ChangeOptions) -> int:
+    draft = Draft(place.session.tree)
+    try:
+        for name in wanted.names:
+            parts = parts_to_add(draft.package(place.folder), wanted, name, around(place, name))
+            put_in(draft, place.folder, parts)
+    except ScaffoldError as error:
+        raise ChangeError(str(error)) from error
+    return finish(place, draft, options)
+
+
+def remove(wanted: Wanted, path: Path, options: ChangeOptions, allow_dirty: bool = False) -> int:
+    """Remove from the package at a path what `add` put there; return the exit status as `add` does.
+
+    Where `add` would not bring it back as it is, git must be able to, or `allow_dirty` is given.
+    """
+    return guarded_change(lambda: remove_from(place_of(path), wanted, options, allow_dirty))
+
+
+def remove_from(place: Place, wanted: Wanted, options: ChangeOptions, allow_dirty: bool) -> int:
+    draft = Draft(place.session.tree)
+    exact, every = not wanted.force, list[Part]()
+    try:
+        for name in wanted.names:
+            parts = parts_to_remove(draft.package(place.folder), wanted, name, around(place, name))
+            exact &= take_out(draft, place.folder, parts)
+            every += parts
+    except ScaffoldError as error:
+        raise ChangeError(str(error)) from error
+    if not (exact or allow_dirty or options.dry_run or options.diff):
+        require_clean(place.root, draft.changes)
+    return finish(place, draft, options, staying(draft, place, every))
+
+
+def around(place: Place, name: str) -> WorkspacePackages:
+    """Return the packages around, where a name needs them: that of a node with a message."""
+    return workspace_packages((place.root / place.folder).parent) if names_message(name) else WorkspacePackages()
+
+
+def staying(draft: Draft, place: Place, parts: Iterable[Part]) -> Iterator[str]:
+    """Yield a sentence on dependencies that go, and one on those that stay because something else needs them."""
+    before = manifest_of(Draft(draft.base).package(place.folder))
+    manifest = manifest_of(draft.package(place.folder))
+    names = sorted({each.name for each in parts if isinstance(each, Dependency) and before.depends_on(each.name)})
+    stay = [name for name in names if manifest.depends_on(name)]
+    gone = [name for name in names if name not in stay]
+    if gone:
+        yield f"{enumerated(gone)} {'goes' if len(gone) == 1 else 'go'} from package.xml: nothing else names it"
+    if stay:
+        yield f"{enumerated(stay)} {'stays' if len(stay) == 1 else 'stay'} in package.xml: other files need it"
+
+
+def enumerated(names: Sequence[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
