@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import json
 import stat
 import sys
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from bench.faults.__main__ import Copies, as_record, read_records
 from bench.faults.comments import without_comments
 from bench.faults.draw import draw
 from bench.faults.fault import typo
@@ -187,6 +189,16 @@ def test_what_is_told_counts_and_what_stands_beside(packages: list[SourcePackage
     lines = list(table([lost]))
     assert lines[1].split() == ["files", "1", "1", str(lost.beside_count), "0"]
     assert "killed 100.0% of all" in lines[-1]
+
+
+def test_what_was_killed_is_not_tried_again(packages: list[SourcePackage], copy: WorkingCopy, tmp_path: Path) -> None:
+    lost = tried(packages, "marker-lost", copy)
+    records = tmp_path / "trials.jsonl"
+    silent = {**as_record(lost), "place": "elsewhere", "killed": False}
+    records.write_text(f"{json.dumps(as_record(lost))}\n{json.dumps(silent)}\n", "utf-8")
+    assert len(read_records(records)) == 1
+    again = Copies(Linter(), tmp_path, read_records(records)).trial(lost.kind, lost.package, lost.fault)
+    assert again == lost
 
 
 def test_a_finding_names_by_word_by_file_or_by_line(packages: list[SourcePackage]) -> None:

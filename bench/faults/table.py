@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from bench.faults.fault import PutFault
+from bench.faults.source_package import SourcePackage
 from bench.faults.trial import Trial
 
 HEAD = f"{'':44}{'tried':>6}{'killed':>7}{'beside':>7}{'excluded':>9}"
@@ -45,9 +47,7 @@ def share(part: int, whole: int) -> str:
     return f"{part / max(whole, 1):.1%}"
 
 
-def described(trial: Trial) -> str:
-    """Return a trial on one line: where the fault lies, by what names, and what was said instead."""
-    at = f"{trial.package.repository.name}/{trial.fault.path}" + (f":{trial.fault.line}" if trial.fault.line else "")
-    names = " ".join(trial.fault.names[:4]).replace("\n", " ")[:100]
-    said = f" | beside: {trial.beside[0][:160]}" if trial.beside else ""
-    return f"{at}  [{names}]{said}"
+def place(package: SourcePackage, fault: PutFault) -> str:
+    """Return where a fault lies, and by what names it may be called: always the same for the same fault."""
+    names = " ".join(fault.names[:4]).replace("\n", " ")[:100]
+    return f"{package.repository.name}/{fault.path}" + (f":{fault.line}" if fault.line else "") + f"  [{names}]"

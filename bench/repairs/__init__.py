@@ -1,0 +1,1 @@
+"""Repairs that people made in public repositories: does lint name the fault before them, and not after?"""
