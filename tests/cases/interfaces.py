@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rospkg_cli.example import INTERFACES_CMAKE, Example, manifest
+from rospkg_cli.rules.interfaces import idl012_unknown_interface_in_cpp as idl012
 
 STATUS = '  "msg/Status.msg"\n'
 CALL = "rosidl_generate_interfaces(${PROJECT_NAME}\n"
@@ -63,6 +64,25 @@ CASES = {
             },
             good={},
             on="",
+        ),
+    ),
+    "IDL012": (
+        Example(
+            bad={
+                **idl012.FILES,
+                "src/talker.cpp": "int main() {return 0;}\n",
+                "include/my_pkg/a.hpp": "#include <std_msgs/msg/strng.hpp>\n",
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace("ament_package", "add_library(a src/a.cpp)\nament_package"),
+                "src/a.cpp": "#include <my_pkg/msg/other.hpp>\n#include <my_pkg/srv/setmode.hpp>\n",
+            },
+            good={},
+            on="interfaces",
         ),
     ),
 }

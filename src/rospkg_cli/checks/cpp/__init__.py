@@ -1,0 +1,1 @@
+"""Checks of C++ against the package that it is part of."""

@@ -1,0 +1,116 @@
+"""Headers and types of messages, services and actions that C++ names and their package does not have (IDL012)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Set
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.cpp.code_text import code_text
+from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...ros.interfaces import KINDS
+from ...source import Span
+from ...suggest import near_names
+from ..depends.compiled_sources import compiled_sources, own_compiled
+from ..interfaces.known_interfaces import KnownInterfaces, base_name
+
+HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
+TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
+# Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
+WORD_START, WORD_END = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
+NAME = regex(r"[/:]")
+DEFINED = r"\b(?:class|struct|enum|using)\s+"
+
+
+@dataclass(frozen=True, slots=True)
+class WrongInterface:
+    """A header or a type of a package that has no such interface."""
+
+    path: str
+    span: Span
+    text: str
+    package: str
+    kind: str
+    meant: str
+    """The header or the type that is near; "" where none is."""
+    is_compiled: bool
+    """Whether the package's own build certainly compiles the file."""
+
+
+@dataclass(frozen=True)
+class InterfacesInCpp:
+    known: KnownInterfaces
+    files: PackageFiles
+    cmake: CMake
+    sources: tuple[CppFile, ...]
+
+    def wrong(self) -> Iterator[WrongInterface]:
+        """Yield each interface once a file: at its header, else where its type is first named."""
+        for source, role in compiled_sources(self.cmake, self.sources):
+            seen: set[tuple[str, str, str]] = set()
+            for each in (*self.headers(source), *self.types(source)) if role != "aside" else ():
+                key = (each.package, each.kind, lower(NAME.split(each.text.partition(".")[0])[-1]))
+                if key not in seen:
+                    seen.add(key)
+                    yield each
+
+    def headers(self, source: CppFile) -> Iterator[WrongInterface]:
+        for each in source.includes:
+            found = HEADER.fullmatch(each.path)
+            if found is None or each.is_conditional:
+                continue
+            package, kind, name = found.groups()
+            names = self.names(package, kind)
+            lowered = {lower(known): known for known in names}
+            if not names or name in lowered or self.is_own_header(each.path):
+                continue
+            near = near_names(name, lowered, 2 if self.known.is_here(package) else 1)
+            if near or self.known.is_here(package):
+                meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
+                yield self.hit(source, each.span, each.path, package, kind, meant)
+
+    def types(self, source: CppFile) -> Iterator[WrongInterface]:
+        if not any(f"::{kind}::" in source.source.text for kind in KINDS):
+            return
+        for found in TYPE.finditer(code_text(source.source.text)):
+            package, kind, name = found.groups()
+            name = name.rstrip("_")
+            names = self.names(package, kind)
+            if not names or base_name(name) in names or self.is_defined(package, name):
+                continue
+            if self.known.lacks(package, kind, name):
+                meant = (self.known.meant(package, kind, name) or "").replace(".", "::")
+                span = Span(found.start(), found.start(3) + len(name))
+                yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, meant)
+
+    def names(self, package: str, kind: str) -> Set[str]:
+        """Return the interfaces of a kind that a package has; none where they are unknown."""
+        return (self.known.of(package) or {}).get(kind, frozenset())
+
+    def is_own_header(self, header: str) -> bool:
+        """Return whether the package has a header of that path itself, wherever."""
+        return any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
+
+    def is_defined(self, package: str, name: str) -> bool:
+        """Return whether a file of this package seems to define a class of a name in the namespace of its messages."""
+        import re
+
+        pattern = re.compile(DEFINED + re.escape(name) + r"\b")
+        own = package == self.known.package.name
+        return own and any(pattern.search(source.source.text) for source in self.sources)
+
+    def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, meant: str) -> WrongInterface:
+        is_compiled = self.compiled is not None and source.path in self.compiled
+        return WrongInterface(source.path, span, text, package, kind, meant, is_compiled)
+
+    @cached_property
+    def compiled(self) -> set[str] | None:
+        return own_compiled(self.cmake, self.sources)
+
+
+def lower(name: str) -> str:
+    """Return the name of the header that rosidl generates for an interface: `set_mode` for `SetMode`."""
+    return WORD_END.sub(r"\1_\2", WORD_START.sub(r"\1_\2", name)).lower()

@@ -1,0 +1,84 @@
+"""IDL012 unknown-interface-in-cpp."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cpp.interfaces_in_cpp import InterfacesInCpp, WrongInterface
+from ...example import CMAKE, Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+LINES = """\
+find_package(std_msgs REQUIRED)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker PRIVATE ${std_msgs_TARGETS})
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+FILES = {
+    "package.xml": manifest("  <depend>std_msgs</depend>\n", "ament_cmake"),
+    "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
+}
+SOURCE = """\
+#include <std_msgs/msg/string.hpp>
+
+int main()
+{
+  std_msgs::msg::String text;
+  return text.data.size();
+}
+"""
+
+
+@rule(
+    "IDL012",
+    "unknown-interface-in-cpp",
+    over=InterfacesInCpp,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "in a file that only others compile"},
+    examples=(
+        Example(
+            bad={**FILES, "src/talker.cpp": SOURCE.replace("std_msgs/msg/string.hpp", "«std_msgs/msg/strng.hpp»")},
+            good={"src/talker.cpp": SOURCE},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={**FILES, "src/talker.cpp": SOURCE.replace("std_msgs::msg::String", "«std_msgs::msg::Strng»")},
+            good={"src/talker.cpp": SOURCE},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_interface_in_cpp(interfaces: InterfacesInCpp) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds headers and types in C++ of messages, services and actions that their package does not have.
+    The header of `SetMode` is `set_mode.hpp`: small letters, with `_` between the words.
+
+    ## Why is this bad?
+    The build stops: "No such file or directory", or "is not a member of".
+
+    ## When it is quiet
+    Where the package is not in the workspace, unless one of its interfaces has a near name; where its interfaces can't
+    be known; inside of `#if`, in files that nothing compiles or installs, and where the package has a header or a class
+    of that name itself.
+
+    ## Fix safety
+    The intended name is a guess.
+    """
+    for each in interfaces.wrong():
+        fix = Fix(f"write `{each.meant}`", (Edit(each.path, each.span, each.meant),), Safety.UNSAFE)
+        level = None if each.is_compiled else Severity.WARNING
+        yield Hit(each.path, each.span, message(each), level, fix=fix if each.meant else None)
+
+
+WHAT = {"msg": "message", "srv": "service", "action": "action"}
+
+
+def message(each: WrongInterface) -> str:
+    what = f"`{each.package}` has no such {WHAT[each.kind]}"
+    near = f" (did you mean `{each.meant}`?)" if each.meant else ""
+    advice = "correct the name" if each.meant else "add it, or remove this"
+    return f"{what} as `{each.text}`{near}: the compiler stops there; {advice}"
