@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from .interfaces import SECTIONS
-from .read_table import rows
+from .read_table import rows, sets
 
 TABLE = "interface_fields.txt"
 
@@ -42,3 +42,8 @@ def full_name(kind: str, package: str) -> str:
     """Return the name of a field's message as imports have it; "" for what is no message."""
     before, _, base = kind.rpartition("/")
     return f"{before or package}/msg/{base}" if base else ""
+
+
+def ros1_fields(message: str) -> frozenset[str]:
+    """Return the fields and methods that a message had in ROS 1 and has no longer."""
+    return sets("interface_words.txt", "fields of ROS 1").get(message, frozenset())

@@ -1,0 +1,68 @@
+"""The messages that callbacks are called with, by what they are registered for."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
+from .message_classes import MessageClasses
+
+REGISTER: dict[str, tuple[int, str, tuple[str, ...]]] = {
+    "create_subscription": (2, "callback", ("",)),
+    "create_service": (2, "callback", ("_Request", "_Response")),
+}
+"""Which argument of a method of a node is the callback, and which parts of the interface it is called with."""
+
+KINDS = {"create_subscription": "msg", "create_service": "srv"}
+
+Callbacks = dict[tuple[str, str], tuple[str, ...]]
+"""The messages of the parameters, by class (or "") and function."""
+
+
+def callback_types(file: PythonFile, classes: MessageClasses) -> Callbacks:
+    """Return what functions are called with that are registered, once or for one type, and named nowhere else."""
+    found: dict[tuple[str, str], list[tuple[str, ...]]] = {}
+    for owner, scope in scopes(file.tree):
+        for node in nodes_of(scope):
+            if isinstance(node, ast.Call) and (registered := registration(node, classes)) is not None:
+                function, types = registered
+                if isinstance(function, ast.Attribute):
+                    found.setdefault((owner, function.attr), []).append(types)
+                elif not owner:
+                    found.setdefault(("", function.id), []).append(types)
+    named = Counter(mentions(file.tree))
+    return {key: types[0] for key, types in found.items() if len(set(types)) == 1 and named[key[1]] == len(types)}
+
+
+def scopes(tree: ast.Module) -> Iterator[tuple[str, ast.AST]]:
+    """Yield the file itself, as "", and each of its classes."""
+    yield "", tree
+    yield from ((node.name, node) for node in nodes_of(tree) if isinstance(node, ast.ClassDef))
+
+
+def mentions(tree: ast.Module) -> Iterator[str]:
+    for node in nodes_of(tree):
+        if isinstance(node, ast.Attribute):
+            yield node.attr
+        elif isinstance(node, ast.Name):
+            yield node.id
+
+
+def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute | ast.Name, tuple[str, ...]] | None:
+    """Return the function that a call registers, `self.function` or `function`, and the messages it will be given."""
+    if not isinstance(call.func, ast.Attribute) or call.func.attr not in REGISTER or not call.args:
+        return None
+    position, keyword, suffixes = REGISTER[call.func.attr]
+    given = {each.arg: each.value for each in call.keywords}
+    if None in given or "raw" in given or any(isinstance(each, ast.Starred) for each in call.args):
+        return None
+    function = call.args[position] if position < len(call.args) else given.get(keyword)
+    name = classes.named(call.args[0])
+    if name.split("/")[1:2] != [KINDS[call.func.attr]]:
+        return None
+    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":
+        return function, tuple(f"{name}{suffix}" for suffix in suffixes)
+    return (function, tuple(f"{name}{suffix}" for suffix in suffixes)) if isinstance(function, ast.Name) else None

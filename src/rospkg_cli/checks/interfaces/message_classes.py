@@ -1,0 +1,86 @@
+"""The classes of messages that a Python file imports, and the messages that its expressions create."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
+from ...ros.interfaces import KINDS
+
+PARTS = {
+    "srv": {"Request": "_Request", "Response": "_Response"},
+    "action": {"Goal": "_Goal", "Result": "_Result", "Feedback": "_Feedback"},
+}
+"""The attributes of a service's or an action's class that are messages."""
+
+
+class MessageClasses:
+    """By local name what a file imports of interfaces: `package/kind/Name`, or the module `package/kind`."""
+
+    def __init__(self, file: PythonFile) -> None:
+        self.names: dict[str, str] = {}
+        self.modules: set[str] = set()
+        others: set[str] = set()
+        for name, found in bound_names(file):
+            if self.names.setdefault(name, found) != found or not found:
+                others.add(name)
+        for name in others:
+            self.names.pop(name, None)
+        for node in nodes_of(file.tree):
+            if isinstance(node, ast.Import):
+                self.modules |= {alias.name for alias in node.names if not alias.asname}
+
+    def named(self, node: ast.expr) -> str:
+        """Return the interface, the message or the module of interfaces that an expression names; "" for others."""
+        if isinstance(node, ast.Name):
+            return self.names.get(node.id, "")
+        if not isinstance(node, ast.Attribute):
+            return ""
+        if isinstance(node.value, ast.Name) and f"{node.value.id}.{node.attr}" in self.modules and node.attr in KINDS:
+            return f"{node.value.id}/{node.attr}" if not self.names.get(node.value.id) else ""
+        outer = self.named(node.value)
+        if outer.count("/") == 1:
+            return f"{outer}/{node.attr}"
+        kind = outer.split("/")[1] if outer.count("/") == len(("package", "name")) else ""
+        suffix = PARTS.get(kind, {}).get(node.attr, "")
+        return f"{outer}{suffix}" if suffix else ""
+
+    def message(self, node: ast.expr) -> str:
+        """Return the message whose class an expression names; "" for others, and for whole services and actions."""
+        found = self.named(node)
+        return found if is_message(found) else ""
+
+
+def is_message(name: str) -> bool:
+    if name.count("/") != len(("package", "name")):
+        return False
+    suffixes = tuple(PARTS.get(name.split("/")[1], {}).values())
+    return "/msg/" in name or (bool(suffixes) and name.endswith(suffixes))
+
+
+def bound_names(file: PythonFile) -> Iterator[tuple[str, str]]:
+    """Yield every name that is bound somewhere in a file, with the interface it is imported as; "" for others."""
+    for node in nodes_of(file.tree):
+        match node:
+            case ast.ImportFrom(level=0, module=str(module)):
+                package, _, kind = module.partition(".")
+                for alias in node.names:
+                    found = f"{package}/{kind}/{alias.name}" if kind in KINDS else ""
+                    if not kind and alias.name in KINDS:
+                        found = f"{package}/{alias.name}"
+                    yield alias.asname or alias.name, found
+            case ast.Import():
+                for alias in node.names:
+                    package, _, kind = alias.name.partition(".")
+                    if alias.asname:
+                        yield alias.asname, f"{package}/{kind}" if kind in KINDS else ""
+            case ast.ImportFrom():
+                yield from ((alias.asname or alias.name, "") for alias in node.names)
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name, ""
+            case ast.Name(id=name, ctx=ast.Store() | ast.Del()) | ast.arg(arg=name):
+                yield name, ""
+            case ast.ExceptHandler(name=str(name)):
+                yield name, ""

@@ -1,0 +1,119 @@
+"""Which variables of a function always hold one message, and what expressions made of them hold."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Mapping
+
+from ...languages.python.nodes import children_of, nodes_of
+from .message_classes import MessageClasses
+
+Fields = Callable[[str], Mapping[str, str] | None]
+"""Returns the fields of a message with the messages that they hold."""
+FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
+SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
+ASKS = frozenset({"isinstance", "hasattr", "getattr", "setattr", "type"})
+PASSES = 3
+"""How often assignments are followed, for variables made of others."""
+
+Environment = Mapping[str, str]
+"""The message that each variable holds: `msg`, `self.msg`."""
+
+
+def own_nodes(body: list[ast.stmt] | list[ast.AST]) -> Iterator[ast.AST]:
+    """Yield the nodes of statements, without those in functions, classes and lambdas in them."""
+    waiting: list[ast.AST] = list(body)
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if not isinstance(node, SCOPES):
+            waiting += children_of(node)
+
+
+def name_of(node: ast.AST) -> str:
+    """Return `x` or `self.x`; "" for other expressions."""
+    match node:
+        case ast.Name(id=name):
+            return name
+        case ast.Attribute(value=ast.Name(id="self"), attr=name):
+            return f"self.{name}"
+    return ""
+
+
+def held_by(node: ast.expr | None, variables: Environment, classes: MessageClasses, fields: Fields) -> str:
+    """Return the message that an expression evaluates to; "" where that is unknown."""
+    if node is None:
+        return ""
+    if (name := name_of(node)) in variables:
+        return variables[name]
+    if isinstance(node, ast.Call):
+        return classes.message(node.func)
+    if isinstance(node, ast.Attribute) and (outer := held_by(node.value, variables, classes, fields)):
+        return (fields(outer) or {}).get(node.attr, "")
+    return ""
+
+
+def variables_of(
+    body: list[ast.stmt], given: Mapping[str, str], classes: MessageClasses, fields: Fields
+) -> dict[str, str]:
+    """Return the variables that hold the same message wherever a body binds them; `given` are its parameters."""
+    found: dict[str, str] = dict(given)
+    for _ in range(PASSES):
+        bound: dict[str, set[str]] = {name: {kind} for name, kind in given.items()}
+        for name, value, annotation in bound_values(body):
+            kind = classes.message(annotation) if annotation is not None else ""
+            bound.setdefault(name, set()).add(kind or held_by(value, found, classes, fields))
+        found = {name: next(iter(kinds)) for name, kinds in bound.items() if len(kinds) == 1 and "" not in kinds}
+    asked = set(asked_names(body))
+    return {name: kind for name, kind in found.items() if name not in asked}
+
+
+def bound_values(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr | None, ast.expr | None]]:
+    """Yield what a body binds: the variable, its value, its annotation; None for what is not known.
+
+    None as a value is left out: what is done with it fails anyway.
+    """
+    plain: set[int] = set()
+    for node in own_nodes(list(body)):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and name_of(node.targets[0]):
+            plain.add(id(node.targets[0]))
+            if not (isinstance(node.value, ast.Constant) and node.value.value is None):
+                yield name_of(node.targets[0]), node.value, None
+        elif isinstance(node, ast.AnnAssign) and name_of(node.target):
+            plain.add(id(node.target))
+            yield name_of(node.target), node.value, node.annotation
+    for node in own_nodes(list(body)):
+        if isinstance(node, ast.Name | ast.Attribute) and not isinstance(node.ctx, ast.Load) and id(node) not in plain:
+            yield name_of(node), None, None
+        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+            yield node.name, None, None
+        elif isinstance(node, ast.Global | ast.Nonlocal):
+            yield from ((name, None, None) for name in node.names)
+        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            yield node.name, None, None
+
+
+def asked_names(body: list[ast.stmt]) -> Iterator[str]:
+    """Yield the variables whose type or attributes a body asks for."""
+    for statement in body:
+        for node in nodes_of(statement):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ASKS and node.args:
+                yield name_of(node.args[0])
+
+
+def attributes_of(
+    owner: ast.ClassDef, functions: list[tuple[FunctionNode, Environment]], classes: MessageClasses, fields: Fields
+) -> dict[str, str]:
+    """Return the attributes of `self` that hold the same message wherever a class binds them."""
+    bound: dict[str, set[str]] = {}
+    for function, variables in functions:
+        local = {name: kind for name, kind in variables.items() if "." not in name}
+        for name, value, annotation in bound_values(function.body):
+            if name.startswith("self."):
+                kind = classes.message(annotation) if annotation is not None else ""
+                bound.setdefault(name, set()).add(kind or held_by(value, local, classes, fields))
+    for each in owner.body:
+        if isinstance(each, ast.Assign | ast.AnnAssign):
+            for target in each.targets if isinstance(each, ast.Assign) else [each.target]:
+                bound.setdefault(f"self.{name_of(target)}", set()).add("")
+    return {name: next(iter(kinds)) for name, kinds in bound.items() if len(kinds) == 1 and "" not in kinds}

@@ -1,0 +1,115 @@
+"""Fields that Python code sets or reads and that the message does not have (IDL010)."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+
+from ...languages.python.file import Import, PythonFile
+from ...languages.python.nodes import nodes_of
+from ...light_dataclasses import dataclass
+from ...ros.interface_fields import ros1_fields
+from ...ros.interfaces import KINDS
+from ...source import Span
+from ...suggest import near_names, nearest
+from ..run_imports import RunImports
+from .known_interfaces import KnownInterfaces
+from .message_classes import MessageClasses
+from .message_scopes import bodies_with_variables
+from .message_variables import Environment, held_by, own_nodes
+
+GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
+CATCHES = frozenset({"AttributeError", "Exception", "BaseException"})
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownField:
+    path: str
+    span: Span
+    """Of the field's name."""
+    message: str
+    """`package/msg/Name`."""
+    name: str
+    near: str | None
+    is_keyword: bool
+    """Whether it is passed to the constructor."""
+    is_ros1: bool
+
+
+@dataclass(frozen=True)
+class FieldUses:
+    known: KnownInterfaces
+    run: RunImports
+
+    def unknown(self) -> Iterator[UnknownField]:
+        """Yield the unknown fields of each file, in the order of its text."""
+        for file in self.run.running:
+            if any(imports_interfaces(each) for each in file.imports):
+                classes = MessageClasses(file)
+                found = {each.span: each for each in self.in_file(file, classes)}
+                yield from (found[span] for span in sorted(found))
+
+    def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
+        for body, variables in bodies_with_variables(file, classes, self.known.fields):
+            yield from self.in_body(file, body, variables, classes)
+
+    def in_body(
+        self, file: PythonFile, body: list[ast.stmt], variables: Environment, classes: MessageClasses
+    ) -> Iterator[UnknownField]:
+        caught = set(guarded(body))
+        for node in own_nodes(list(body)):
+            if id(node) in caught:
+                continue
+            if isinstance(node, ast.Attribute):
+                message = held_by(node.value, variables, classes, self.known.fields)
+                end = file.span(node).end
+                span = Span(end - len(node.attr), end)
+                yield from self.judged(file.path, span, message, node.attr, is_keyword=False)
+                if node.attr.isupper() and not message:
+                    yield from self.judged(file.path, span, classes.message(node.value), node.attr, is_keyword=False)
+            elif isinstance(node, ast.Call) and (message := classes.message(node.func)):
+                for keyword in node.keywords:
+                    if keyword.arg is not None:
+                        start = file.span(keyword).start
+                        span = Span(start, start + len(keyword.arg))
+                        yield from self.judged(file.path, span, message, keyword.arg, is_keyword=True)
+
+    def judged(self, path: str, span: Span, message: str, name: str, *, is_keyword: bool) -> Iterator[UnknownField]:
+        fields = self.known.fields(message) if message else None
+        if fields is None or name in fields or name in GENERATED or name.startswith("_") or name.endswith("__DEFAULT"):
+            return
+        is_ros1 = name in ros1_fields(message)
+        near = similar(name, fields, is_certain=self.known.is_here(message.partition("/")[0]))
+        if near or is_ros1 or self.known.is_here(message.partition("/")[0]):
+            yield UnknownField(path, span, message, name, near, is_keyword, is_ros1)
+
+
+def imports_interfaces(each: Import) -> bool:
+    kind = each.module.partition(".")[2]
+    return kind in KINDS or (not kind and not any(name in KINDS for name in each.names))
+
+
+def similar(name: str, fields: Mapping[str, str], *, is_certain: bool) -> str | None:
+    """Return the one field that is near to a name; of messages that may have got others meanwhile only a clear one."""
+    alike = [each for each in fields if each.lower() == name.lower()]
+    if not alike and not is_certain:
+        alike = near_names(name, fields, 1) if len(name) > len("xy") else []
+        return alike[0] if len(alike) == 1 else None
+    return alike[0] if len(alike) == 1 else nearest(name, fields)
+
+
+def guarded(body: list[ast.stmt]) -> Iterator[int]:
+    """Yield the identity of each node in a block that goes on where an attribute is not there."""
+    for statement in body:
+        for node in nodes_of(statement):
+            if isinstance(node, ast.Try) and catches(node):
+                yield from (id(inner) for each in node.body for inner in nodes_of(each))
+
+
+def catches(block: ast.Try) -> bool:
+    """Return whether a block goes on where an attribute is not there."""
+    return any(
+        handler.type is None
+        or any(isinstance(node, ast.Name) and node.id in CATCHES for node in nodes_of(handler.type))
+        for handler in block.handlers
+    )
