@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence, Set
+from typing import Any, Protocol
 
 from ...files import PackageFiles
 from ...finding import Finding
@@ -16,7 +16,7 @@ from ...ros.distros import Targets
 from ...ros.names import BUILT_IN, Names
 from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
-from ..reuse.kept_packages import KeptPackages, Observed
+from ..reuse.kept_packages import Observed
 from ..suppression.comments import Suppression
 from ..suppression.suppression_index import SuppressionIndex
 from .codes_of_packages import CodesOfPackages
@@ -86,6 +86,20 @@ class Pool:
         """Release what the pool holds."""
 
 
+class PackageMemory(Protocol):
+    """What earlier runs left: on disk for the next process (KeptPackages), or in memory (LivePackages)."""
+
+    def known_facts(self, folders: Iterable[str]) -> dict[str, PackageFacts]: ...
+
+    def unchecked(self) -> frozenset[str]: ...
+
+    def known_results(self, workspace: Workspace, folders: Iterable[str]) -> dict[str, Any]: ...
+
+    def keep(
+        self, workspace: Workspace, observed: Mapping[str, Observed], results: Mapping[str, Any], failed: Set[str]
+    ) -> None: ...
+
+
 def to_be_kept(results: PackageResults) -> tuple[object, ...]:
     """Return the results of a package in which nothing crashed, for `KeptPackages`."""
     return results.findings, results.suppressions, results.files, results.checksums
@@ -126,8 +140,10 @@ class Session:
     tells_switched_off: bool = False
     """Whether it says which checks something around the packages switches off."""
 
-    kept: KeptPackages | None = None
+    kept: PackageMemory | None = None
     """What is known from earlier runs; None where nothing of them is to be used."""
+    make_small_pool: Callable[[Tree, Scope, Targets, RuleSettings], Pool] = Pool
+    """The pool where little is left to be done."""
 
     def codes_at(self, path: str) -> frozenset[str]:
         """Return the codes of the rules that run on the package around a path of the run, or in that folder."""
@@ -151,7 +167,8 @@ class Session:
 
     def pool_for(self, folders: Collection[str]) -> Pool:
         """Return the pool for what is to be done: this process alone where little is left."""
-        make = self.make_pool if self.kept is None or len(folders) >= SERIAL_BELOW else Pool
+        is_large = self.kept is None or len(folders) >= SERIAL_BELOW
+        make = self.make_pool if is_large else self.make_small_pool
         return make(self.tree, self.scope, self.targets, self.settings)
 
     def check(self, pool: Pool, workspace: Workspace) -> list[PackageResults]:

@@ -57,6 +57,10 @@ class Worker:
     selected: frozenset[str] | None = None
     """The packages that are checked, where the facts of the others may be collected as they are asked for."""
     packages: dict[str, Package] = field(default_factory=dict)
+    notes_questions: bool = False
+    """Whether it notes what packages ask the workspace, where the run is not traced."""
+    questions: dict[str, frozenset[Question]] = field(default_factory=dict)
+    """What was noted, by folder."""
 
     def __post_init__(self) -> None:
         self.is_recorded = current_trace() is not None and isinstance(self.tree, DiskTree)
@@ -100,7 +104,7 @@ class Worker:
     def check(self, folder: str, workspace: Workspace, codes: Iterable[str]) -> PackageResults:
         """Run some rules over one package."""
         package = self.packages.pop(folder)  # what was read of it is given back when it is checked
-        seen = RecordedWorkspace(workspace, folder) if self.is_recorded else workspace
+        seen = RecordedWorkspace(workspace, folder) if self.is_recorded or self.notes_questions else workspace
         whole = PackageFiles(package.files.whole or self.tree)
         builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
         rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
@@ -112,6 +116,7 @@ class Worker:
         changed = {o.path for f in findings if f.fix for o in f.fix.operations} | {s.path for s in suppressions}
         checksums = tuple(checksums_of(package.files, changed))
         if isinstance(seen, RecordedWorkspace):
+            self.questions[folder] = frozenset(seen.noted)
             self.checked |= observed_in(folder, package, frozenset(seen.noted))
         return PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums)
 

@@ -1,0 +1,1 @@
+"""Runs over one workspace again and again in one process, where little changes between them."""

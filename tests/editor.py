@@ -1,0 +1,99 @@
+"""An editor as far as a language server sees one: pygls' own client, in an event loop that tests drive step by step."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+import time
+from collections.abc import Callable, Coroutine
+from pathlib import Path
+from typing import Any, TypeVar
+
+from lsprotocol import types
+from pygls.lsp.client import LanguageClient
+
+PATIENCE = 30
+"""Seconds after which what does not come is missed."""
+
+T = TypeVar("T")
+
+
+class Editor:
+    """A client with one folder open; `diagnostics` has the last ones of each file, by path."""
+
+    def __init__(self, folder: Path, **environment: str) -> None:
+        self.loop = asyncio.new_event_loop()
+        self.client = LanguageClient("editor", "1")
+        self.diagnostics: dict[Path, tuple[types.Diagnostic, ...]] = {}
+        self.messages: list[str] = []
+        self.versions: dict[Path, int] = {}
+        self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(lambda found: self.published(found))
+        self.client.feature(types.WINDOW_SHOW_MESSAGE)(lambda found: self.shown(found))
+        self.client.feature(types.WINDOW_LOG_MESSAGE)(lambda found: self.shown(found))
+        self.run(self.start(folder, environment))
+
+    async def start(self, folder: Path, environment: dict[str, str]) -> None:
+        await self.client.start_io(sys.executable, "-m", "rospkg_cli", "server", env=environment)
+        folders = [types.WorkspaceFolder(folder.as_uri(), folder.name)]
+        asked = types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri(), workspace_folders=folders)
+        self.capabilities = (await self.client.initialize_async(asked)).capabilities
+        self.client.initialized(types.InitializedParams())
+
+    def published(self, found: types.PublishDiagnosticsParams) -> None:
+        self.diagnostics[Path(found.uri.removeprefix("file://"))] = tuple(found.diagnostics)
+
+    def shown(self, found: types.ShowMessageParams | types.LogMessageParams) -> None:
+        self.messages.append(found.message)
+
+    def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
+        return self.loop.run_until_complete(asyncio.wait_for(coroutine, PATIENCE))
+
+    def until(self, holds: Callable[[], bool]) -> None:
+        """Wait until something holds; fails where it never does."""
+        end = time.monotonic() + PATIENCE
+        while not holds():
+            assert time.monotonic() < end, f"it did not come: {self.diagnostics} {self.messages}"
+            self.run(asyncio.sleep(0.02))
+
+    def codes(self, path: Path) -> list[Any]:
+        return sorted(str(each.code) for each in self.diagnostics.get(path, ()))
+
+    def open(self, path: Path) -> None:
+        self.versions[path] = 1
+        document = types.TextDocumentItem(path.as_uri(), "text", 1, path.read_text())
+        self.client.text_document_did_open(types.DidOpenTextDocumentParams(document))
+
+    def type(self, path: Path, text: str) -> None:
+        """Make the text of an open file another, without saving it."""
+        self.versions[path] += 1
+        document = types.VersionedTextDocumentIdentifier(self.versions[path], path.as_uri())
+        change = types.TextDocumentContentChangeWholeDocument(text)
+        self.client.text_document_did_change(types.DidChangeTextDocumentParams(document, [change]))
+
+    def close(self, path: Path) -> None:
+        self.client.text_document_did_close(
+            types.DidCloseTextDocumentParams(types.TextDocumentIdentifier(path.as_uri()))
+        )
+
+    def actions(self, path: Path, line: int = 0, last: int = 10_000) -> list[types.CodeAction]:
+        at = types.Range(types.Position(line, 0), types.Position(last, 0))
+        asked = types.CodeActionParams(types.TextDocumentIdentifier(path.as_uri()), at, types.CodeActionContext([]))
+        found = self.run(self.client.text_document_code_action_async(asked))
+        return [each for each in found or () if isinstance(each, types.CodeAction)]
+
+    def quit(self) -> None:
+        self.run(self.client.shutdown_async(None))
+        self.client.exit(None)
+        self.run(self.client.stop())
+        self.loop.close()
+
+
+def applied(text: str, edits: Any) -> str:
+    """Return a text with the edits of an editor made, whose positions count code points of the plane of ASCII."""
+    lines = text.split("\n")
+    starts = [sum(len(line) + 1 for line in lines[:number]) for number in range(len(lines) + 1)]
+    for edit in sorted(edits, key=lambda each: (each.range.start.line, each.range.start.character), reverse=True):
+        first, last = edit.range.start, edit.range.end
+        start, end = starts[first.line] + first.character, starts[last.line] + last.character
+        text = text[:start] + edit.new_text + text[end:]
+    return text

@@ -1,0 +1,214 @@
+"""`rospkg server`: an editor opens packages, types, and sees findings come and go."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from editor import Editor, applied
+from in_process import run_here
+from lsprotocol import types
+from writing import Write
+
+DEPENDENCY = "  <exec_depend>rclpy</exec_depend>\n"
+
+MESSAGES = {
+    "package.xml": """\
+<?xml version="1.0"?>
+<package format="3">
+  <name>my_msgs</name>
+  <version>1.0.0</version>
+  <description>The messages of my robot</description>
+  <maintainer email="ada@example.org">Ada Lovelace</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <buildtool_depend>rosidl_default_generators</buildtool_depend>
+  <exec_depend>rosidl_default_runtime</exec_depend>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>
+</package>
+""",
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.10)
+project(my_msgs)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Status.msg" "msg/Robot.msg")
+ament_export_dependencies(rosidl_default_runtime)
+ament_package()
+""",
+    "msg/Status.msg": "float32 battery\n",
+    "msg/Robot.msg": "Status status\n",
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("editor")
+
+
+@pytest.fixture(scope="module")
+def editor(folder: Path) -> Iterator[Editor]:
+    """One server for all tests of this module; each has packages of its own."""
+    (folder / "src").mkdir()
+    kept = {name: os.environ[name] for name in ("PATH", "HOME", "LANG") if name in os.environ}
+    found = Editor(folder, **kept, XDG_CACHE_HOME=os.devnull, XDG_CONFIG_HOME=os.devnull)
+    yield found
+    found.quit()
+
+
+@pytest.fixture
+def package(folder: Path, write: Write, clean: dict[str, str], request: pytest.FixtureRequest) -> Path:
+    """A faultless package with the name of the test."""
+    name = request.node.name.removeprefix("test_")[:40].rstrip("_")
+    files = {path.replace("my_pkg", name): text.replace("my_pkg", name) for path, text in clean.items()}
+    return write(folder / "src" / name, files)
+
+
+def edits_of(action: types.CodeAction) -> Any:
+    """Return the edits of an action that changes one file."""
+    assert action.edit is not None
+    [change] = action.edit.document_changes or ()
+    return getattr(change, "edits", ())
+
+
+def test_findings_come_and_go_with_what_is_typed(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text()
+    editor.open(path)
+    editor.type(path, text.replace("Drives my robot", "TODO"))
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+    [found] = editor.diagnostics[path]
+    assert (found.source, found.severity) == ("rospkg", 2)
+    assert found.message.startswith("the description says `TODO`")
+    editor.type(path, text)
+    editor.until(lambda: editor.codes(path) == [])
+
+
+def test_closing_without_saving_gives_the_file_back(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    editor.open(path)
+    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+    editor.close(path)
+    editor.until(lambda: editor.codes(path) == [])
+
+
+def test_the_same_as_lint_of_the_saved_text(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text().replace("Drives my robot", "TODO").replace("ada@example.org", "ada")
+    editor.open(path)
+    editor.type(path, text)
+    editor.until(lambda: len(editor.codes(path)) > 1)
+    path.write_text(text)
+    lines = run_here("lint", package, "--format", "concise", cwd=package).stdout.splitlines()
+    shown = [f"{d.range.start.line + 1}:{d.range.start.character + 1}" for d in editor.diagnostics[path]]
+    assert shown == [":".join(line.split(":")[1:3]) for line in lines if line.startswith("package.xml")]
+    assert all(any(d.message in line for line in lines) for d in editor.diagnostics[path])
+
+
+def test_a_neighbour_goes_red(editor: Editor, folder: Path, write: Write) -> None:
+    """Not the package that is edited, but the one that uses its message, has the finding."""
+    messages = write(folder / "src/my_msgs", MESSAGES)
+    user = {name: text.replace("my_msgs", "my_more_msgs") for name, text in MESSAGES.items()}
+    user["msg/Robot.msg"] = "my_msgs/Status status\n"
+    user["package.xml"] = user["package.xml"].replace("  <exec", "  <depend>my_msgs</depend>\n  <exec", 1)
+    user["CMakeLists.txt"] = user["CMakeLists.txt"].replace('msg/Robot.msg")', 'msg/Robot.msg" DEPENDENCIES my_msgs)')
+    user["CMakeLists.txt"] = user["CMakeLists.txt"].replace(
+        "rosidl_gen", "find_package(my_msgs REQUIRED)\nrosidl_gen", 1
+    )
+    write(folder / "src/my_more_msgs", user)
+    cmake, uses = messages / "CMakeLists.txt", folder / "src/my_more_msgs/msg/Robot.msg"
+    editor.open(cmake)
+    editor.type(cmake, MESSAGES["CMakeLists.txt"].replace('"msg/Status.msg" ', ""))
+    editor.until(lambda: editor.codes(messages / "msg/Status.msg") == ["IDL005"])
+    (messages / "msg/Status.msg").rename(messages / "msg/State.msg")
+    editor.type(cmake, MESSAGES["CMakeLists.txt"].replace("Status", "State"))
+    editor.until(lambda: editor.codes(uses) == ["IDL004"])
+
+
+def test_a_fix_is_one_action(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text().replace("  <export>", f"{DEPENDENCY}{DEPENDENCY}  <export>", 1)
+    editor.open(path)
+    editor.type(path, text)
+    editor.until(lambda: bool(editor.codes(path)))
+    fix = next(each for each in editor.actions(path) if each.edit and each.is_preferred)
+    after = applied(text, edits_of(fix))
+    assert after == text.replace(DEPENDENCY, "", 1)
+    editor.type(path, after)
+    editor.until(lambda: "XML201" not in editor.codes(path))
+
+
+def test_actions_are_those_of_the_line(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text().replace("Drives my robot", "TODO")
+    editor.open(path)
+    editor.type(path, text)
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+    line = text.split("\n").index("  <description>TODO</description>")
+    titles = [each.title for each in editor.actions(path, line, line)]
+    assert titles == ["Ignore XML104 with a reason", f"rospkg: fix all in {package.name}"]
+    assert [each.kind for each in editor.actions(path, line + 1, line + 1)] == ["source.fixAll.rospkg"]
+
+
+def test_an_ignore_comment_is_written_above_the_line(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text().replace("Drives my robot", "TODO")
+    editor.open(path)
+    editor.type(path, text)
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+    ignore = next(each for each in editor.actions(path) if each.title.startswith("Ignore"))
+    after = applied(text, edits_of(ignore))
+    assert "  <!-- rospkg: ignore[XML104] say here why -->\n  <description>TODO" in after
+    editor.type(path, after)
+    editor.until(lambda: editor.codes(path) == [])
+
+
+def test_all_fixes_of_a_package(editor: Editor, package: Path) -> None:
+    """Those that change other files too; the module is nowhere but in the editor."""
+    module = package / package.name / "talker.py"
+    module.touch()
+    editor.open(module)
+    editor.type(module, "import rclpy\n\nrclpy.init()\n")
+    editor.until(lambda: editor.codes(module) == ["DEP101"])
+    every = next(each for each in editor.actions(module) if str(each.kind).startswith("source.fixAll"))
+    assert every.edit is None
+    resolved = editor.run(editor.client.code_action_resolve_async(every))
+    manifest = (package / "package.xml").read_text()
+    assert applied(manifest, edits_of(resolved)) == manifest.replace("  <export>", f"{DEPENDENCY}  <export>")
+
+
+def test_columns_count_utf_16_units(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    text = path.read_text().replace("<description>Drives my robot", "<!-- 🤖🤖 --><description>TODO", 1)
+    editor.open(path)
+    editor.type(path, text)
+    editor.until(lambda: bool(editor.codes(path)))
+    at = editor.diagnostics[path][0].range
+    line = text.split("\n")[at.start.line].encode("utf-16-le")
+    assert line[2 * at.start.character : 2 * at.end.character].decode("utf-16-le") == "TODO"
+
+
+def test_a_wrong_config_is_a_message_and_nothing_ends(editor: Editor, folder: Path, package: Path) -> None:
+    config, path = folder / "rospkg.toml", package / "package.xml"
+    config.write_text("selct = []\n")
+    editor.open(path)
+    editor.until(lambda: any("there is no key `selct`" in each for each in editor.messages))
+    config.unlink()
+    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+
+
+def test_without_pygls_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("rospkg_cli.cli.server.run.find_spec", lambda _: None)
+    done = run_here("server", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (
+        2,
+        "rospkg: rospkg server needs pygls: pip install 'rospkg-cli[server]'\n",
+    )
