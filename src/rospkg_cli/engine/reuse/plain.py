@@ -20,6 +20,7 @@ from ...finding import (
     Severity,
 )
 from ...light_dataclasses import field_names
+from ...package.interfaces.message_fields import MessageFields
 from ...package.launch.configuration_events import ConfigurationSummary
 from ...package.launch.launch_signature import LaunchSignature
 from ...package.package_facts import ActiveDependency, PackageFacts, Plugin, PluginUse
@@ -30,7 +31,7 @@ from ..suppression.comments import Suppression
 KINDS: dict[str, type[Any]] = {
     kind.__name__: kind
     for kind in (
-        *(PackageFacts, ActiveDependency, Plugin, PluginUse, LaunchSignature, ConfigurationSummary),
+        *(PackageFacts, ActiveDependency, Plugin, PluginUse, LaunchSignature, ConfigurationSummary, MessageFields),
         *(DeclaredParameter, NodeCode, Span, Finding, Fix, Location, Edit, Create, Delete, Move, Chmod, Suppression),
     )
 }
