@@ -120,7 +120,8 @@ def not_back(place: Place, draft: Draft, wanted: Wanted, back: str) -> Iterator[
         parts = parts_to_remove(after.package(place.folder), wanted, back, THERE)
         take_out(after, place.folder, parts)
     except (ChangeError, ScaffoldError) as error:
-        yield f"remove is refused: {error}"
+        named = "still name" in str(error)
+        yield f"{'~' if named else ''}remove is refused: {error}"
         return
     for path in sorted(draft.changes.keys() | after.changes.keys()):
         before, now = Draft(place.session.tree).entry(path), after.entry(path)

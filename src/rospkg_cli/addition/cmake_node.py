@@ -58,7 +58,7 @@ class NodeTarget:
         automatic = "ament_auto_" if cmake.named(*FINDERS) else ""
         kind, shared = ("library", " SHARED") if is_component else ("executable", "")
         lines = [f"{automatic}add_{kind}({self.name}{shared} src/{self.node.name}.cpp)"]
-        if not self.library and not cmake.named("ament_auto_package") and not sets_standard(cmake):
+        if not self.library and not automatic and not sets_standard(cmake):
             lines.append(f"target_compile_features({self.name} PRIVATE {STANDARD})")
         if not automatic:
             linked = [self.library] if self.library else []

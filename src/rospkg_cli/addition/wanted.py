@@ -92,7 +92,10 @@ def node_that_is_there(package: Package, name: str, there: WorkspacePackages, fo
     for node in possible_nodes(package, name, there):
         if node.language not in place.template.languages:
             continue
-        parts = node_parts(place, node, force)
+        try:
+            parts = node_parts(place, node, force)
+        except ChangeError:  # nodes in this language can't be here
+            continue
         source = [each for each in parts if isinstance(each, NewFile)][-1 if not is_script(parts) else -2]
         if not package.files.exists(source.path):
             continue

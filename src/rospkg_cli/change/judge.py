@@ -12,6 +12,9 @@ from ..light_dataclasses import dataclass, replace
 from . import ChangeError
 from .draft import Draft
 
+UNCHECKED = "RPK008"
+"""The rule that tells what can't be checked here: it judges nothing."""
+
 
 @dataclass(frozen=True)
 class Judgement:
@@ -36,7 +39,17 @@ class Judgement:
             before = left_over(before, matched, key)
         return tuple(each for each in after if self.matters(each))
 
+    @property
+    def unchecked(self) -> tuple[str, ...]:
+        """What lint says that it could not check, and did not say before."""
+        known = {each.message for each in self.before.findings}
+        return tuple(
+            each.message for each in self.after.findings if each.code == UNCHECKED and each.message not in known
+        )
+
     def matters(self, finding: Finding) -> bool:
+        if finding.code == UNCHECKED:
+            return False
         return finding.severity is not Severity.INFO or finding.location.path in self.changed
 
 

@@ -20,9 +20,10 @@ def neighbour(manifest: Manifest, tag: str, name: str) -> tuple[Element | None, 
     if tag not in DEPENDENCY_TAGS and (like := manifest.all(tag)):
         return like[-1], False
     children = manifest.root.children
+    order = rank if tag in DEPENDENCY_TAGS else place_of  # behind all dependencies, whatever order they have
     later = [child for child in children if child.tag in DEPENDENCY_TAGS and rank(child.tag) > rank(tag)]
     earlier = [child for child in children if rank(child.tag) < rank(tag)]
-    last = max(earlier, key=lambda child: (rank(child.tag), child.span)) if earlier else None
+    last = max(earlier, key=lambda child: (order(child.tag), child.span)) if earlier else None
     if tag in DEPENDENCY_TAGS and later and (last is None or last.tag not in DEPENDENCY_TAGS):
         return later[0], True
     return last, False

@@ -50,9 +50,12 @@ def finish(
     `scope` holds the packages after the change, where they are others. Raises ChangeError where lint would report
     something new, and WriteError.
     """
+    unchecked: tuple[str, ...] = ()
     if draft.changes:
-        refuse_new(judge(place.session, draft, scope).new)
-    for note in notes:
+        judged = judge(place.session, draft, scope)
+        refuse_new(judged.new)
+        unchecked = judged.unchecked
+    for note in (*notes, *unchecked):
         say(note)
     if options.diff:
         from ..diff import unified
