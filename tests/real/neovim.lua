@@ -1,0 +1,54 @@
+-- Drives `rospkg server` by Neovim's own client: opens a manifest, breaks it, applies an action, and says what it saw.
+-- $FILE is the manifest, $ROOT the workspace, $ROSPKG the program.
+vim.cmd("edit " .. vim.fn.getenv("FILE"))
+local root = vim.fn.getenv("ROOT")
+local id = vim.lsp.start_client({
+  name = "rospkg",
+  cmd = { vim.fn.getenv("ROSPKG"), "server" },
+  root_dir = root,
+  workspace_folders = { { uri = vim.uri_from_fname(root), name = "ws" } },
+})
+vim.lsp.buf_attach_client(0, id)
+
+local function codes()
+  local found = {}
+  for _, each in ipairs(vim.diagnostic.get(0)) do
+    table.insert(found, each.code)
+  end
+  table.sort(found)
+  return table.concat(found, " ")
+end
+
+local function say(what, holds)
+  local came = vim.wait(30000, holds, 50)
+  io.stdout:write(what, ": ", came and "yes" or "no", " [", codes(), "]\n")
+end
+
+local function replace(pattern, text)
+  for number, line in ipairs(vim.api.nvim_buf_get_lines(0, 0, -1, false)) do
+    if line:find(pattern) then
+      vim.api.nvim_buf_set_lines(0, number - 1, number, false, text)
+      return
+    end
+  end
+end
+
+replace("<description>", { "  <description>TODO</description>" })
+say("a finding comes", function() return codes() == "XML104" end)
+vim.cmd("silent undo")
+say("it goes", function() return codes() == "" end)
+
+replace("<export>", { "  <exec_depend>rclpy</exec_depend>", "  <exec_depend>rclpy</exec_depend>", "  <export>" })
+say("a duplicate is told", function() return codes():find("XML201") ~= nil end)
+local whole = { start = { line = 0, character = 0 }, ["end"] = { line = 99, character = 0 } }
+local asked = { textDocument = vim.lsp.util.make_text_document_params(), range = whole, context = { diagnostics = {} } }
+for _, answer in pairs(vim.lsp.buf_request_sync(0, "textDocument/codeAction", asked, 10000)) do
+  for _, action in ipairs(answer.result) do
+    if action.isPreferred then
+      vim.lsp.util.apply_workspace_edit(action.edit, "utf-16")
+    end
+  end
+end
+say("its action removes it", function() return not codes():find("XML201") end)
+io.stdout:write(table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), "\n"), "\n")
+vim.cmd("qa!")
