@@ -14,8 +14,9 @@ MACRO = '<xacro:macro name="{}" params="p">{}</xacro:macro>'
 
 
 def said(**bodies: str) -> list[tuple[str, str]]:
-    """Lint robots, each by the name of its file, and return level and message of each finding."""
-    files = {f"urdf/{name}.xacro": f"{HEAD}{body}</robot>\n" for name, body in bodies.items()}
+    """Lint robots, each by the name of its file, and return level and message of each finding; `b` has no name."""
+    heads = {name: HEAD.replace(' name="r"', "") if name == "b" else HEAD for name in bodies}
+    files = {f"urdf/{name}.xacro": f"{heads[name]}{body}</robot>\n" for name, body in bodies.items()}
     found = lint_files({"package.xml": manifest(), **files}, ["URD001"]).findings
     return [(finding.severity.value, finding.message) for finding in found]
 
@@ -32,7 +33,7 @@ def said(**bodies: str) -> list[tuple[str, str]]:
     ],
 )
 def test_joints_for_ros2_control_may_lie_in_a_file_of_their_own(body: str) -> None:
-    include = '<link name="a"/><xacro:include filename="part.xacro"/>'
+    include = '<link name="a"/><xacro:include filename="$(find elsewhere)/part.xacro"/>'
     assert said(robot=f'{include}<ros2_control name="c"><xacro:wheel p="l"/></ros2_control>', part=body) == []
 
 
@@ -40,7 +41,10 @@ def test_a_robot_that_nothing_includes_has_all_its_joints() -> None:
     body = '<link name="a"/><ros2_control name="c"><joint name="elsewhere"/></ros2_control>'
     ((level, message),) = said(robot=body)
     assert (level, "`elsewhere`" in message) == ("error", True)
-    assert said(piece=body, robot='<link name="a"/><xacro:include filename="piece.xacro"/>') == []
+    joint = '<link name="b"/><joint name="elsewhere" type="fixed"><parent link="a"/><child link="b"/></joint>'
+    assert said(piece=body, robot=f'{joint}<xacro:include filename="piece.xacro"/>') == []
+    told = said(piece=body, robot='<link name="b"/><xacro:include filename="piece.xacro"/>')
+    assert told == [("error", "no joint of the robot is called `elsewhere`")]
 
 
 @pytest.mark.parametrize("missing", [' type="revolute"', '<parent link="a"/>', '<child link="b"/>'])

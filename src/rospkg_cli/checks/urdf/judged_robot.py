@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault
+from .expanded_robots import ExpandedRobots
 from .validation import robot_faults
 from .xacro_calls import XacroCalls
 
@@ -13,6 +14,11 @@ from .xacro_calls import XacroCalls
 class JudgedRobot:
     robot: RobotFile
     calls: XacroCalls
+    expanded: ExpandedRobots
 
     def faults(self) -> list[Fault]:
-        return robot_faults(self.robot, self.calls)
+        """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""
+        written = robot_faults(self.robot, self.calls)
+        told = {fault.span for fault in written}
+        made = [fault for fault in self.expanded.faults_of(self.robot.path) if fault.span not in told]
+        return sorted([*written, *made], key=lambda fault: fault.span)

@@ -5,12 +5,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...languages.xml.parser import Element
+from ...languages.xml.parser import Document, Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
@@ -44,9 +45,20 @@ class XacroCalls:
 
     def is_robot(self, robot: RobotFile) -> bool:
         """Return whether a file is a robot of its own: it has a name, and no other file mentions it."""
-        name = robot.path.rpartition("/")[2]
-        named = robot.document.root.get("name") is not None
-        return named and not any(name in text for text in self.texts if text is not robot.source.text)
+        return self.is_top(robot.document)
+
+    def is_top(self, document: Document) -> bool:
+        """Return whether the root of a file has a name, and no other file mentions the file."""
+        name = document.source.path.rpartition("/")[2]
+        named = document.root.get("name") is not None
+        texts = (text for text in self.texts if text is not document.source.text and "xacro:include" in text)
+        return named and not any(name in text for text in texts)
+
+    def is_defined(self, name: str) -> bool:
+        """Return whether any file defines a macro, a property, a parameter or an argument of a name."""
+        word = re.escape(name)
+        written = re.compile(rf"\bname\s*=\s*[\"']{word}[\"']|\bparams\s*=\s*(?:\"[^\"]*|'[^']*)\b{word}\b")
+        return any(written.search(text) for text in self.texts)
 
     def is_called(self, macro: str) -> bool:
         return macro in self.called or macro.removeprefix("xacro:") in self.called

@@ -32,6 +32,19 @@ XACRO = """\
   </link>
 </robot>
 """
+MACRO = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
+  <xacro:macro name="wheel" params="side parent">
+    <link name="${side}_wheel"/>
+    <joint name="${side}_axle" type="continuous">
+      <parent link="${parent}"/>
+      <child link="${side}_wheel"/>
+    </joint>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:wheel side="left" parent="base"/>
+</robot>
+"""
 
 
 def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> Example:
@@ -44,8 +57,8 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     over=JudgedRobot,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the robot is read without a part of a link, or a condition or unused macro is around it",
-        Severity.INFO: "nothing reads the property that can't be evaluated",
+        Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, or it may be elsewhere",
+        Severity.INFO: "nothing reads the property that can't be evaluated, or Gazebo leaves out what is unknown",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -54,6 +67,9 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
         example('type="«revolute»"', 'type="continuous"'),
         example('radius="«${radius * 2»"', 'radius="${radius * 2}"', XACRO, "robot.urdf.xacro"),
         example("«<sphere/>»", '<sphere radius="${radius * 2}"/>', XACRO, "robot.urdf.xacro"),
+        example('"«${raduis * 2}»"', '"${radius * 2}"', XACRO, "robot.urdf.xacro"),
+        example('side="left" «parnt»="base"', 'side="left" parent="base"', MACRO, "robot.urdf.xacro"),
+        example('side="left" parent="«bse»"', 'side="left" parent="base"', MACRO, "robot.urdf.xacro"),
     ),
 )
 def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
@@ -62,8 +78,9 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     Finds URDF files that urdfdom refuses, and xacro that can't be evaluated.
     Every joint has a type, a parent and a child that are links of the robot, a revolute or prismatic one a limit; names
     are unique; the links make one tree with one root; numbers are numbers. Joints that a `<mimic>` or a
-    `<ros2_control>` names exist. In xacro files what is written literally is checked, and `${…}` and `$(…)` that xacro
-    can't evaluate.
+    `<ros2_control>` names exist. A xacro file is expanded, with what it includes of this package and of others in the
+    workspace: macros, properties, parameters, blocks and conditions that xacro stops at, and the links and joints that
+    come out. Parts of names that an argument gives are compared as they are written.
 
     ## Why is this bad?
     robot_state_publisher, RViz, Gazebo and MoveIt refuse the whole robot: "Model Parsing the xml failed". What is wrong
@@ -72,8 +89,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     ## When it is quiet
     A joint without type, parent and child in a xacro file is none of URDF: xacro puts it into a `<ros2_control>`, a
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
-    it, what is in `<xacro:if>` only for some: there the level is lower. Joints that another file of the robot may
-    have are not missed.
+    it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
+    something that it includes is not here, names that it lacks are reported only where a near one is there.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py

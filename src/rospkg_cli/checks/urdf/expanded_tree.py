@@ -1,0 +1,157 @@
+"""Links and joints of a robot as xacro leaves them, with names whose unknown parts are compared as they are written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+
+from ...light_dataclasses import dataclass
+from ...package.urdf.expansion.expansion import Expansion, Given, Node
+from ...package.urdf.expansion.values import Unknown, shown
+from ...source import Source, Span
+from ...suggest import near_names, nearest
+from ..fault import Fault, Level
+
+WORD = re.compile(r"[_\W]+")
+LONG = 6
+"""Letters of a word of which two may be wrong."""
+IF = ", where the condition around it holds"
+Found = tuple[str, Fault]
+
+
+@dataclass(frozen=True)
+class ExpandedTree:
+    expansion: Expansion
+    is_robot: bool
+    """Whether it is a robot of its own: else other files may have the rest of it."""
+
+    def faults(self) -> Iterator[Found]:
+        """Yield the path of each fault in a file of the package, and the fault."""
+        if self.links:
+            yield from self.repeated("link", self.links)
+            yield from self.repeated("joint", self.joints)
+            for joint in self.joints:
+                yield from self.ends(joint)
+            yield from self.named()
+
+    @cached_property
+    def links(self) -> list[Node]:
+        return [node for node in self.expansion.children if node.tag == "link" and "name" in node.attributes]
+
+    @cached_property
+    def joints(self) -> list[Node]:
+        """The joints of URDF: those of a transmission or an SRDF have neither a type nor links."""
+        every = (node for node in self.expansion.children if node.tag == "joint" and "name" in node.attributes)
+        return [node for node in every if "type" in node.attributes or node.first("parent") or node.first("child")]
+
+    @cached_property
+    def link_names(self) -> frozenset[str]:
+        return frozenset(name_of(link) for link in self.links)
+
+    @cached_property
+    def joint_names(self) -> frozenset[str]:
+        return frozenset(name_of(joint) for joint in self.joints)
+
+    @cached_property
+    def has_unknown_names(self) -> bool:
+        """Whether a part of a name is given from outside: then it may be any name."""
+        return any(isinstance(node.attributes["name"].value, Unknown) for node in (*self.links, *self.joints))
+
+    def repeated(self, kind: str, nodes: Iterable[Node]) -> Iterator[Found]:
+        seen: dict[str, Node] = {}
+        for node in nodes if self.is_robot else ():
+            name = name_of(node)
+            if node.is_certain and name and seen.setdefault(name, node) is not node:
+                place = own_place(node, node.attributes["name"].span, name, again=bool(node.calls))
+                if place:
+                    message = f"two {kind}s are called `{name}`: urdfdom refuses the robot"
+                    yield place[0].path, Fault(place[1], message)
+
+    def ends(self, joint: Node) -> Iterator[Found]:
+        for tag in ("parent", "child"):
+            end = joint.first(tag)
+            link = end.attributes.get("link") if end else None
+            if end is not None and link is not None:
+                yield from self.unknown(end, link, self.link_names, "link", ": urdfdom refuses the robot")
+        mimic = joint.first("mimic")
+        if mimic is not None and "joint" in mimic.attributes:
+            yield from self.unknown(mimic, mimic.attributes["joint"], self.joint_names, "joint", "")
+
+    def named(self) -> Iterator[Found]:
+        """Yield what is said of joints and links that the robot does not have: to ros2_control, and to Gazebo."""
+        for node in self.expansion.children:
+            for child in node.children if node.tag == "ros2_control" else ():
+                if child.tag == "joint" and "name" in child.attributes:
+                    yield from self.unknown(child, child.attributes["name"], self.joint_names, "joint of the robot", "")
+            if node.tag == "gazebo" and "reference" in node.attributes:
+                names, harm = self.link_names | self.joint_names, ": Gazebo leaves out what this says"
+                yield from self.unknown(node, node.attributes["reference"], names, "link or joint", harm, "info")
+
+    def unknown(
+        self, node: Node, given: Given, names: frozenset[str], kind: str, harm: str, level: Level | None = None
+    ) -> Iterator[Found]:
+        name, is_known = shown(given.value), not (isinstance(given.value, Unknown) or self.has_unknown_names)
+        if not name or name in names:
+            return
+        is_sure = self.is_robot and not self.expansion.is_open and is_known
+        near = nearest(name, names) if is_sure else only_near(name, names)
+        place = own_place(node, given.span, name)
+        if place is None or not (near or is_sure):
+            return
+        hint = f" (did you mean `{near}`?)" if near else ""
+        milder: Level | None = level if is_sure and node.is_certain and not near else None
+        if not is_sure or not node.is_certain or (level and near):
+            milder = "warning"
+        when = "" if node.is_certain else IF
+        yield place[0].path, Fault(place[1], f"no {kind} is called `{name}`{hint}{harm}{when}", milder)
+
+
+def only_near(name: str, names: Iterable[str]) -> str | None:
+    """Return the one name that a letter makes of another, or two of long words; none that is a sibling of it."""
+    close = near_names(name, names, 1)
+    found = close or near_names(name, names)
+    if len(found) != 1 or "@" in name or are_siblings(name, found[0]):
+        return None
+    words = [word for word in WORD.split(name) if word not in WORD.split(found[0])]
+    return found[0] if close or all(len(word) >= LONG for word in words) else None
+
+
+def name_of(node: Node) -> str:
+    return shown(node.attributes["name"].value)
+
+
+def own_place(node: Node, span: Span, name: str, *, again: bool = False) -> tuple[Source, Span] | None:
+    """Return where a fault of an element is told: in a file of this package, or at the call of a macro that made it.
+
+    An element that is made `again` is told at the call, and a name that a call gives is told there.
+    """
+    calls = [(source, tag_span(source, call.span)) for source, call in node.calls]
+    for source, call in node.calls if name != node.source.slice(span) and not again else ():
+        given = next((each.value_span for each in call.attributes.values() if each.value == name), None)
+        if given is not None and not source.path.startswith("/"):
+            return source, given
+    places = [*calls[:1], (node.source, span)] if again else [(node.source, span), *reversed(calls)]
+    return next(((source, at) for source, at in places if not source.path.startswith("/")), None)
+
+
+def tag_span(source: Source, call: Span) -> Span:
+    match = re.compile(r"<[^\s/>]+").match(source.text, call.start)
+    return Span(call.start + 1, match.end()) if match else call
+
+
+def are_siblings(a: str, b: str) -> bool:
+    """Return whether two names differ by a number or a letter that stands alone, as `wheel_l` and `wheel_r` do."""
+    words = WORD.split(a), WORD.split(b)
+    if len(words[0]) != len(words[1]):
+        return False
+    different = [pair for pair in zip(*words, strict=True) if pair[0] != pair[1]]
+    return all((is_mark(one) and is_mark(other)) or numberless(one) == numberless(other) for one, other in different)
+
+
+def is_mark(word: str) -> bool:
+    return len(word) <= 2
+
+
+def numberless(word: str) -> str:
+    return re.sub(r"\d+", "0", word)

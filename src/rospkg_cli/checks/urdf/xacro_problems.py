@@ -1,0 +1,49 @@
+"""The sentences about what xacro refuses while it expands a robot."""
+
+from __future__ import annotations
+
+from ...package.urdf.expansion.expansion import FoundProblem, XacroProblem
+from ...suggest import nearest
+from ..fault import Fault, Level, softer
+from .expanded_tree import only_near
+from .xacro_calls import XacroCalls
+
+STOPS = "xacro stops here"
+SENTENCES = {
+    XacroProblem.MACRO: "no macro is called `{name}`{hint}: " + STOPS,
+    XacroProblem.NAME: "no property or parameter is called `{name}`{hint}: " + STOPS,
+    XacroProblem.ARGUMENT: "no `<xacro:arg>` declares `{name}`{hint}: unless it is given, " + STOPS,
+    XacroProblem.PARAMETER: "the macro `{macro}` has no parameter `{name}`{hint}: " + STOPS,
+    XacroProblem.MISSING: "the macro `{macro}` needs its parameter `{name}`: " + STOPS,
+    XacroProblem.FEW_BLOCKS: "the macro `{macro}` needs an element for its block `{name}`: " + STOPS,
+    XacroProblem.MANY_BLOCKS: "the macro `{macro}` has no block for the element `<{name}>`: " + STOPS,
+    XacroProblem.BLOCK: "no block is called `{name}`{hint}: " + STOPS,
+    XacroProblem.CONDITION: "this condition is `{name}`, which is neither true nor false: " + STOPS,
+}
+BY_NAME = (XacroProblem.MACRO, XacroProblem.NAME, XacroProblem.BLOCK)
+"""What may be defined by a file that is not here."""
+
+
+def problem_fault(problem: FoundProblem, calls: XacroCalls, *, is_sure: bool) -> Fault | None:
+    """Return the fault that a problem is; None where what is not known may make it none.
+
+    It is sure in a robot of its own, of which all files are here; else a near name is needed that nothing defines.
+    """
+    is_sure = is_sure and problem.is_certain
+    near = (
+        nearest(problem.name, problem.known)
+        if is_sure and problem.is_closed
+        else only_near(problem.name, problem.known)
+    )
+    named = problem.kind in BY_NAME or problem.kind is XacroProblem.ARGUMENT
+    may_be_elsewhere = problem.kind is XacroProblem.ARGUMENT or (
+        problem.kind in BY_NAME and not (is_sure and problem.is_closed)
+    )
+    if may_be_elsewhere and (not near or calls.is_defined(problem.name)):
+        return None
+    hint = f" (did you mean `{near}`?)" if near and (named or problem.kind is XacroProblem.PARAMETER) else ""
+    message = SENTENCES[problem.kind].format(name=problem.name, hint=hint, macro=problem.macro)
+    if not problem.is_certain:
+        return softer(Fault(problem.span, message), "warning", "where the condition around it holds")
+    level: Level | None = "warning" if may_be_elsewhere or not is_sure else None
+    return Fault(problem.span, message, level)

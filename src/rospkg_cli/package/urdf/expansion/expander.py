@@ -1,0 +1,170 @@
+"""Expand a robot as xacro does: in the order of the text, macros where they are called. (xacro: eval_all)"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ....languages.xml.parser import Document, Element
+from ....light_dataclasses import dataclass, field, replace
+from ....source import Span
+from ..references import text_spans
+from .expansion import Expansion, Given, Node, XacroProblem
+from .expansion_state import Context, ExpansionState
+from .macro_calls import bound_scope
+from .macros import Macro, parameters_of
+from .properties import keep_property
+from .values import Block, Scope, Stored, Unknown, shown, truth
+
+MAX_NODES = 30_000
+MAX_DEPTH = 60
+DYNAMIC = frozenset({"xacro:element", "xacro:attribute", "xacro:call"})
+
+
+@dataclass
+class Expander(ExpansionState):
+    called: set[int] = field(default_factory=set)
+    """The macros that were expanded, by the `id` of their elements."""
+    nodes: int = 0
+
+    def run(self, document: Document) -> Expansion:
+        self.found.reached.add(document.source.path)
+        self.inside(document.root, self.found.children, Context(document.source, self.scope))
+        return self.found
+
+    def uncalled(self) -> Iterator[Expansion]:
+        """Yield what the macros of the robot that nothing called make, each with parameters of unknown values."""
+        for macro in list(self.scope.macros.values()):
+            if id(macro.element) not in self.called and macro.is_certain:
+                scope = Scope(self.scope)
+                for each in macro.parameters:
+                    scope.names[each.name] = Unknown(f"${{{each.name}}}")
+                made = replace(self.found, children=[], problems=[])
+                self.inside(macro.element, made.children, Context(macro.source, scope))
+                yield made
+
+    def inside(self, element: Element, into: list[Node], context: Context) -> None:
+        """Expand the children of an element."""
+        self.nodes += 1
+        if context.depth > MAX_DEPTH or self.nodes > MAX_NODES:
+            self.found.is_open = True
+            return
+        deeper = replace(context, depth=context.depth + 1)
+        for span in text_spans(element) if element.chunks and not element.is_self_closing else ():
+            if "$" in context.source.text[span.start : span.end]:
+                self.evaluate(span, deeper)
+        for child in element.children:
+            self.element(child, into, deeper)
+
+    def element(self, element: Element, into: list[Node], context: Context) -> None:
+        self.at = context
+        if not element.tag.startswith("xacro:"):
+            into.append(self.plain(element, context))
+        elif handler := HANDLERS.get(element.tag):
+            handler(self, element, into, context)
+        elif element.tag in DYNAMIC or "." in element.tag:
+            self.found.is_open = True
+        else:
+            self.call(element, into, context)
+
+    def plain(self, element: Element, context: Context) -> Node:
+        node = Node(element.tag, element, context.source, context.is_certain, context.calls)
+        for name, attribute in element.attributes.items():
+            if not name.startswith("xacro:"):
+                node.attributes[name] = Given(self.evaluate(attribute.value_span, context), attribute.value_span)
+        self.inside(element, node.children, context)
+        return node
+
+    def include(self, element: Element, into: list[Node], context: Context) -> None:
+        filename = element.attributes.get("filename")
+        name = self.evaluate(filename.value_span, context) if filename else Unknown("")
+        document = None
+        if isinstance(name, str) and element.get("ns") is None:
+            document = self.library.included(name, context.source.path)
+        if document is None:
+            self.found.is_open = True
+            return
+        self.found.reached.add(document.source.path)
+        self.inside(document.root, into, replace(context, source=document.source))
+
+    def property(self, element: Element, _: list[Node], context: Context) -> None:
+        keep_property(self, element, context)
+
+    def macro(self, element: Element, _: list[Node], context: Context) -> None:
+        name = (element.get("name") or "").removeprefix("xacro:")
+        certain = context.is_certain and (name not in context.scope.macros or context.scope.macros[name].is_certain)
+        parameters = parameters_of(element.get("params") or "")
+        context.scope.macros[name] = Macro(name, parameters, element, context.source, certain)
+
+    def argument(self, element: Element, _: list[Node], context: Context) -> None:
+        default = element.attributes.get("default")
+        if default is not None:
+            self.evaluate(default.value_span, context)
+        self.texts.arguments.add(element.get("name") or "")
+
+    def condition(self, element: Element, into: list[Node], context: Context) -> None:
+        written = element.attributes.get("value")
+        value = self.evaluate(written.value_span, context) if written else Unknown("")
+        holds = truth(value)
+        if holds is None and written is not None and not isinstance(value, Unknown):
+            self.problem(XacroProblem.CONDITION, written.value_span, shown(value), ())
+        if holds is None:
+            self.inside(element, into, replace(context, is_certain=False))
+        elif holds is (element.tag == "xacro:if"):
+            self.inside(element, into, context)
+
+    def insert(self, element: Element, into: list[Node], context: Context) -> None:
+        name = element.attributes.get("name")
+        if name is None or "$" in name.value:
+            self.found.is_open = True
+            return
+        homes = [(context.scope.home(f"{stars}{name.value}"), f"{stars}{name.value}") for stars in ("**", "*")]
+        stored: Stored | None = next((home.names[key] for home, key in homes if home is not None), None)
+        if isinstance(stored, Block):
+            block = replace(context, source=stored.source, scope=stored.scope)
+            if stored.content_only:
+                self.inside(stored.element, into, block)
+            else:
+                self.element(stored.element, into, replace(block, depth=block.depth + 1))
+        elif stored is None:
+            known = {each.lstrip("*") for each in blocks_in(context.scope)}
+            self.problem(XacroProblem.BLOCK, name.value_span, name.value, known)
+        else:
+            self.found.is_open = True
+
+    def call(self, element: Element, into: list[Node], context: Context) -> None:
+        name = element.tag.removeprefix("xacro:")
+        macro = context.scope.macro(name)
+        if macro is None:
+            start = element.span.start + 1
+            self.problem(
+                XacroProblem.MACRO, Span(start, start + len(element.tag)), name, context.scope.visible_macros()
+            )
+            self.found.is_open = True
+            return
+        self.called.add(id(macro.element))
+        scope = bound_scope(self, element, macro, context)
+        if scope is None:
+            self.found.is_open = True
+            return
+        certain, site = context.is_certain and macro.is_certain, (context.source, element)
+        body = Context(macro.source, scope, certain, (*context.calls, site), context.depth)
+        self.inside(macro.element, into, body)
+
+
+def blocks_in(scope: Scope | None) -> set[str]:
+    found: set[str] = set()
+    while scope is not None:
+        found |= {name for name in scope.names if name.startswith("*")}
+        scope = scope.parent
+    return found
+
+
+HANDLERS = {
+    "xacro:include": Expander.include,
+    "xacro:property": Expander.property,
+    "xacro:macro": Expander.macro,
+    "xacro:arg": Expander.argument,
+    "xacro:if": Expander.condition,
+    "xacro:unless": Expander.condition,
+    "xacro:insert_block": Expander.insert,
+}

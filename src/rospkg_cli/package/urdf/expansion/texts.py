@@ -1,0 +1,114 @@
+"""Evaluate texts of xacro: `a${b}$(arg c)`. (xacro/__init__.py: eval_text; substitution_args.py)"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Mapping
+
+from ....lazy_regex import regex
+from ....light_dataclasses import dataclass, field
+from ....source import Span
+from .expressions import GLOBAL, NoValueError, evaluate, free_names, parsed
+from .values import Block, Place, Scope, Unknown, Value, Written, literal, shown
+
+TOKEN = regex(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$")
+MAX_DEPTH = 40
+PACKAGE = "package://"
+
+
+@dataclass
+class TextEvaluator:
+    """Evaluates texts in scopes; what reads a name that is not there is told to `undefined`."""
+
+    undefined: Callable[[Place, str, Scope], None]
+    undeclared: Callable[[Place, str], None]
+    arguments: set[str] = field(default_factory=set)
+    """Those that `<xacro:arg>` has declared so far."""
+    depth: int = 0
+
+    def evaluate(self, place: Place, scope: Scope) -> Value:
+        """Return the value of the text at a place."""
+        raw = place.source.slice(place.span)
+        if "$" not in raw:
+            return raw
+        found: list[Value] = []
+        for match in TOKEN.finditer(raw):
+            span = Span(place.span.start + match.start(), place.span.start + match.end())
+            found.append(self.token(match.group(), Place(place.source, span), scope))
+        if len(found) == 1:
+            return found[0]
+        text = "".join(map(shown, found))
+        return Unknown(text) if any(isinstance(each, Unknown) for each in found) else text
+
+    def token(self, token: str, place: Place, scope: Scope) -> Value:
+        if token.startswith("${"):
+            return self.expression(token, place, scope)
+        if token.startswith("$("):
+            return self.command(token, place)
+        return token[1:] if token.startswith("$$") else token
+
+    def command(self, token: str, place: Place) -> Value:
+        match token[2:-1].split():
+            case ["find", name] if "$" not in name:
+                return PACKAGE + name
+            case ["dirname"]:
+                return "."
+            case ["arg", name] if name not in self.arguments and "$" not in name:
+                self.undeclared(place, name)
+        return Unknown(" ".join(token.split()))
+
+    def expression(self, token: str, place: Place, scope: Scope) -> Value:
+        tree = parsed(" ".join(token[2:-1].split()))
+        if tree is None or self.depth > MAX_DEPTH:
+            return Unknown(f"{token}{unlike(scope)}")
+        names: dict[str, Value] = {}
+        for name in free_names(tree):
+            home = scope.home(name)
+            if home is not None:
+                names[name] = self.read(name, home)
+            elif name not in GLOBAL:
+                self.undefined(place, name, scope)
+        if isinstance(tree, ast.Name) and tree.id in names:
+            return names[tree.id]
+        return folded(tree, names, f"{token}{unlike(scope)}")
+
+    def read(self, name: str, home: Scope) -> Value:
+        """Return the value of a name in its table; what is read first is evaluated there."""
+        stored = home.names[name]
+        if isinstance(stored, Block):
+            return Unknown(f"${{{name}}}")
+        if not isinstance(stored, Written):
+            return stored
+        home.names[name] = Unknown(f"${{{name}}}")  # a circle ends here
+        self.depth += 1
+        found = self.evaluate(stored.place, home)
+        self.depth -= 1
+        home.names[name] = literal(found) if isinstance(found, str) else found
+        return home.names[name]  # type: ignore[return-value]
+
+
+def unlike(scope: Scope) -> str:
+    """Return a mark that no other scope has, for what is the same only within one."""
+    return f"@{scope.number}"
+
+
+def folded(tree: ast.expr, names: Mapping[str, Value], unique: str) -> Value:
+    """Return the value of an expression; texts that are put together stay comparable though parts are unknown."""
+    try:
+        return evaluate(tree, names)
+    except NoValueError:
+        text = joined(tree, names)
+        return Unknown(unique if text is None else text)
+
+
+def joined(tree: ast.expr, names: Mapping[str, Value]) -> str | None:
+    """Return the text of `a + 'b'`; None for any other expression."""
+    match tree:
+        case ast.Constant(value=str(text)):
+            return text
+        case ast.Name(id=name) if isinstance(names.get(name), str | Unknown):
+            return shown(names[name])
+        case ast.BinOp(left=left, op=ast.Add(), right=right):
+            parts = joined(left, names), joined(right, names)
+            return None if parts[0] is None or parts[1] is None else parts[0] + parts[1]
+    return None
