@@ -38,6 +38,10 @@ TWO = (
     "find_package(rclcpp REQUIRED)\nadd_executable(a src/a.cpp)\nadd_executable(b src/a.cpp)\n"
     f"{ATD}(a rclcpp)\n{ATD}(b rclcpp ${{MORE}})\n{ATD}(b rclcpp)\ninstall(TARGETS a b DESTINATION {LIB})\n"
 )
+PLUGINS = (
+    "add_library(core SHARED src/a.cpp)\nament_export_libraries(core)\n"
+    "pluginlib_export_plugin_description_file(b p.xml)\n"
+)
 INCLUDE = "ament_export_include_directories(include)\n"
 TALKER = f"add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION {LIB})\n"
 HEADER = {"include/my_pkg/a.hpp": "#pragma once\n", "src/a.cpp": MAIN}
@@ -104,6 +108,10 @@ CASES = {
     ),
     "CMK105": (
         cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\n\ndef hello():\n    print(os.name)\n"}),
+        *(
+            cmake(cmk105.FILES, files={"scripts/hello.py": f"{cmk105.SHEBANG}\n\ndef a():\n    pass\n{end}"})
+            for end in ("", "\n\nraise OSError\n")
+        ),
         cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\nif __name__ == '__main__':\n    os.abort()\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['python3', share + '/hello.py']\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['bash', share + '/hello.py']\n"}),
@@ -115,6 +123,8 @@ CASES = {
         cmake(TALKER + INCLUDE, files=HEADER),
         in_workspace(cmake(TALKER + INCLUDE, files=HEADER)),
         cmake(f"add_library(core src/a.cpp)\nament_export_libraries(core)\n{INCLUDE}", files=HEADER),
+        cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"}),
+        in_workspace(cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"})),
     ),
     "CMK107": (
         cmake(f"{GTEST}ament_add_gtest(a test/a.cpp)\nament_add_gtest(b test/a.cpp)\n",

@@ -48,6 +48,18 @@ CASES = {
         listed(STATUS, f'  # "msg/Zones.msg"\n{STATUS}', Zone="int32 a\n"),
         listed("rosidl_gen", "include(${x_DIR}/x.cmake)\nrosidl_gen", Zone="int32 a\n"),
         Example(bad={".gitignore": "msg/Zone.msg\n", "msg/Zone.msg": "int32 a\n"}, good={}, on="interfaces"),
+        listed("rosidl_gen", "add_message_files(FILES Zone.msg)\nrosidl_gen", Zone="int32 a\n"),
+        Example(
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace(
+                    STATUS, f'{STATUS}  "${{CMAKE_CURRENT_SOURCE_DIR}}/ros2:msg/Zone.msg"\n'
+                ),
+                "msg/Zone.msg": "int32 a\n",
+                "ros2/msg/Zone.msg": "int32 a\n",
+            },
+            good={},
+            on="interfaces",
+        ),
     ),
     "IDL007": (*perhaps("std_msgs/Header a\n"),),
     "IDL008": (

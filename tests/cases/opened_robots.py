@@ -48,4 +48,14 @@ BROKEN = (
     robot("<robot/>\n<robot/>\n", launch__show_DOT_py=LAUNCH),
 )
 TAB = Example(bad={"config/robot.yaml": "/**:\n  ros__parameters:\n\trate: 2.0\n"}, good={}, on="config")
-CASES = {"URD002": USES, "RPK001": (*BROKEN, TAB)}
+DESCRIBED = """\
+<library path="l">
+  <class name="a" type="my_pkg::A{}" base_class_type="b::B"><description>{}</description></class>
+</library>
+"""
+EXPORTED = CMAKE.replace("ament_package", "pluginlib_export_plugin_description_file(b p.xml)\nament_package")
+DESCRIPTIONS = tuple(
+    Example(bad={"CMakeLists.txt": EXPORTED, "p.xml": DESCRIBED.format(*each)}, good={}, on="ament_cmake")
+    for each in (("<int>", "one"), ("", "a < b"))
+)
+CASES = {"URD002": USES, "RPK001": (*BROKEN, TAB, *DESCRIPTIONS)}

@@ -352,6 +352,8 @@ CASES = {
         xml('<log message="$(arg rate)"/>', '<node pkg="p" type="e" name="n" args="$(arg rate) $(find p)"/>'),
         xml('<log message="$(var rate)"/>', '<node pkg="p" type="e" name="n" args="$(arg rate) $(find p)"/>'),
         xml('<log message="$(var rate)"/>', '<lgo message="x"/>'),
+        xml('<log message="$(var rate) $(var map)"/>'),
+        xml('<log message="$(var rate) $(var map)"/>', '<arg name="x" default="1"/>', '<log message="$(var x)"/>'),
         xml('<log message="$(var rate)"/>', '<include file="$(var unknown)"/>'),
         xml('<let name="rate" value="1"/>', '<log message="$(var rate) $(var log_dir) $(var other)"/>'),
         xml('<group>', '<arg name="rate" default="1"/>', '</group>', '<log message="$(var rate)"/>'),

@@ -6,6 +6,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import TARGETS, PublicHeaders
 from ...package.workspace import Workspace
 
+DESCRIPTIONS = "pluginlib_export_plugin_description_file"
 LIBRARIES = ("ament_export_libraries", *TARGETS)
 
 
@@ -18,9 +19,19 @@ class ExportedHeaders:
     def may_be_used(self) -> bool:
         """Whether the headers are for others: with a library, with nothing else at all, or for a known package."""
         package = self.headers.package
-        cmake, name = package.cmake, package.facts.name
-        if cmake.named(*LIBRARIES) or not any(target.is_built for target in cmake.targets):
+        if package.cmake.named(*LIBRARIES) or not any(target.is_built for target in package.cmake.targets):
             return True
+        return self.is_built_against
+
+    @property
+    def are_of_plugins(self) -> bool:
+        """Whether the package is loaded as plugins, and no package of the workspace builds against it."""
+        return bool(self.headers.package.cmake.named(DESCRIPTIONS)) and not self.is_built_against
+
+    @property
+    def is_built_against(self) -> bool:
+        """Whether a package of the workspace depends on this one to build."""
+        name = self.headers.package.facts.name
         tags = ("depend", "build_depend", "build_export_depend")
         compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
         needs = (need for facts in compiled for need in facts.dependencies)

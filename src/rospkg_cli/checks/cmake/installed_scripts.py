@@ -21,8 +21,9 @@ ASIDE = frozenset({"test", "tests"})
 Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
 
 IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
-STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try)\b)", re.MULTILINE)
+STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try|raise)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
+DEFINES = regex(r"^(?:class|def|async def)\b", re.MULTILINE)
 USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
@@ -67,6 +68,8 @@ class InstalledScripts:
         shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)
         if posixpath.basename(copy.source) == "__init__.py" or self.is_no_program(copy.source):
             return None
+        if self.holds_definitions(copy.source):
+            return None
         if copy.rule.kind == "PROGRAMS":
             if not shebang:
                 return "no shebang" if copy.source.endswith(".py") and self.does_something(copy.source) else None
@@ -88,6 +91,11 @@ class InstalledScripts:
         readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
         texts = (*self.launch_texts, *self.texts, *map(self.package.cmake.package_files.readable_text, readmes))
         return any(posixpath.basename(path) in text for text in texts)
+
+    def holds_definitions(self, path: str) -> bool:
+        """Return whether a file is a Python module to import: definitions, and nothing that does something."""
+        text = self.package.cmake.package_files.readable_text(path)
+        return path.endswith(".py") and DEFINES.search(text) is not None and not self.does_something(path)
 
     def does_something(self, path: str) -> bool:
         """Return whether a Python file is more than definitions, which are there to be imported."""

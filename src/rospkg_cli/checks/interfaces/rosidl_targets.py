@@ -59,13 +59,21 @@ class RosidlTargets:
         ignores = self.cmake.package_files.absent.is_ignored
         for interface in self.interfaces if self.is_complete else ():
             is_listed = interface.path in self.cmake.generated_interfaces
-            if not is_listed and interface.folder.rpartition("/")[2] in KINDS and not ignores(interface.path):
+            is_alone = interface.folder.rpartition("/")[2] in KINDS and not self.is_for_ros1(interface)
+            if not is_listed and is_alone and not ignores(interface.path):
                 yield interface
 
     def is_commented_out(self, interface: InterfaceFile) -> bool:
         """Return whether a comment of the CMake files names an interface file: then it is left out on purpose."""
         named = re.compile(rf"^[ \t]*#.*\b{re.escape(interface.path)}", re.MULTILINE)
         return any(named.search(file.source.text) for file in self.cmake.files)
+
+    def is_for_ros1(self, interface: InterfaceFile) -> bool:
+        """Return whether catkin generates a file, or another one of its name is generated in its place."""
+        name = interface.path.rpartition("/")[2]
+        alike = (path for path in self.cmake.generated_interfaces if path != interface.path)
+        calls = self.cmake.named("add_message_files", "add_service_files", "add_action_files")
+        return any(path.endswith(f"/{name}") for path in alike) or any(name in call.texts for call in calls)
 
     def missing(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
@@ -122,7 +130,7 @@ class RosidlTargets:
                 elif name in CORE_DEPENDENCIES:
                     waiting += CORE_DEPENDENCIES[name]
                 elif name in brought:
-                    waiting += brought[name]
+                    waiting += [need.removeprefix("?") for need in brought[name]]
                 else:
                     certain = False
         return found, certain

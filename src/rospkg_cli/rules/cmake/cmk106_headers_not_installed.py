@@ -44,7 +44,7 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
     "headers-not-installed",
     over=ExportedHeaders,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "no library is exported, and no package of the workspace builds against this one"},
+    levels={Severity.INFO: "no library is exported, or one of plugins, and no package of the workspace builds on it"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package")},
@@ -66,7 +66,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
 
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a plugin that exports only
-    targets, and as soon as one header is installed.
+    targets, and as soon as one header is installed. Plugins are loaded and not linked: an info, where no package of the
+    workspace builds against this one.
     """
     headers = exported.headers
     package = headers.package
@@ -89,4 +90,5 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         "the first `#include`; add `install(DIRECTORY include/ …)`"
     )
     fix = Fix("install the headers", (install_headers(package.cmake),))
-    yield Hit(call.path, call.command.span, message, fix=fix)
+    level = Severity.INFO if exported.are_of_plugins else None
+    yield Hit(call.path, call.command.span, message, level, fix=fix)

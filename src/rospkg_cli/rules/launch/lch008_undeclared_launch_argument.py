@@ -36,7 +36,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "undeclared-launch-argument",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the file is included by others, or uses so many that it probably is"},
+    levels={Severity.INFO: "the file is included by others, or uses so many that it probably is, or declares none"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
@@ -63,12 +63,13 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     ## When it is quiet
     Nothing is said of files that can't be evaluated to the end, that set configurations of unknown names, or that
     include something unknown. A file that others include may get the argument from them: an info, as where it uses
-    many.
+    many, or several and declares none at all.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
     many = len(found) > FEW
-    level = Severity.INFO if many or configurations.is_included else None
+    is_for_others = len(found) > 1 and not any(each.declared for each in found)
+    level = Severity.INFO if many or is_for_others or configurations.is_included else None
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue

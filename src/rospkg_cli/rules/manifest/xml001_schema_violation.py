@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.xml.elements import Element
@@ -15,7 +16,6 @@ from ...source import Span
 from ...suggest import did_you_mean
 
 LOST = "colcon does not stop: it builds the folder as a plain package, which ROS does not find"
-ONLY_THE_SCHEMA = "colcon ignores it, the schema does not: ament_xmllint fails in `colcon test`"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
 """Values that other rules judge; an attribute of any other tag is theirs as well."""
 
@@ -27,7 +27,10 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
     "schema-violation",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "only the schema forbids it, while colcon ignores it"},
+    levels={
+        Severity.WARNING: "only the schema forbids it, while colcon ignores it, and tests compare package.xml with it",
+        Severity.INFO: "only the schema forbids it, and no test does that",
+    },
     examples=(
         Example(
             bad={"package.xml": manifest("  «<run_depend>rclpy</run_depend>»\n")},
@@ -58,7 +61,9 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     Python or CMake package, forgets the dependencies, builds in any order, and `ros2 run` does not find the package.
 
     ## When it is quiet
-    What colcon ignores is a warning. Order, versions, addresses and features of format 3 are left to other rules.
+    What colcon ignores is a warning where the package declares ament_xmllint or ament_lint_common and names the schema,
+    so that `colcon test` fails; else an info. Order, versions, addresses and features of format 3 are left to other
+    rules.
 
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
@@ -71,8 +76,9 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
             violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
         ):
             span, what, lost = described
-            level = None if lost else Severity.WARNING
-            harm = LOST if lost else "" if is_group(violation) else ONLY_THE_SCHEMA
+            mild = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+            harm = LOST if lost else "" if is_group(violation) else schema_harm(manifest)
+            level = None if lost else mild
             yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level)
 
 

@@ -6,6 +6,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
+from ...checks.manifest.schema_tests import is_schema_tested
 from ...edits.reorder import reorder, schema_order
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -20,9 +21,6 @@ MAX_OFFERS = 100
 """Each finding offers the one fix of them all; of more findings than these, only the first do."""
 
 MAX_RELATED = 3
-
-CHECKERS = ("ament_lint_common", "ament_cmake_xmllint", "ament_xmllint")
-"""What brings ament_xmllint into a package's tests."""
 
 CHECKED = manifest("  <test_depend>ament_lint_common</test_depend>\n")
 GOOD = CHECKED.replace(
@@ -70,7 +68,7 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     places = [place_of(child.tag) for child in staying]
     if not manifest.names_schema:
         level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema"
-    elif not any(manifest.depends_on(name) for name in CHECKERS):
+    elif not is_schema_tested(manifest):
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
     else:
         level, ends = None, "`colcon test` fails on it, since the tests run ament_xmllint"

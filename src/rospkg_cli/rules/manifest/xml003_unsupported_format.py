@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...edits.manifest_format import to_format_3
 from ...edits.manifest_tags import set_attribute
 from ...example import Example, manifest
@@ -20,7 +21,11 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
     "unsupported-format",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or there are spaces around it"},
+    levels={
+        Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or spaces are around it and tests "
+        "compare package.xml with its schema",
+        Severity.INFO: "there are spaces around it, and no test does that",
+    },
     examples=(
         Example(
             bad={"package.xml": GOOD.replace('format="3"', 'format="«4»"')},
@@ -59,9 +64,12 @@ def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
         )
         yield Hit(manifest.path, declared.value_span if declared.value else declared.span, message, fix=fix)
     elif declared is not None and declared.value != str(manifest.format):
-        message = f'the format is written `{declared.value}`: ament_xmllint fails; write `format="{manifest.format}"`'
+        message = (
+            f'the format is written `{declared.value}`: {schema_harm(manifest)}; write `format="{manifest.format}"`'
+        )
+        level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
         edit = set_attribute(manifest, manifest.root, "format", str(manifest.format))
-        yield Hit(manifest.path, declared.value_span, message, Severity.WARNING, fix=Fix("Write it plainly", (edit,)))
+        yield Hit(manifest.path, declared.value_span, message, level, fix=Fix("Write it plainly", (edit,)))
     newer = manifest.all(*(tag for tags in NEW_IN.values() for tag in tags))
     if declared is None and newer:
         message = (

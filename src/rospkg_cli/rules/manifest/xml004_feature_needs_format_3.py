@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -19,7 +20,10 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
     "feature-needs-format-3",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is `compatibility`, which colcon ignores"},
+    levels={
+        Severity.WARNING: "it is `compatibility`, which colcon ignores, and tests compare package.xml with its schema",
+        Severity.INFO: "it is `compatibility`, and no test does that",
+    },
     examples=(
         Example(
             bad={"package.xml": BAD.replace('condition="$ROS_VERSION == 2"', '«condition="$ROS_VERSION == 2"»')},
@@ -40,7 +44,8 @@ def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     interfaces that is `member_of_group` in format 2 is built before what generates its code.
 
     ## When it is quiet
-    In a manifest without a `format`, XML003 reports. `compatibility` of a version, which colcon ignores, is a warning.
+    In a manifest without a `format`, XML003 reports. `compatibility` of a version, which colcon ignores, is
+    a warning where tests compare package.xml with its schema, else an info.
 
     ## Fix safety
     Format 3 only adds to format 2: nothing else changes its meaning.
@@ -54,8 +59,8 @@ def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     for element, attribute in manifest.features_of_3:
         what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
         mild = attribute is not None and attribute.name == "compatibility"
-        lost = "ament_xmllint fails" if mild else "colcon refuses the manifest and builds the folder as a plain package"
+        lost = schema_harm(manifest) if mild else "colcon refuses the manifest and builds the folder as a plain package"
         message = f"{what} came with format 3, and this is format {manifest.schema_format}: {lost}"
         place = attribute.span if attribute else element.span
-        level = Severity.WARNING if mild else None
+        level = (Severity.WARNING if is_schema_tested(manifest) else Severity.INFO) if mild else None
         yield Hit(manifest.path, place, f'{message}; write `<package format="3">`', level, fix=fix)

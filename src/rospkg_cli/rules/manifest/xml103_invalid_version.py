@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...package.manifest import Manifest
@@ -20,6 +21,10 @@ CMAKE = manifest(build_type="ament_cmake")
     "invalid-version",
     over=Manifest,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "a leading zero, where tests compare package.xml with its schema",
+        Severity.INFO: "a leading zero, where no test does",
+    },
     examples=(
         Example(
             bad={
@@ -58,8 +63,9 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
         return
     version = element.text
     if re.fullmatch(r"\d+\.\d+\.\d+", version, re.ASCII) and not VERSION.fullmatch(version):
-        message = f"the version `{version}` has a leading zero: ament_xmllint fails, and bloom can't tell what is newer"
-        yield Hit(manifest.path, manifest.span(element), message)
+        message = f"the version `{version}` has a leading zero: {schema_harm(manifest)}; write it without"
+        level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+        yield Hit(manifest.path, manifest.span(element), message, level)
     elif not VERSION.fullmatch(version):
         message = (
             f"the version is `{version}`, and must be three numbers such as `1.0.0`: colcon refuses the manifest and "

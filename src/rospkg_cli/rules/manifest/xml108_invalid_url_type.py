@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...edits.manifest_tags import remove_attribute, set_attribute
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -13,7 +14,8 @@ from ...rule import rule
 from ...suggest import nearest
 
 URL = '</license>\n  <url type="{0}">https://example.org</url>'
-GOOD = manifest().replace("</license>", URL.format("bugtracker"))
+GOOD = manifest("  <test_depend>ament_lint_common</test_depend>\n").replace("</license>", URL.format("bugtracker"))
+UNTESTED = manifest().replace("</license>", URL.format("bugtracker"))
 
 
 @rule(
@@ -21,6 +23,7 @@ GOOD = manifest().replace("</license>", URL.format("bugtracker"))
     "invalid-url-type",
     over=Manifest,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where no test compares package.xml with its schema"},
     examples=(
         Example(
             bad={"package.xml": GOOD.replace("bugtracker", "«issues»")},
@@ -28,8 +31,8 @@ GOOD = manifest().replace("</license>", URL.format("bugtracker"))
             fix=Safety.SAFE,
         ),
         Example(
-            bad={"package.xml": GOOD.replace("bugtracker", "«blog»")},
-            good={"package.xml": GOOD.replace(' type="bugtracker"', "")},
+            bad={"package.xml": UNTESTED.replace("bugtracker", "«blog»")},
+            good={"package.xml": UNTESTED.replace(' type="bugtracker"', "")},
             fix=Safety.SAFE,
         ),
     ),
@@ -41,10 +44,11 @@ def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
     The fix writes the type that is nearly so, if there is one; else it removes the attribute, which means website.
 
     ## Why is this bad?
-    The schema refuses it (`ament_xmllint` fails), and the package index shows no link.
+    The schema refuses it (`ament_xmllint` fails in tests), and the package index shows no link.
 
     ## When it is quiet
-    A `<url>` without a type is a website, and is left alone.
+    A `<url>` without a type is a website, and is left alone. Where no test compares package.xml with its schema, for
+    which it must declare ament_xmllint or ament_lint_common and name the schema, it is an info.
 
     ## References
     - [REP-149, url](https://ros.org/reps/rep-0149.html)
@@ -60,5 +64,6 @@ def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
         else:
             fix = Fix("Remove the type", (remove_attribute(manifest, element, "type"),))
         hint = f"write `{meant}`" if meant else "remove the attribute"
-        message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): ament_xmllint fails; {hint}"
-        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, message, fix=fix)
+        message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): {schema_harm(manifest)}; {hint}"
+        level = None if is_schema_tested(manifest) else Severity.INFO
+        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, message, level, fix=fix)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.version_range import is_empty
@@ -19,7 +20,10 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
     "impossible-version-limit",
     over=Manifest,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "more limits than a range has: one of them says nothing"},
+    levels={
+        Severity.WARNING: "more limits than a range has, or an invalid one that tests of package.xml refuse",
+        Severity.INFO: "an invalid limit where no test does that",
+    },
     examples=(
         Example(
             bad={"package.xml": GOOD.replace('"1.2"', '"«1.2-beta»"')},
@@ -65,8 +69,11 @@ def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
     for each in manifest.dependencies:
         wrong = [limit for limit in each.limits.values() if not VERSION_LIMIT.fullmatch(limit.value.strip())]
         for limit in wrong:
-            message = f"`{limit.name}` is `{limit.value}`, not one to three numbers such as `1.2`; ament_xmllint fails"
-            yield Hit(manifest.path, limit.value_span if limit.value else limit.span, message)
+            message = (
+                f"`{limit.name}` is `{limit.value}`, not one to three numbers such as `1.2`: {schema_harm(manifest)}"
+            )
+            level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+            yield Hit(manifest.path, limit.value_span if limit.value else limit.span, message, level)
         if wrong or len(each.limits) < 2:
             continue
         shown = " ".join(f'{name}="{limit.value}"' for name, limit in each.limits.items())

@@ -33,7 +33,10 @@ ament_package()
     "unreadable-file",
     over=UnreadableFile,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same"},
+    levels={
+        Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same",
+        Severity.INFO: "a `<` in the value of an attribute of a plugin description, which pluginlib takes",
+    },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
         Example(bad={"CMakeLists.txt": BAD_CMAKE}, good={"CMakeLists.txt": CMAKE}, on="ament_cmake"),
@@ -54,7 +57,8 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## When it is quiet
     Files that neither the build nor an installed file reads may be broken. A file of interfaces is reported by its own
     rules, a file that is too large by RPK007. A robot is a warning where no file of the package names it, and where
-    urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain `.urdf`.
+    urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain `.urdf`. It is
+    an info where a description of plugins has a `<` in the value of an attribute, which pluginlib takes.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
