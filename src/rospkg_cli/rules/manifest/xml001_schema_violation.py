@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.misplaced_tag import misplaced_tag
 from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.violation import Violation, ViolationKind
-from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER, REQUIRED
+from ...ros.manifest import NEW_IN, REQUIRED
 from ...rule import rule
 from ...source import Span
-from ...suggest import did_you_mean
 
 LOST = "colcon does not stop: it builds the folder as a plain package, which ROS does not find"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
@@ -123,21 +123,6 @@ def empty_group(element: Element) -> bool:
 def is_group(violation: Violation) -> bool:
     """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
     return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]
-
-
-def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
-    """Return what is wrong with a tag that is not allowed where it is, and what to write instead."""
-    known = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
-    format = manifest.schema_format
-    if not top:
-        return f"`<{tag}>` is where only text is allowed; remove it"
-    if tag in INSIDE_EXPORT:
-        return f"`<{tag}>` belongs inside `<export>`; move it there"
-    if tag == "run_depend":
-        return f"`<run_depend>` was removed in format 2, and this is format {format}; write `<exec_depend>`"
-    if tag in NEW_IN[2]:
-        return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
-    return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, known)}; tools' own tags belong inside `<export>`"
 
 
 def before(tag: str) -> str:

@@ -1,0 +1,22 @@
+"""What is wrong with a tag of package.xml that its format does not allow where it is (XML001)."""
+
+from __future__ import annotations
+
+from ...package.manifest import Manifest
+from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER
+from ...suggest import did_you_mean
+
+
+def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
+    """Return what is wrong with a tag that is not allowed where it is, and what to write instead."""
+    known = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
+    format = manifest.schema_format
+    if not top:
+        return f"`<{tag}>` is where only text is allowed; remove it"
+    if tag in INSIDE_EXPORT:
+        return f"`<{tag}>` belongs inside `<export>`; move it there"
+    if tag == "run_depend":
+        return f"`<run_depend>` was removed in format 2, and this is format {format}; write `<exec_depend>`"
+    if tag in NEW_IN[2]:
+        return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
+    return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, known)}; tools' own tags belong inside `<export>`"
