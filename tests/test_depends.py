@@ -602,3 +602,112 @@ def test_a_module_of_tests_that_runs_is_no_test(more: dict[str, str]) -> None:
     files = {**PYTHON, "my_pkg/test_a.py": "import cv2\n\n\ndef test_x():\n    pass\n", **more}
     assert "python3-opencv" in said("DEP101", files)
     assert said("DEP102", {**files, "my_pkg/test_b.py": "from .test_a import x\n\n\ndef test_y():\n    pass\n"}) == []
+
+
+def prefixed(text: str, path: str = "launch/a.launch.xml", body: str = "") -> list[tuple[str, str]]:
+    found = lint_files({**PYTHON, "package.xml": manifest(body), path: text}, ["DEP103"]).findings
+    return [(f.message, f.severity.value) for f in found if f.message.startswith("`xterm`")]
+
+
+NEEDS_XTERM = (
+    "`xterm` is not declared, and this launch file starts a node with it: on a clean machine the process does not "
+    "start; add <exec_depend>xterm</exec_depend>"
+)
+
+
+@pytest.mark.parametrize(
+    "attributes, says",
+    [
+        ('launch-prefix="xterm -e"', True),
+        ('launch-prefix="/usr/bin/xterm"', True),
+        ('launch-prefix="xterm -e" if="$(var debug)"', False),
+        ('launch-prefix="$(var x) xterm"', False),
+        ('launch-prefix="nice xterm"', False),
+    ],
+)
+def test_a_program_before_a_node_must_be_installed(attributes: str, says: bool) -> None:
+    found = prefixed(xml(f'<node pkg="my_pkg" exec="a" {attributes}/>'))
+    assert found == ([(NEEDS_XTERM, "warning")] if says else [])
+    assert prefixed(xml(f'<node pkg="my_pkg" exec="a" {attributes}/>'), body=line("xterm")) == []
+
+
+@pytest.mark.parametrize(
+    "arguments, says",
+    [
+        ("prefix='xterm -e'", True),
+        ("prefix=['xterm -e']", True),
+        ("prefix=[LaunchConfiguration('x'), ' xterm']", False),
+        ("prefix='xterm -e', condition=IfCondition(LaunchConfiguration('x'))", False),
+        ("name='xterm'", False),
+    ],
+)
+def test_a_program_before_a_node_in_python(arguments: str, says: bool) -> None:
+    text = (
+        "from launch import LaunchDescription\nfrom launch.conditions import IfCondition\n"
+        "from launch.substitutions import LaunchConfiguration\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        f"    return LaunchDescription([Node(package='my_pkg', executable='a', {arguments})])\n"
+    )
+    assert bool(prefixed(text, "launch/a.launch.py")) is says
+
+
+def test_a_dependency_for_ros_1_serves_no_code_of_ros_2() -> None:
+    text = xml('<node pkg="robot_state_publisher" exec="x"/>')
+    for condition, says in (
+        ("$ROS_VERSION == 1", ["robot_state_publisher"]),
+        ("$ROS_VERSION == 2", []),
+        ("$ROS_DISTRO == humble", []),
+        ("$ROS_DISTRO == noetic", ["robot_state_publisher"]),
+        ("$OURS == 1", []),
+    ):
+        body = f'  <exec_depend condition="{condition}">robot_state_publisher</exec_depend>\n'
+        assert said("DEP103", {"launch/a.launch.xml": text, "package.xml": manifest(body)}) == says
+
+
+def test_what_a_tool_hands_on_is_there_when_it_runs() -> None:
+    assert said("DEP201", {"my_pkg/a.py": "import rclpy\n", "package.xml": manifest(line("rclpy", "test_depend"))}) == [
+        "rclpy"
+    ]
+    body = manifest(line("rclpy", "buildtool_export_depend"))
+    assert said("DEP201", {"my_pkg/a.py": "import rclpy\n", "package.xml": body}) == []
+
+
+def of_cpp(text: str, depends: str = "", cmake: str = "") -> list[tuple[str, str]]:
+    """Return what DEP105 says of a package with one source, each with its level."""
+    lines = CMAKE.replace("ament_package()", f"{cmake}add_executable(node src/node.cpp)\nament_package()")
+    files = {**existing_files(BACKDROPS["ament_cmake"]), "package.xml": manifest(depends, "ament_cmake")}
+    found = lint_files({**files, "CMakeLists.txt": lines, "src/node.cpp": text}, ["DEP105"]).findings
+    return [(f.message.partition(": ")[0], f.severity.value) for f in found]
+
+
+@pytest.mark.parametrize(
+    "text, says",
+    [
+        ("nav_msgs::msg::Odometry a;\n", True),
+        ("::nav_msgs::srv::GetMap::Request a;\n", True),
+        ("std::vector<nav_msgs::action::X> a;\n", True),
+        ("// nav_msgs::msg::Odometry a;\n", False),
+        ('auto a = "nav_msgs::msg::Odometry";\n', False),
+        ("acme::nav_msgs::msg::Odometry a;\n", False),
+        ("no_such_msgs::msg::Odometry a;\n", False),
+        ("nav_msgs::msg::odometry a;\n", False),
+        ("nav_msgs::detail::Odometry a;\n", False),
+        ("my_pkg::msg::Status a;\n", False),
+    ],
+)
+def test_a_generated_type_is_a_use_of_its_package(text: str, says: bool) -> None:
+    found = of_cpp(text)
+    assert bool(found) is says
+    if found:
+        (what, level) = found[0]
+        assert what.startswith("`nav_msgs` is not declared, and `nav_msgs::")
+        assert what.endswith("` of it is used")
+        assert level == "warning"
+
+
+def test_a_type_of_what_is_included_found_or_declared_is_told_once() -> None:
+    text = "nav_msgs::msg::Odometry a;\n"
+    assert len(of_cpp("#include <nav_msgs/msg/odometry.hpp>\n" + text)) == 1
+    assert of_cpp(text, cmake="find_package(nav_msgs REQUIRED)\n") == []
+    assert of_cpp(text, line("nav_msgs", "depend")) == []
+    assert len(of_cpp(text + text)) == 1

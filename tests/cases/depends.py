@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from rospkg_cli.example import CMAKE
+
 from .others import cmake, interfaces, python
 
 TESTS_ONLY = "  <test_depend>launch_ros</test_depend>\n"
 LAUNCH = "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n    return Node\n"
 BUILD_ONLY = "  <build_depend>std_msgs</build_depend>\n"
 
+HANDED_ON = cmake("", "  <depend>nobody_knows</depend>\n", cmake__x_DOT_cmake="find_package(std_msgs REQUIRED)\n")
+HANDED_ON.bad["CMakeLists.txt"] = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS cmake/x.cmake)")
+
 CASES = {
+    "DEP111": (HANDED_ON,),
     "DEP203": (
         interfaces("float32 x\n", "  <build_depend>message_generation</build_depend>\n"),
         python(
@@ -37,6 +43,7 @@ CASES = {
                 ("find_package(rclpy REQUIRED)", "test_depend", "rclpy", "  <depend>tf2_ros_py</depend>\n"),
                 ("find_package(rclpy)", "exec_depend", "rclpy", ""),
                 ("find_package(nobody REQUIRED)", "exec_depend", "nobody", ""),
+                ("find_package(ament_cmake_gtest REQUIRED)", "test_depend", "ament_cmake_gtest", ""),
                 ("if(BUILD_TESTING)\n  find_package(rclpy REQUIRED)\nendif()", "test_depend", "rclpy", ""),
                 ("find_package(rclpy REQUIRED)", "build_depend", "rclpy", ""),
             )

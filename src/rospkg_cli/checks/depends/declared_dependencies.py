@@ -11,6 +11,7 @@ from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
+from ...ros.distros import Targets
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
@@ -42,8 +43,8 @@ class DeclaredDependencies:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """Every name that is declared, under any tag and condition."""
-        return frozenset(self.closure(d.name for d in self.manifest.dependencies))
+        """Every name that is declared, under any tag and any condition that holds for a distribution of ROS 2."""
+        return frozenset(self.closure(d.name for d in self.manifest.dependencies if d.active(Targets())))
 
     def closure(self, names: Iterable[str]) -> set[str]:
         """Return some names, and the members of the metapackages among them."""

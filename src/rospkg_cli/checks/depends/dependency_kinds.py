@@ -10,6 +10,7 @@ from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span
+from ..cmake.unguarded_tests import TEST_PACKAGES
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_imports import ImportDependencies
@@ -99,5 +100,5 @@ class DependencyKinds:
                 yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)
         for found in self.includes.cmake.packages:
             names = self.includes.find_packages.needed_providers(found)
-            if names and not found.call.testing:
+            if names and not found.call.testing and found.name not in TEST_PACKAGES:  # those are CMK107's
                 yield KindUse(names, "find", found.word.path, found.word.span, found.name)

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ...languages.cmake.values import UNKNOWN
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.target_links import TargetLinks
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
@@ -31,6 +31,7 @@ class MissingFindPackage:
     """What is done with the package there, as a clause: `x` is linked with it."""
     may_be_transitive: bool
     """Whether it may come with another package that is found."""
+    is_declared: bool = True
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,10 @@ class MissingFindPackages:
                 if each.name not in seen and self.is_declared(each) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield each
+            for each in self.linked(maybe=False) if known else ():
+                if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
+                    seen.add(each.name)
+                    yield replace(each, is_declared=False)
 
     @property
     def declared(self) -> DeclaredDependencies:
@@ -78,6 +83,10 @@ class MissingFindPackages:
         tags = BUILDS | {"test_depend"} if each.testing else BUILDS
         package = self.declared.workspace.kind_of(each.name) is NameKind.PACKAGE
         return package and any(d.name == each.name and d.tag in tags for d in self.declared.manifest.dependencies)
+
+    def is_undeclared(self, name: str) -> bool:
+        """Return whether it is a package that package.xml has under no tag."""
+        return self.declared.workspace.kind_of(name) is NameKind.PACKAGE and not self.declared.has([name])
 
     def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:
         own = {target.name for target in self.includes.cmake.targets}

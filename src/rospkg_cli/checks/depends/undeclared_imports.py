@@ -66,9 +66,10 @@ class ImportDependencies:
 
     def ros1_leftovers(self) -> Iterator[ImportUse]:
         """Yield the first import in each installed file that only ROS 1 can serve: nothing behind it runs."""
-        for file in self.python.files if self.declared.is_checked else ():
+        is_for_both = not ROS1.isdisjoint(each.name for each in self.declared.manifest.dependencies)
+        for file in self.python.files if self.declared.is_checked and not is_for_both else ():
             first = ros1_import(file.imports) if file.role == "run" else None
-            if first is not None and ROS1.isdisjoint(self.declared.names):
+            if first is not None:
                 yield ImportUse(file.path, first.span, first.module)
 
     def missing(self) -> list[UndeclaredImport]:

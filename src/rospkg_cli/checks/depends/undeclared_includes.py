@@ -8,16 +8,27 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...languages.cpp.common_includes import common_includes
 from ...languages.cpp.file import CppFile
+from ...languages.cpp.lexer import TOKEN
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.names import NameKind
-from ...source import Span
+from ...source import Source, Span
 from .compiled_sources import compiled_on_demand, compiled_sources, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
+
+TYPE = regex(r"(?<![\w:])(?:::)?([a-z][a-z0-9_]*)::(?:msg|srv|action)::[A-Z]\w*")
+"""A type that rosidl generates, by its whole name."""
+
+OF_CLIENT_LIBRARIES = frozenset(
+    "action_msgs builtin_interfaces composition_interfaces lifecycle_msgs rcl_interfaces rosgraph_msgs service_msgs "
+    "statistics_msgs type_description_interfaces unique_identifier_msgs".split()
+)
+"""Interfaces that rclcpp and its kin hand to their users, whose types are part of their own functions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +38,8 @@ class IncludeUse:
     path: str
     span: Span
     header: str
+    is_type: bool = False
+    """Whether it is a type of generated code, `nav_msgs::msg::Odometry`, whose header something else includes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +128,22 @@ class IncludeDependencies:
         reported = {missing.found.name for missing in self.find_packages.missing()}
         for each in self.packages():
             if not self.is_declared(each) and each.cmake not in reported and not there.intersection(each.names):
+                reported.update(each.names)
                 yield each
+        for each in self.typed():
+            if not self.is_declared(each) and not (reported | there).intersection(each.names):
+                yield each
+
+    def typed(self) -> Iterator[IncludedPackage]:
+        """Yield the packages whose types are named, each by the first, those of tests after those of what is built."""
+        found: dict[str, IncludedPackage] = {}
+        for source, role in sorted(compiled_sources(self.cmake, self.sources), key=lambda each: each[1] == "test"):
+            for package, span in named_types(source.source) if role != "aside" and self.declared.is_checked else ():
+                known = self.declared.workspace.kind_of(package) is NameKind.PACKAGE
+                if known and package not in found and package not in OF_CLIENT_LIBRARIES:
+                    use = IncludeUse(source.path, span, source.source.slice(span), is_type=True)
+                    found[package] = IncludedPackage((package,), package, role, (use,))
+        yield from found.values()
 
     def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
@@ -126,3 +154,13 @@ def always_included(source: CppFile) -> frozenset[str]:
     if not any(each.is_conditional for each in source.includes):
         return frozenset()
     return common_includes(source.source.text, {each.span.start for each in source.includes})
+
+
+def named_types(source: Source) -> Iterator[tuple[str, Span]]:
+    """Yield the generated types that a C++ text names, each with its package; none in comments and strings."""
+    found = list(TYPE.finditer(source.text))
+    if found:
+        hidden = [match.span() for match in TOKEN.finditer(source.text)]
+        for match in found:
+            if not any(start <= match.start(1) < end for start, end in hidden):
+                yield match[1], Span(match.start(1), match.end())

@@ -88,7 +88,7 @@ class LaunchDependencies:
     def is_unknown_package(self, name: str) -> bool:
         """Return whether no package of that name is known."""
         workspace = self.declared.workspace
-        return not workspace.is_available(name) and workspace.kind_of(name) is not NameKind.PACKAGE
+        return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
 
     def meant(self, name: str) -> str | None:
         """Return the known package that an unknown name is a slip of; a slip in the first letter is rare."""

@@ -91,7 +91,8 @@ class UnusedDependencies:
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag
             interfaces = IMPORTED_ONLY.fullmatch(name) is not None
-            if not interfaces and self.declared.workspace.kind_of(name) is not NameKind.PACKAGE:
+            is_package = interfaces or self.declared.workspace.kind_of(name) is NameKind.PACKAGE
+            if not is_package or name == self.declared.facts.name:
                 continue
             if tag in BUILT_IN:
                 yield from self.for_the_build(dependency)

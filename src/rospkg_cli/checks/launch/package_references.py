@@ -11,6 +11,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...package.launch.text import Literal as LiteralText
 from ...source import Span
+from .program_prefixes import program_prefixes
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
 
@@ -62,6 +63,8 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
         yield from (replace(use, is_late=is_late) for use in found_by(file, each))
     for command in file.commands:
         yield from (replace(use, fails="process") for use in run_by(file, list(command.words)))
+    for program, span in program_prefixes(file):
+        yield PackageReference(program, file.path, span, "starts a node with", fails="process")
 
 
 def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:

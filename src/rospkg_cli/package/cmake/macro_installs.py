@@ -77,6 +77,15 @@ def version_header(call: EvaluatedCommand, project: str) -> Iterator[MacroInstal
 
 def config_extras(call: EvaluatedCommand, cmake: CMake, name: str) -> Iterator[MacroInstall]:
     """The files of CMake that `ament_package(CONFIG_EXTRAS …)` gives to those who find the package."""
+    for word in handed_on(call, cmake):
+        file = posixpath.basename(word.text)
+        if word.is_known and file.endswith((".cmake", ".cmake.in")):
+            source = path_in_package(word.text, call.folder) if file.endswith(".cmake") else None
+            yield f"share/{name}/cmake/{file.removesuffix('.in')}", source or "", word, call
+
+
+def handed_on(call: EvaluatedCommand, cmake: CMake) -> list[Word]:
+    """Return the words of a call that name files of CMake which run in every package that finds this one."""
     if call.name in PACKAGE:
         _, values, _ = flags_and_values(call.words, (), ("CONFIG_EXTRAS_POST",), ("CONFIG_EXTRAS", "INSTALL_TO_SHARE"))
         words = [*values.get("CONFIG_EXTRAS", []), *values.get("CONFIG_EXTRAS_POST", [])]
@@ -84,8 +93,4 @@ def config_extras(call: EvaluatedCommand, cmake: CMake, name: str) -> Iterator[M
         variables = [f"{cmake.project_name}_CONFIG_EXTRAS", f"{cmake.project_name}_CONFIG_EXTRAS_POST"]
         at = 1 if call.name == "list" else 0
         words = list(call.words[at + 1 :]) if call.texts[at : at + 1] and call.texts[at] in variables else []
-    for word in words:
-        file = posixpath.basename(word.text)
-        if word.is_known and file.endswith((".cmake", ".cmake.in")):
-            source = path_in_package(word.text, call.folder) if file.endswith(".cmake") else None
-            yield f"share/{name}/cmake/{file.removesuffix('.in')}", source or "", word, call
+    return words

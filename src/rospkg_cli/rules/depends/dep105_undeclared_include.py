@@ -38,7 +38,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ includes of other packages and libraries that package.xml does not declare.
-    ROS packages are checked, and libraries that have a rosdep key.
+    ROS packages are checked, libraries that have a rosdep key, and generated types (`nav_msgs::msg::Odometry`) whose
+    header another one includes.
 
     ## Why is this bad?
     The header is found only as long as another dependency brings it. The day that one changes, or on a machine where
@@ -64,8 +65,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         if bringer := declared.bringer(each.names, runs=False):
             brought.append(BroughtUse(name, bringer, kind, first.path, first.span))
             continue
+        is_used = "used" if first.is_type else "included"
         message = (
-            f"`{name}` is not declared, and `{first.header}` of it is included: the build ends with "
+            f"`{name}` is not declared, and `{first.header}` of it is {is_used}: the build ends with "
             f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
         )
         places = related((use.path, use.span) for use in each.uses)

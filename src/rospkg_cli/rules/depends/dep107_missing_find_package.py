@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.missing_find_package import MissingFindPackages
 from ...edits.cmake_find import add_find_package_among
+from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -34,15 +35,21 @@ GOOD = NODE.replace("«", "").replace("»", "").replace(FOUND, FOUND + "find_pac
             good={"CMakeLists.txt": GOOD},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            on="ament_cmake",
+            bad={"CMakeLists.txt": NODE, "src/node.cpp": "int main() {return 0;}\n"},
+            good={"package.xml": DECLARED, "CMakeLists.txt": GOOD},
+            fix=Safety.UNSAFE,
+        ),
     ),
 )
 def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     """
     ## What it does
-    Finds declared build dependencies that CMake uses without a `find_package()`.
-    Targets are linked with the ROS package, or its headers are included. Packages that come with one that is found are
-    left alone, and so is everything where a command such as `ament_auto_find_build_dependencies()` finds what is
-    declared.
+    Finds ROS packages that CMake uses without a `find_package()`.
+    Targets are linked with the package, declared or not, or headers of a declared one are included. Packages that come
+    with one that is found are left alone, and so is everything where a command such as
+    `ament_auto_find_build_dependencies()` finds what is declared.
 
     ## Why is this bad?
     CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds
@@ -64,7 +71,11 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
             if each.may_be_transitive
             else "the build stops"
         )
-        message = f"CMake never looks for `{each.name}`, but {each.usage}: {ends}; add `{line}`"
+        tag = "test_depend" if each.testing else "depend"
+        lines = f"`{line}`" if each.is_declared else f"`{line}`, and <{tag}>{each.name}</{tag}> to package.xml"
+        message = f"CMake never looks for `{each.name}`, but {each.usage}: {ends}; add {lines}"
         edits = add_find_package_among(cmake, each.name, testing=each.testing)
+        if edits and not each.is_declared:
+            edits = (*edits, add_dependency(missing.declared.manifest, tag, each.name))
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)

@@ -1,0 +1,79 @@
+"""Packages that CMake files require which run in every package that uses this one (DEP111)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.file import read_file
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.macro_installs import handed_on
+from ...ros.manifest import EXPORTED
+from ...source import Span
+from ...unreadable import UnreadableError
+from .declared_dependencies import DeclaredDependencies
+from .undeclared_find_package import FindPackageDependencies
+
+NAME = regex(r"[A-Za-z][\w-]*")
+
+
+@dataclass(frozen=True, slots=True)
+class HandedOnPackage:
+    """A package that a file requires in the CMake of others, where package.xml does not hand it on."""
+
+    names: tuple[str, ...]
+    """Of its providers, the one to recommend first."""
+    cmake: str
+    """What `find_package()` calls it."""
+    path: str
+    span: Span
+    is_certain: bool
+    """Whether it is known of everything that is handed on what comes with it."""
+
+
+@dataclass(frozen=True)
+class HandedOnPackages:
+    declared: DeclaredDependencies
+    files: PackageFiles
+    cmake: CMake
+
+    def missing(self) -> Iterator[HandedOnPackage]:
+        """Yield each package once, at the first call that requires it outside of blocks."""
+        there, known = self.handed_on
+        providers = FindPackageDependencies(self.declared, self.cmake).providers
+        seen: set[str] = set()
+        for path in self.paths if self.declared.is_checked else ():
+            for name, span in self.required(path):
+                names = providers(name)
+                if names and name not in seen and self.declared.facts.name != name and not there.intersection(names):
+                    seen.add(name)
+                    yield HandedOnPackage(names, name, path, span, known)
+
+    @cached_property
+    def handed_on(self) -> tuple[frozenset[str], bool]:
+        """What is there for whoever builds with this package, and whether that is all."""
+        first = [need.name for need in self.declared.facts.dependencies if need.tag in EXPORTED]
+        brought, known = self.declared.transitive_names_of(first)
+        return frozenset(self.declared.closure(first)) | brought, known
+
+    @property
+    def paths(self) -> list[str]:
+        """The files that `ament_package(CONFIG_EXTRAS …)` names, as they lie in the package; templates too."""
+        words = [(word, call) for call in self.cmake.calls for word in handed_on(call, self.cmake)]
+        found = (path_in_package(word.text, call.folder) for word, call in words if word.is_known and not call.maybe)
+        return [path for path in dict.fromkeys(found) if path is not None and self.files.exists(path)]
+
+    def required(self, path: str) -> Iterator[tuple[str, Span]]:
+        """Yield what a file requires in any case, and where each name stands."""
+        try:
+            file = read_file(self.files, path)
+        except UnreadableError:
+            return
+        for command in file.top:
+            words = [argument.text for argument in command.arguments]
+            if command.name == "find_package" and "REQUIRED" in words[1:] and NAME.fullmatch(words[0]):
+                yield words[0], command.arguments[0].span

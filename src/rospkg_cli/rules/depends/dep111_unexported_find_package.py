@@ -1,0 +1,71 @@
+"""DEP111 unexported-find-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.handed_on_packages import HandedOnPackages
+from ...edits.undeclared_hits import declaration
+from ...example import CMAKE, Example, manifest
+from ...finding import Hit, Safety, Severity
+from ...ros.manifest import is_buildtool
+from ...rule import rule
+
+EXTRAS = CMAKE.replace("ament_package()", 'ament_package(CONFIG_EXTRAS "cmake/my_pkg-extras.cmake")')
+
+
+@rule(
+    "DEP111",
+    "unexported-find-package",
+    over=HandedOnPackages,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "where something that is handed on may bring it"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "CMakeLists.txt": EXTRAS,
+                "cmake/my_pkg-extras.cmake": "find_package(«std_msgs» REQUIRED)\n",
+                "package.xml": manifest("  <build_depend>std_msgs</build_depend>\n", "ament_cmake"),
+            },
+            good={
+                "package.xml": manifest(
+                    "  <build_depend>std_msgs</build_depend>\n  <build_export_depend>std_msgs</build_export_depend>\n",
+                    "ament_cmake",
+                ),
+            },
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages that CMake files for others require and package.xml does not hand on.
+    The files that `ament_package(CONFIG_EXTRAS …)` names run in every package that finds this one. What they require
+    must be a `<build_export_depend>`, a `<buildtool_export_depend>`, or a `<depend>`.
+
+    ## Why is this bad?
+    On a clean machine, and on the build farm, the CMake of each package that uses this one stops with "Could not find a
+    package configuration file".
+
+    ## When it is quiet
+    What comes with a package that is handed on is there; where that is not known of each of them, it is an info. Calls
+    in blocks (`if`, functions, macros) and without REQUIRED are left alone.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name.
+
+    ## References
+    - REP-149, build_export_depend and buildtool_export_depend
+    """
+    for each in packages.missing():
+        name = each.names[0]
+        tag = "buildtool_export_depend" if is_buildtool(name) else "build_export_depend"
+        message = (
+            f"every package that uses this one requires `{each.cmake}` here, and package.xml does not hand it on: on a "
+            f'clean machine their CMake stops with "Could not find a package configuration file"; add '
+            f"<{tag}>{name}</{tag}>"
+        )
+        level = None if each.is_certain else Severity.INFO
+        yield Hit(each.path, each.span, message, level, fix=declaration(packages.declared, tag, name))

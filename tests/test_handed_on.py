@@ -1,0 +1,85 @@
+"""DEP111: what the CMake files for other packages require."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
+from rospkg_cli.testing import lint_files
+
+CPP = existing_files(BACKDROPS["ament_cmake"])
+REQUIRED = "find_package(std_msgs REQUIRED)\n"
+
+
+def said(
+    extras: str, depends: str = "", call: str = "CONFIG_EXTRAS cmake/x.cmake", path: str = "cmake/x.cmake"
+) -> list:
+    cmake = CMAKE.replace("ament_package()", f"ament_package({call})")
+    files = {**CPP, "CMakeLists.txt": cmake, path: extras, "package.xml": manifest(depends, "ament_cmake")}
+    found = lint_files(files, ["DEP111"]).findings
+    return [(f.message.split("`")[1], f.severity.value) for f in found]
+
+
+def need(name: str, tag: str) -> str:
+    return f"  <{tag}>{name}</{tag}>\n"
+
+
+@pytest.mark.parametrize(
+    "extras, says",
+    [
+        (REQUIRED, True),
+        ("find_package(std_msgs QUIET REQUIRED)\n", True),
+        (REQUIRED * 2, True),
+        ("find_package(std_msgs)\n", False),
+        ("if(X)\n  find_package(std_msgs REQUIRED)\nendif()\n", False),
+        ("function(x)\n  find_package(std_msgs REQUIRED)\nendfunction()\n", False),
+        ("find_package(${NAME} REQUIRED)\n", False),
+        ("find_package(no_such_thing REQUIRED)\n", False),
+        ("find_package(my_pkg REQUIRED)\n", False),
+        ("find_package(Threads REQUIRED)\n", False),
+        ("find_dependency(std_msgs REQUIRED)\n", False),
+        ("find_package()\nfind_package(REQUIRED)\n", False),
+        ("find_package(std_msgs REQUIRED\n", False),
+    ],
+)
+def test_what_a_file_for_others_requires(extras: str, says: bool) -> None:
+    assert said(extras) == ([("std_msgs", "warning")] if says else [])
+
+
+@pytest.mark.parametrize(
+    "tag, level",
+    [
+        ("depend", ""), ("build_export_depend", ""), ("buildtool_export_depend", ""), ("build_depend", "warning"),
+        ("exec_depend", "warning"), ("test_depend", "warning"), ("buildtool_depend", "warning"),
+    ],
+)  # fmt: skip
+def test_the_tags_that_hand_it_on(tag: str, level: str) -> None:
+    assert said(REQUIRED, need("std_msgs", tag)) == ([("std_msgs", level)] if level else [])
+
+
+def test_what_brings_it() -> None:
+    assert said(REQUIRED, need("sensor_msgs", "depend")) == []
+    assert said(REQUIRED, need("sensor_msgs", "build_depend")) == [("std_msgs", "warning")]
+    assert said(REQUIRED, need("nobody_knows", "depend")) == [("std_msgs", "info")]
+
+
+@pytest.mark.parametrize(
+    "call, path, says",
+    [
+        ("CONFIG_EXTRAS_POST cmake/x.cmake", "cmake/x.cmake", True),
+        ("CONFIG_EXTRAS x-extras.cmake.in", "x-extras.cmake.in", True),
+        ("CONFIG_EXTRAS ${X}", "cmake/x.cmake", False),
+        ("CONFIG_EXTRAS cmake/y.cmake", "cmake/x.cmake", False),
+        ("", "cmake/x.cmake", False),
+    ],
+)
+def test_which_files_are_handed_on(call: str, path: str, says: bool) -> None:
+    assert bool(said(REQUIRED, "", call, path)) is says
+
+
+def test_a_build_tool_is_handed_on_as_one() -> None:
+    cmake = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS cmake/x.cmake)")
+    extras = {"cmake/x.cmake": "find_package(ament_cmake_core REQUIRED)\n"}
+    files = {**CPP, "CMakeLists.txt": cmake, "package.xml": manifest("", "ament_cmake"), **extras}
+    (finding,) = lint_files(files, ["DEP111"]).findings
+    assert finding.message.endswith("; add <buildtool_export_depend>ament_cmake_core</buildtool_export_depend>")
