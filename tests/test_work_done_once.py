@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import subprocess
 import sys
 from collections import Counter
@@ -18,6 +19,7 @@ from rospkg_cli.languages.cpp import file as cpp_file
 from rospkg_cli.languages.python import syntax
 from rospkg_cli.languages.xml import parser as xml_parser
 from rospkg_cli.languages.yaml import nodes as yaml_nodes
+from rospkg_cli.source import Source
 
 CORPUS = Path(__file__).parent / "corpus"
 PARSERS = (
@@ -52,6 +54,19 @@ def test_each_text_is_parsed_once(name: str, monkeypatch: pytest.MonkeyPatch) ->
     Session(DiskTree(CORPUS / name), Scope(("",), frozenset({""}), name), EVERYTHING.codes()).run()
     assert {kind for kind, _ in parsed} >= {"parsed_without_collector", "XmlParser"}
     assert {each: count for each, count in parsed.items() if count > 1} == {}
+
+
+@pytest.mark.parametrize("name", ["my_robot_examples", "my_robot_nav"])
+def test_texts_are_freed_without_the_collector(name: str) -> None:
+    gc.collect()
+    gc.disable()
+    try:
+        before = {id(each) for each in gc.get_objects() if isinstance(each, Source)}
+        Session(DiskTree(CORPUS / name), Scope(("",), frozenset({""}), name), EVERYTHING.codes()).run()
+        left = [each.path for each in gc.get_objects() if isinstance(each, Source) and id(each) not in before]
+    finally:
+        gc.enable()
+    assert left == []
 
 
 @pytest.fixture(scope="module")

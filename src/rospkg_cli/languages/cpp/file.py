@@ -65,15 +65,18 @@ class CppFile:
         return frozenset(each.name for each in self.defines)
 
 
+CppParts = tuple[tuple[IncludeDirective, ...], tuple[MacroDefinition, ...], tuple[CppCall, ...]]
+
+
 def read_cpp(source: Source) -> CppFile:
     """Read one file, once for each Source; what is not C++ is skipped."""
     known = vars(source)
-    if "cpp_file" not in known:
-        known["cpp_file"] = read_anew(source)
-    return cast(CppFile, known["cpp_file"])
+    if "cpp_parts" not in known:  # without the file, which has the source: the two could not be freed at once
+        known["cpp_parts"] = read_anew(source)
+    return CppFile(source, *cast(CppParts, known["cpp_parts"]))
 
 
-def read_anew(source: Source) -> CppFile:
+def read_anew(source: Source) -> CppParts:
     includes: list[IncludeDirective] = []
     defines: list[MacroDefinition] = []
     calls: list[CppCall] = []
@@ -92,7 +95,7 @@ def read_anew(source: Source) -> CppFile:
                 calls += found
         else:
             calls += initializer_call(source, token)
-    return CppFile(source, tuple(includes), tuple(defines), tuple(calls))
+    return tuple(includes), tuple(defines), tuple(calls)
 
 
 def include_directive(text: str, token: CppToken) -> Iterator[IncludeDirective]:

@@ -69,6 +69,8 @@ class XmlParser:
             at = self.char(parser.ErrorByteIndex)
             at, problem = describe_error(self.source, error.code, at, inside.tag, inside.span.start)
             self.fail(at, *problem)
+        finally:
+            del self.parser  # it has methods of this object: the two could not be freed at once
         return Document(self.source, self.stack[0].children[0], self.instructions, self.comments)
 
     def char(self, byte: int) -> int:

@@ -30,17 +30,8 @@ class SubstitutionTracker(Evaluator):
         super().__init__(file, folder, knows, name=name)
         self.uses: list[SubstitutionUse] = []
         known = self.library
-        tracked = {name: self.tracked(name, known.get(name)) for name in STRING_FUNCTIONS}
+        tracked = {name: tracked_function(name, known.get(name)) for name in STRING_FUNCTIONS}
         self.library = {**known, **tracked, "isinstance": is_instance}
-
-    def tracked(self, name: str, known: Intrinsic | None) -> Intrinsic:
-        def function(machine: EvaluationState, call: Call) -> Value | None:
-            found = next((argument for argument in call.positional if is_substitution(argument)), None)
-            if found is not None:
-                self.uses.append(SubstitutionUse(call.span, "function", name, (found,)))
-            return known(machine, call) if known is not None else None
-
-        return function
 
     def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
         finds = call.callee == "find"  # FindPackageShare(x).find(x)
@@ -54,6 +45,18 @@ class SubstitutionTracker(Evaluator):
         operator = operator_of(node)
         if operator and any(map(is_resolved_at_run_time, operands)):
             self.uses.append(SubstitutionUse(self.span(node), "operator", operator, operands))
+
+
+def tracked_function(name: str, known: Intrinsic | None) -> Intrinsic:
+    """Return a function that records each use of a substitution with the tracker that calls it."""
+
+    def function(machine: EvaluationState, call: Call) -> Value | None:
+        found = next((argument for argument in call.positional if is_substitution(argument)), None)
+        if found is not None and isinstance(machine, SubstitutionTracker):
+            machine.uses.append(SubstitutionUse(call.span, "function", name, (found,)))
+        return known(machine, call) if known is not None else None
+
+    return function
 
 
 def is_key(call: Call) -> bool:

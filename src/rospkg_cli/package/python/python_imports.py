@@ -52,12 +52,12 @@ class PackageImports:
 class OwnModules:
     """The modules that a package may import of itself, by their first name."""
 
-    files: PackageFiles
+    paths: tuple[str, ...]
 
     @cached_property
     def everywhere(self) -> frozenset[str]:
         """Packages at any depth (a `src/` or a vendored copy may hold them), and modules in the folder of setup.py."""
-        paths = [path.split("/") for path in self.files.paths if path.endswith(".py")]
+        paths = [path.split("/") for path in self.paths if path.endswith(".py")]
         packages = {"".join(parts[-2:-1]) for parts in paths if parts[-1] == "__init__.py"}
         top = {parts[0] for parts in paths if len(parts) > 1} - NO_PACKAGES
         return frozenset(packages | top | {stem_of(parts[0]) for parts in paths if len(parts) == 1})
@@ -65,7 +65,7 @@ class OwnModules:
     @cached_property
     def _beside(self) -> dict[str, set[str]]:
         found: dict[str, set[str]] = {}
-        for path in self.files.paths:
+        for path in self.paths:
             if path.endswith((".py", ".so", ".pyi")):
                 folder, _, name = path.rpartition("/")
                 found.setdefault(folder, set()).add(name.partition(".")[0])
@@ -87,7 +87,7 @@ def own_modules(files: PackageFiles) -> OwnModules:
     """Return the modules of a package, the same for all that ask."""
     known = vars(files)
     if "own_modules" not in known:
-        known["own_modules"] = OwnModules(files)
+        known["own_modules"] = OwnModules(files.paths)
     return cast(OwnModules, known["own_modules"])
 
 
