@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Mapping
+from typing import cast
 
 from ...languages.python.evaluate.values import Call
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_below, nodes_of_kind
 from ...lazy_regex import regex
 from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_classes import class_of
@@ -40,11 +41,18 @@ def contains(around: Span, span: Span) -> bool:
     return around.start <= span.start and span.end <= around.end
 
 
-def never_added(file: PythonFile) -> Iterator[Span]:
-    """Yield the calls in functions whose result nothing names: bound to a local that is never read, or to nothing."""
-    read = {node.id for node in nodes_of(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
-    for function in nodes_of(file.tree):
-        for node in nodes_of(function) if isinstance(function, ast.FunctionDef) and "locals" not in read else ():
+def never_added(file: PythonFile) -> tuple[Span, ...]:
+    """Return the calls in functions whose result nothing names: bound to a local that is never read, or to nothing."""
+    known = vars(file)
+    if "never_added" not in known:  # asked for every action of the file
+        known["never_added"] = tuple(dict.fromkeys(unread_values(file)))
+    return cast("tuple[Span, ...]", known["never_added"])
+
+
+def unread_values(file: PythonFile) -> Iterator[Span]:
+    read = {node.id for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)}
+    for function in nodes_of_kind(file.tree, ast.FunctionDef) if "locals" not in read else ():
+        for node in nodes_below(function):
             if isinstance(node, ast.Assign) and all(isinstance(t, ast.Name) and t.id not in read for t in node.targets):
                 yield file.span(node.value)
 

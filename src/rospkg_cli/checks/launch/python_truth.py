@@ -8,7 +8,7 @@ from typing import Literal
 
 from ...languages.python.evaluate.values import Call, Constant, PartialText, Text, Value
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import is_condition, is_resolved_at_run_time, type_name
@@ -82,6 +82,8 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
     """Yield the tests of `if` and `while` that are a substitution or a condition itself, which is always true."""
     file = launch.file
     made = {call.span: call for call in launch.calls if is_resolved_at_run_time(call)}
+    if not made:
+        return
     bound = bindings_of(file, made)
     for node in nodes_of(file.tree):
         for test in operands(node.test) if isinstance(node, ast.If | ast.IfExp | ast.While) else ():
@@ -97,7 +99,7 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
 def bindings_of(file: PythonFile, made: Mapping[Span, Call]) -> Mapping[str, Call | None]:
     """Return what each name of a file holds wherever it is bound; None where it may hold something else."""
     found: dict[str, Call | None] = {}
-    values = {id(node.targets[0]): node.value for node in nodes_of(file.tree) if isinstance(node, ast.Assign)}
+    values = {id(node.targets[0]): node.value for node in nodes_of_kind(file.tree, ast.Assign)}
     for node in nodes_of(file.tree):
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
             value = values.get(id(node))

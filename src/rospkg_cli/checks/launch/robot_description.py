@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from ...files import PackageFiles
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of_kind
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
@@ -85,7 +85,7 @@ def printed(text: str) -> str:
 def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
     """Yield each place once."""
     seen, file = set(), launch.file
-    dicts = {file.span(node): node for node in nodes_of(file.tree) if isinstance(node, ast.Dict)}
+    dicts = {file.span(node): node for node in nodes_of_kind(file.tree, ast.Dict)}
     for call in launch.calls:
         given = call.get("parameters") if class_of(call) in NODES else None
         for item in given.items if isinstance(given, Sequence) else ():

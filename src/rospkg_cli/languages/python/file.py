@@ -5,18 +5,28 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import cast
+from weakref import ref
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
-from .nodes import children_of, nodes_of
+from .nodes import children_of, nodes_of, nodes_of_kind
 from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
 PLATFORM = frozenset({"sys", "os", "platform", "find_spec", "environ"})
 STARTERS = frozenset({"spin", "run", "exec", "exec_", "mainloop", "main"})
 """Methods that do not return before the program ends: `rclpy.spin(node)`, `app.exec()`."""
+WITHOUT_IMPORTS = frozenset({
+    ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr, ast.Return, ast.Raise, ast.Assert, ast.Delete, ast.Pass,
+    ast.arguments, ast.withitem, ast.keyword,
+})  # fmt: skip
+"""The statements that hold no others, and parts of the others."""
+NEW_SCOPES = frozenset({ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp})
+BINDERS = NEW_SCOPES | {
+    ast.Name, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom
+}  # fmt: skip
+"""What binds a name in its scope, or none of it."""
 MODULE = regex(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
 
 
@@ -55,6 +65,8 @@ class PythonFile(PythonSyntax):
     def imports_in(self, body: Iterable[ast.AST], under: Import) -> Iterator[Import]:
         """Yield the imports below statements; `under` carries what holds for all of them."""
         for node in body:
+            if node.__class__ in WITHOUT_IMPORTS or isinstance(node, ast.expr):
+                continue
             match node:
                 case ast.Import():
                     for alias in node.names:
@@ -66,7 +78,7 @@ class PythonFile(PythonSyntax):
                     yield Import(
                         module, names, node.level, span, under.is_optional, under.is_for_typing, under.is_local
                     )
-                case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
+                case ast.FunctionDef() | ast.AsyncFunctionDef():
                     inner = Import("", (), 0, under.span, under.is_optional, under.is_for_typing, True)
                     yield from self.imports_in(children_of(node), inner)
                 case ast.Try():
@@ -147,11 +159,8 @@ class PythonFile(PythonSyntax):
         if "__getattr__" in self.definitions:
             return True
         touched = {"globals", "setattr", "exec", "vars", "__dict__"}
-        return any(
-            (isinstance(node, ast.Name) and node.id in touched)
-            or (isinstance(node, ast.Attribute) and node.attr == "__dict__")
-            for node in nodes_of(self.tree)
-        )
+        is_named = any(node.id in touched for node in nodes_of_kind(self.tree, ast.Name))
+        return is_named or any(node.attr == "__dict__" for node in nodes_of_kind(self.tree, ast.Attribute))
 
 
 def statement_calls(body: Iterable[ast.stmt]) -> Iterator[ast.Call]:
@@ -175,10 +184,12 @@ def parse_python(source: Source) -> PythonFile:
 
     Raises UnreadableError, with `grammar` where a newer Python may well understand it.
     """
-    known = vars(source)
-    if "python_file" not in known:
-        known["python_file"] = PythonFile(source, parse(source))
-    return cast(PythonFile, known["python_file"])
+    known: ref[PythonFile] | None = vars(source).get("python_file")
+    file = known() if known is not None else None
+    if file is None:
+        file = PythonFile(source, parse(source))
+        vars(source)["python_file"] = ref(file)  # weakly: the two could not be freed at once
+    return file
 
 
 def handles_import_error(handler: ast.ExceptHandler) -> bool:
@@ -238,8 +249,16 @@ def is_type_checking(test: ast.expr) -> bool:
 
 def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
     """Yield the names that statements bind in their scope, with the binding node."""
-    for node in body:
+    waiting = [*body][::-1]
+    while waiting:  # without recursion, as every expression is looked through
+        node = waiting.pop()
+        if node.__class__ not in BINDERS:
+            waiting += children_of(node)[::-1]
+            continue
         match node:
+            case ast.Name():
+                if isinstance(node.ctx, ast.Store):
+                    yield node.id, node
             case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
                 yield node.name, node
                 yield from ((name, node) for name in global_names(node))
@@ -247,12 +266,6 @@ def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr
                 yield from ((alias.asname or alias.name.partition(".")[0], alias) for alias in node.names)
             case ast.ImportFrom():
                 yield from ((alias.asname or alias.name, alias) for alias in node.names if alias.name != "*")
-            case ast.Name(id=name, ctx=ast.Store()):
-                yield name, node
-            case ast.Lambda() | ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
-                continue
-            case _:
-                yield from bindings(children_of(node))
 
 
 def global_names(function: ast.AST) -> set[str]:

@@ -6,6 +6,7 @@ import ast
 import re
 
 from ...lazy_regex import regex
+from .nodes import nodes_below
 
 MAX_TOKENS = 200_000
 """Some 20,000 lines of code; their tree takes up to 300 MiB."""
@@ -32,6 +33,8 @@ def is_too_large(text: str) -> bool:
 
 def is_too_deep(tree: ast.AST) -> bool:
     """Return whether nodes stand inside each other more than MAX_DEPTH times, without recursion."""
+    if nodes_below(tree).levels < MAX_DEPTH - 1:
+        return False
     level: list[object] = [tree]
     for _ in range(MAX_DEPTH):
         following: list[object] = []

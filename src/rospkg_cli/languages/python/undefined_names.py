@@ -9,12 +9,21 @@ from collections.abc import Iterable, Iterator
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .file import PythonFile, bindings
-from .nodes import children_of, nodes_of
+from .nodes import children_of, nodes_of, nodes_of_kind
 
 GIVEN = frozenset(dir(builtins)) | frozenset(
     "__file__ __name__ __doc__ __package__ __loader__ __spec__ __builtins__ __path__ __cached__ __annotations__".split()
 )
 CATCHES = frozenset({"NameError", "Exception", "BaseException"})
+
+SCOPES = frozenset({
+    ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.ListComp, ast.SetComp, ast.DictComp,
+    ast.GeneratorExp, ast.AnnAssign, ast.Try, ast.ExceptHandler, ast.Match,
+})  # fmt: skip
+"""The classes of nodes whose parts see other names, or are not all looked at."""
+
+BINDING = frozenset({ast.Global, ast.Nonlocal, ast.NamedExpr, ast.ExceptHandler, ast.Match})
+"""What binds names wherever it stands in a scope."""
 
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
@@ -33,11 +42,10 @@ def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
     """Yield uses of names that no scope around them binds; none where a file may have names that it does not show."""
     if file.star_imports or file.has_dynamic_names or any("*" in each.names for each in file.imports):
         return
-    top = set(file.definitions)
-    if any(isinstance(node, ast.Name) and node.id in ("exec", "eval", "locals") for node in nodes_of(file.tree)):
+    if any(node.id in ("exec", "eval", "locals") for node in nodes_of_kind(file.tree, ast.Name)):
         return
-    for name in NameVisitor(frozenset(top)).in_body(file.tree.body, frozenset(top)):
-        yield UndefinedName(name[0].id, file.span(name[0]), name[1])
+    for name, known in names_unseen(file.tree.body, frozenset(file.definitions)):
+        yield UndefinedName(name.id, file.span(name), known)
 
 
 def is_in_branch(file: PythonFile, span: Span) -> bool:
@@ -62,73 +70,81 @@ def is_in_function(file: PythonFile, span: Span) -> bool:
 Found = tuple[ast.Name, frozenset[str]]
 
 
-class NameVisitor:
-    """Walks scopes with the names that each of them sees."""
+Part = tuple[Iterable[ast.AST | None], frozenset[str]]
+"""Some nodes, and the names that they see."""
 
-    def __init__(self, top: frozenset[str]) -> None:
-        self.top = top
 
-    def in_body(self, nodes: Iterable[ast.AST | None], seen: frozenset[str]) -> Iterator[Found]:
-        for node in nodes:
-            if node is not None:
-                yield from self.within(node, seen)
+def names_unseen(body: Iterable[ast.AST], top: frozenset[str]) -> Iterator[Found]:
+    """Yield the uses of names in the body of a module that their scopes don't see, in the order of the text."""
+    waiting: list[tuple[ast.AST | None, frozenset[str]]] = [(node, top) for node in [*body][::-1]]
+    while waiting:  # without recursion, as every expression is looked through
+        node, seen = waiting.pop()
+        if isinstance(node, ast.Name):
+            if node.id not in seen and node.id not in GIVEN and isinstance(node.ctx, ast.Load):
+                yield node, seen
+        elif node.__class__ in SCOPES:
+            parts = [(each, names) for nodes, names in parts_of(node, seen) for each in nodes]
+            waiting += parts[::-1]
+        elif node is not None:
+            waiting += [(each, seen) for each in children_of(node)[::-1]]
 
-    def within(self, node: ast.AST, seen: frozenset[str]) -> Iterator[Found]:
-        match node:
-            case ast.Name(ctx=ast.Load()):
-                if node.id not in seen and node.id not in GIVEN:
-                    yield node, seen
-            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
-                yield from self.function(node, seen)
-            case ast.ClassDef():
-                yield from self.in_body([*node.decorator_list, *node.bases, *node.keywords], seen)
-                yield from self.class_body(node, seen)
-            case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
-                inner = seen | {name for each in node.generators for name, _ in bindings([each.target])}
-                yield from self.in_body(children_of(node), inner)
-            case ast.AnnAssign():
-                yield from self.in_body([node.target, node.value], seen)
-            case ast.Try() if any(map(catches, node.handlers)):
-                yield from self.in_body([*node.handlers, *node.finalbody], seen)
-            case ast.ExceptHandler(name=str(name)):
-                yield from self.in_body([node.type, *node.body], seen | {name})
-            case ast.Match():
-                yield from self.in_body(children_of(node), seen | set(captured(node)))
-            case _:
-                yield from self.in_body(children_of(node), seen)
 
-    def function(self, node: FunctionNode, seen: frozenset[str]) -> Iterator[Found]:
-        arguments = node.args
-        yield from self.in_body([*arguments.defaults, *arguments.kw_defaults], seen)
-        every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, arguments.vararg, arguments.kwarg]
-        own = {each.arg for each in every if each is not None}
-        body = [node.body] if isinstance(node, ast.Lambda) else node.body
-        if not isinstance(node, ast.Lambda):
-            yield from self.in_body(node.decorator_list, seen)
-        yield from self.in_body(body, seen | own | bound_in(body))
+def parts_of(node: ast.AST | None, seen: frozenset[str]) -> Iterator[Part]:
+    """Yield the parts of a node, each with the names that it sees."""
+    match node:
+        case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.Lambda():
+            yield from parts_of_function(node, seen)
+        case ast.ClassDef():
+            yield [*node.decorator_list, *node.bases, *node.keywords], seen
+            yield from parts_of_class(node, seen)
+        case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+            inner = seen | {name for each in node.generators for name, _ in bindings([each.target])}
+            yield children_of(node), inner
+        case ast.AnnAssign():
+            yield [node.target, node.value], seen
+        case ast.Try() if any(map(catches, node.handlers)):
+            yield [*node.handlers, *node.finalbody], seen
+        case ast.ExceptHandler(name=str(name)):
+            yield [node.type, *node.body], seen | {name}
+        case ast.Match():
+            yield children_of(node), seen | set(captured(node))
+        case ast.AST():
+            yield children_of(node), seen
 
-    def class_body(self, node: ast.ClassDef, seen: frozenset[str]) -> Iterator[Found]:
-        """Yield from a class, whose names its own statements see and its methods don't."""
-        own = seen | bound_in(node.body) | {"__class__", "__qualname__", "__module__"}
-        for each in node.body:
-            is_function = isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef)
-            yield from self.within(each, seen | {"__class__", "super"} if is_function else own)
+
+def parts_of_function(node: FunctionNode, seen: frozenset[str]) -> Iterator[Part]:
+    arguments = node.args
+    yield [*arguments.defaults, *arguments.kw_defaults], seen
+    every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, arguments.vararg, arguments.kwarg]
+    own = {each.arg for each in every if each is not None}
+    body = [node.body] if isinstance(node, ast.Lambda) else node.body
+    if not isinstance(node, ast.Lambda):
+        yield node.decorator_list, seen
+    yield body, seen | own | bound_in(body)
+
+
+def parts_of_class(node: ast.ClassDef, seen: frozenset[str]) -> Iterator[Part]:
+    """Yield the body of a class, whose names its own statements see and its methods don't."""
+    own = seen | bound_in(node.body) | {"__class__", "__qualname__", "__module__"}
+    for each in node.body:
+        is_function = isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef)
+        yield [each], seen | {"__class__", "super"} if is_function else own
 
 
 def bound_in(body: Iterable[ast.AST]) -> frozenset[str]:
     """Return the names that a scope binds, also by `global` (then some scope of the file does), `except`, `match`."""
     body = list(body)
     names = {name for name, _ in bindings(body)}
-    for each in body:
-        for node in nodes_of(each):
-            if isinstance(node, ast.Global | ast.Nonlocal):
-                names |= set(node.names)
-            elif isinstance(node, ast.NamedExpr):
-                names.add(node.target.id)
-            elif isinstance(node, ast.ExceptHandler) and node.name:
-                names.add(node.name)
-            elif isinstance(node, ast.Match):
-                names |= set(captured(node))
+    binding = [node for each in body for node in nodes_of(each) if node.__class__ in BINDING]
+    for node in binding:
+        if isinstance(node, ast.Global | ast.Nonlocal):
+            names |= set(node.names)
+        elif isinstance(node, ast.NamedExpr):
+            names.add(node.target.id)
+        elif isinstance(node, ast.ExceptHandler) and node.name:
+            names.add(node.name)
+        elif isinstance(node, ast.Match):
+            names |= set(captured(node))
     return frozenset(names)
 
 

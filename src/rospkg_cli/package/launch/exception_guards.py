@@ -6,11 +6,17 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import PythonFile, asked
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...source import Span
 
 MISSING = frozenset({"PackageNotFoundError", "LookupError", "KeyError", "Exception", "BaseException"})
 """What ament_index raises where a package is not there, and what takes it."""
+
+BRANCHING = frozenset({
+    ast.Module, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.If, ast.IfExp, ast.For, ast.AsyncFor,
+    ast.While, ast.With, ast.AsyncWith, ast.Try, ast.ExceptHandler, ast.match_case, getattr(ast, "TryStar", ast.Try),
+})  # fmt: skip
+"""The classes of nodes with conditions, or with lists of statements."""
 
 ABSENT = frozenset({"FileNotFoundError", "OSError", "IOError", "EnvironmentError", "Exception", "BaseException"})
 """What Python raises where a file is not there, and what takes it."""
@@ -18,8 +24,8 @@ ABSENT = frozenset({"FileNotFoundError", "OSError", "IOError", "EnvironmentError
 
 def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[Span]:
     """Yield the bodies of `try` whose handlers take one of some errors."""
-    for node in nodes_of(file.tree):
-        if isinstance(node, ast.Try) and any(catches(handler, errors) for handler in node.handlers):
+    for node in nodes_of_kind(file.tree, ast.Try):
+        if any(catches(handler, errors) for handler in node.handlers):
             yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
 
 
@@ -30,6 +36,8 @@ def asked_in(file: PythonFile) -> Iterator[tuple[Span, frozenset[str]]]:
     """
     named = dict(named_conditions(file))
     for node in nodes_of(file.tree):
+        if node.__class__ not in BRANCHING:
+            continue
         if isinstance(node, ast.If | ast.IfExp) and (names := asked_by(node.test, named)):
             yield file.span(node), names
         for block in blocks_of(node):
@@ -51,8 +59,8 @@ def asked_by(test: ast.expr, named: Mapping[str, frozenset[str]]) -> frozenset[s
 
 
 def named_conditions(file: PythonFile) -> Iterator[tuple[str, frozenset[str]]]:
-    for node in nodes_of(file.tree):
-        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Compare) and (names := asked(node.value)):
+    for node in nodes_of_kind(file.tree, ast.Assign):
+        if isinstance(node.value, ast.Compare) and (names := asked(node.value)):
             yield from ((target.id, names) for target in node.targets if isinstance(target, ast.Name))
 
 

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of_kind
 from .declared_parameter import DeclaredParameter
 
 RCL_TYPES = {
@@ -18,8 +18,8 @@ PLAIN_TYPES = {bool: "bool", int: "int", float: "double", str: "string"}
 
 def declared_in(file: PythonFile) -> Iterator[DeclaredParameter]:
     """Yield what a file declares under literal names."""
-    for node in nodes_of(file.tree):
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+    for node in nodes_of_kind(file.tree, ast.Call):
+        if isinstance(node.func, ast.Attribute):
             if node.func.attr == "declare_parameter":
                 given = {keyword.arg: keyword.value for keyword in node.keywords}
                 name = node.args[0] if node.args else given.get("name")

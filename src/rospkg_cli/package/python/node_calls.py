@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
 
@@ -26,8 +26,8 @@ def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
     """Yield the nodes whose package and executable (or plugin) are literals in the call, in the order of the text."""
     if "package=" not in file.source.text:
         return
-    for node in nodes_of(file.tree):
-        if isinstance(node, ast.Call) and called(node.func) in CLASSES:
+    for node in nodes_of_kind(file.tree, ast.Call):
+        if called(node.func) in CLASSES:
             arguments = {keyword.arg: keyword.value for keyword in node.keywords}
             package = arguments.get("package")
             literal = isinstance(package, ast.Constant) and isinstance(package.value, str)

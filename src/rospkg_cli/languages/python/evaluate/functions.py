@@ -61,6 +61,8 @@ class Functions(CompoundStatements):
 
     def is_generator(self, node: ast.AST) -> bool:
         """Return whether a function contains `yield`; the answer is cached."""
+        if "yield" not in self.file.source.text:
+            return False
         if id(node) not in self.generators:
             self.generators[id(node)] = any(isinstance(each, ast.Yield | ast.YieldFrom) for each in nodes_of(node))
         return self.generators[id(node)]
