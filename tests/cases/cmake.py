@@ -177,6 +177,12 @@ CASES = {
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
             good={}, on=""),
     ),
+    "CMK201": (
+        cmake("add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n",
+              src__a_DOT_cpp='#include "hepler.hpp"\n#include "my_pkg/not_there.hpp"\nint main() {return 0;}\n',
+              src__helper_DOT_hpp="#include <my_pkg/too.hpp>\n",
+              include__my_pkg__b_DOT_hpp="#include <my_pkg/bb.hpp>\n"),
+    ),
     "CMK118": (
         Example(
             bad={**OLD, "old/src/a.cpp": MAIN,

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from ..files import ReaderInput
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, has_targets, registered_components
+from .cmake.made_headers import header_files
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
@@ -65,6 +66,11 @@ def of_exports(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str
     return {"cmake_targets": targets}, set() if complete else {"cmake_targets"}
 
 
+def of_headers(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
+    headers, complete = header_files(reading)
+    return {"header_files": headers}, set() if complete else {"header_files"}
+
+
 def of_loaders(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
     loaders, complete = loaded_bases(reading)
     return {"loaders": loaders}, set() if complete else {"loaders"}
@@ -105,6 +111,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
+    ("header_files",): of_headers,
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
 }  # fmt: skip
 """What is collected together, by the fields that it yields."""

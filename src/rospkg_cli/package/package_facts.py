@@ -14,7 +14,7 @@ from .params.declared_parameter import DeclaredParameter, NodeCode
 
 UnknownField = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
-    "plugins", "loaders", "cmake_targets"
+    "plugins", "loaders", "cmake_targets", "header_files"
 ]  # fmt: skip
 
 
@@ -101,6 +101,8 @@ class PackageFacts:
     """Dotted names of the Python modules that are installed."""
     headers: frozenset[str] = frozenset()
     """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
+    header_files: frozenset[str] = frozenset()
+    """The headers below its `include/` folders: `rclcpp/executors/single_threaded_executor.hpp`."""
     plugins: tuple[Plugin, ...] = ()
     plugin_uses: tuple[PluginUse, ...] = ()
     loaders: frozenset[tuple[str, str]] = frozenset()

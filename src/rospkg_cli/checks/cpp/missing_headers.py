@@ -1,0 +1,152 @@
+"""Headers of the package, or of another one of the workspace, that C++ includes and that are not there (CMK201)."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+
+from ...languages.cpp.file import CppFile, IncludeDirective
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.made_headers import HEADERS, made_header_names, may_make_headers
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...ros.interfaces import KINDS
+from ...source import Span
+from ...suggest import near_names, nearest
+from ..depends.compiled_sources import compiled_sources, own_compiled
+
+SHORT = 10
+"""Letters of a file's name from which two may be wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class MissingHeader:
+    path: str
+    span: Span
+    header: str
+    owner: str
+    """The package that should have it."""
+    meant: str
+    """The header that is near; "" where none is."""
+    is_compiled: bool
+    """Whether the package's own build certainly compiles the file."""
+
+
+@dataclass(frozen=True)
+class MissingHeaders:
+    package: CMakePackage
+    sources: tuple[CppFile, ...]
+    workspace: Workspace
+
+    def all(self) -> Iterator[MissingHeader]:
+        """Yield each include of a missing header in what is compiled or installed."""
+        for source, role in compiled_sources(self.package.cmake, self.sources):
+            if role == "aside" or "__has_include" in source.source.text:
+                continue
+            for each in source.includes:
+                if not each.is_conditional and self.is_header(each.path) and (found := self.missing(source, each)):
+                    owner, meant = found
+                    yield MissingHeader(source.path, each.span, each.path, owner, meant, source.path in self.compiled)
+
+    def is_header(self, path: str) -> bool:
+        """Return whether a path may be that of a header that people write: interfaces have generated ones."""
+        parts = path.split("/")
+        return path.endswith(HEADERS) and not (len(parts) > 2 and parts[1] in KINDS) and ".." not in parts
+
+    def missing(self, source: CppFile, each: IncludeDirective) -> tuple[str, str] | None:
+        """Return the package that lacks a header, and the one that is near; None where it may be there."""
+        folder, slash, _ = each.path.partition("/")
+        if self.is_there(each.path):
+            return None
+        if not slash:
+            meant = None if each.is_angled else self.beside(source, each.path)
+            return (self.package.facts.name, meant) if meant and self.knows_own(each.path) else None
+        if folder == self.package.facts.name:
+            meant = self.near(each.path, self.own, self.may_make)
+            return (folder, meant) if self.knows_own(each.path) and (meant or not self.may_make) else None
+        facts = self.workspace.named(folder)
+        meant = self.near(each.path, facts.header_files, not facts.knows("header_files")) if facts is not None else ""
+        return (folder, meant) if facts is not None and (meant or self.has_all(facts, folder)) else None
+
+    def is_there(self, header: str) -> bool:
+        """Return whether a file of the package ends with the path, or a package of the workspace has the header."""
+        ends = self.by_name.get(posixpath.basename(header), ())
+        wanted = f"/{posixpath.normpath(header)}"
+        return any(f"/{path}".endswith(wanted) for path in ends) or any(
+            header in facts.header_files for facts in self.workspace.packages
+        )
+
+    def knows_own(self, header: str) -> bool:
+        """Return whether the build makes no header of that name, and no folder of git or a submodule lacks it."""
+        cmake = self.package.cmake
+        expected = cmake.package_files.absent.is_expected
+        is_made = posixpath.basename(header) in made_header_names(cmake)
+        return not is_made and not expected(f"include/{header}") and not self.is_shared(header)
+
+    def is_shared(self, header: str) -> bool:
+        """Return whether another package of the workspace, whose headers are not all known, has the folder."""
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.facts.name)
+        first = header.partition("/")[0]
+        return any(
+            not facts.knows("header_files") and any(f"{each}/".startswith(f"{first}/") for each in facts.headers)
+            for facts in others
+        )
+
+    def has_all(self, facts: PackageFacts, folder: str) -> bool:
+        """Return whether all headers of another package are known, and it has some in the folder of its name."""
+        has_some = any(each.startswith(f"{folder}/") for each in facts.header_files)
+        return has_some and facts.knows("header_files") and not self.is_shared(f"{folder}/")
+
+    def near(self, header: str, headers: frozenset[str], may_be_made: bool) -> str:
+        """Return the header that is meant, in the same folder or of the same name in another one.
+
+        Where others may be made, only one that is a letter or two off.
+        """
+        folder, _, name = header.rpartition("/")
+        names = [each.rpartition("/")[2] for each in headers if each.rpartition("/")[0] == folder]
+        close = near_names(name, with_digits_of(name, names), 1 if len(name) < SHORT else 2)
+        if close or may_be_made:
+            return f"{folder}/{close[0]}" if close else ""
+        moved = [each for each in headers if each.rpartition("/")[2] == name]
+        stems = {each.rpartition(".")[0]: each for each in names}
+        stem = name.rpartition(".")[0]
+        alike = stem if stem in stems else nearest(stem, stems)
+        return moved[0] if len(moved) == 1 else f"{folder}/{stems[alike]}" if alike else ""
+
+    def beside(self, source: CppFile, name: str) -> str | None:
+        """Return the header in the folder of a file that is one or two letters off."""
+        folder = posixpath.dirname(source.path)
+        paths = self.package.cmake.package_files.paths
+        headers = (path for path in paths if posixpath.dirname(path) == folder and path.endswith(HEADERS))
+        alike = with_digits_of(name, map(posixpath.basename, headers))
+        return next(iter(near_names(name, alike, 1 if len(name) < SHORT else 2)), None)
+
+    @cached_property
+    def by_name(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for path in self.package.cmake.package_files.paths:
+            found.setdefault(posixpath.basename(path), []).append(path)
+        return found
+
+    @cached_property
+    def own(self) -> frozenset[str]:
+        """The headers of the package in a folder of its name, as they are included."""
+        name = self.package.facts.name
+        inside = (f"/{path}".rpartition(f"/{name}/") for path in self.package.cmake.package_files.paths)
+        return frozenset(f"{name}/{rest}" for _, found, rest in inside if found and rest.endswith(HEADERS))
+
+    @cached_property
+    def may_make(self) -> bool:
+        return may_make_headers(self.package.cmake)
+
+    @cached_property
+    def compiled(self) -> set[str]:
+        return own_compiled(self.package.cmake, self.sources) or set()
+
+
+def with_digits_of(name: str, names: Iterable[str]) -> list[str]:
+    """Return the names with the same digits: `v1.hpp` and `v2.hpp` are no misspellings of each other."""
+    wanted = list(filter(str.isdecimal, name))
+    return [each for each in names if list(filter(str.isdecimal, each)) == wanted]

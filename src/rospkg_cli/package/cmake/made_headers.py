@@ -1,0 +1,62 @@
+"""Headers that a package has for others, and those that its build may make."""
+
+from __future__ import annotations
+
+import posixpath
+
+from ...files import PackageFiles, ReaderInput
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import UNKNOWN
+from ...lazy_regex import regex
+from .build import is_built_with_cmake
+from .cmake_project import CMake
+from .foreign_commands import foreign_commands
+from .made_paths import FETCHES, MadePaths, files_written_by
+
+HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh", ".impl", ".tcc", ".ii")
+GENERATES = regex(
+    r"(?!generate_(?:parameter_|export_))generate_\w+|protobuf_\w+|grpc_\w+|flatbuffers_\w+|swig_\w+|qt\d?_wrap_\w+"
+)
+RUNS = ("execute_process", "add_custom_command", "add_custom_target")
+
+
+def header_files(reading: ReaderInput) -> tuple[frozenset[str], bool]:
+    """Return the headers below the `include/` folders of a package, relative to them, and whether these are all."""
+    cmake = reading.parts(CMake).only
+    found = frozenset(below_include(reading.files))
+    if cmake is None:
+        return found, not is_built_with_cmake(reading)
+    return found, not may_make_headers(cmake) and not made_header_names(cmake)
+
+
+def below_include(files: PackageFiles) -> list[str]:
+    inside = (f"/{path}".partition("/include/")[2] for path in files.paths if path.endswith(HEADERS))
+    return [path for path in inside if path]
+
+
+def may_make_headers(cmake: CMake) -> bool:
+    """Return whether a build may make headers of any name."""
+    if not cmake.is_complete or cmake.reads_unknown_files or MadePaths(cmake).filled:
+        return True
+    if any(UNKNOWN in word.text for call in cmake.calls for word in files_written_by(call)):
+        return True
+    if any(call.name in FETCHES or GENERATES.fullmatch(call.name) for call in cmake.calls):
+        return True
+    return next(foreign_commands(cmake), None) is not None
+
+
+def made_header_names(cmake: CMake) -> frozenset[str]:
+    """Return the names of the headers that a build makes, as far as they are known."""
+    written = MadePaths(cmake).written_names
+    handed = {posixpath.basename(text) for call in cmake.named(*RUNS) for text in call.texts}
+    made = {name for call in cmake.calls for name in (made_by(call),) if name}
+    return frozenset(name for name in {*written, *handed, *made} if name.endswith(HEADERS))
+
+
+def made_by(call: EvaluatedCommand) -> str:
+    """Return the header that a command of ament or CMake makes under a name of its own."""
+    if call.name == "generate_parameter_library" and call.words:
+        return f"{call.texts[0]}.hpp"
+    if call.name == "generate_export_header" and call.words:
+        return f"{call.texts[0].lower()}_export.h"
+    return ""

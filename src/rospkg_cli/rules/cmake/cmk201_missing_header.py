@@ -1,0 +1,73 @@
+"""CMK201 missing-header."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
+from ...example import CMAKE, Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+LINES = """\
+add_executable(talker src/talker.cpp)
+target_include_directories(talker PRIVATE include)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+SOURCE = """\
+#include "my_pkg/words.hpp"
+
+int main()
+{
+  return words();
+}
+"""
+
+
+@rule(
+    "CMK201",
+    "missing-header",
+    over=MissingHeaders,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "in a file that only others compile"},
+    examples=(
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
+                "include/my_pkg/words.hpp": "inline int words() {return 0;}\n",
+                "src/talker.cpp": SOURCE.replace("my_pkg/words.hpp", "«my_pkg/word.hpp»"),
+            },
+            good={"src/talker.cpp": SOURCE},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds `#include`s of headers of the package, or of another one of the workspace, that do not exist.
+    They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
+    folder.
+
+    ## Why is this bad?
+    The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
+
+    ## When it is quiet
+    Where the build makes a header of that name (`configure_file()`), and, for names that are near to none, where
+    programs or commands of other packages may make any. Inside of `#if`, in files with `__has_include`, where git
+    ignores the header or a submodule is not checked out, and in files that nothing compiles or installs.
+
+    ## Fix safety
+    The intended header is a guess.
+    """
+    for each in headers.all():
+        fix = Fix(f"include `{each.meant}`", (Edit(each.path, each.span, each.meant),), Safety.UNSAFE)
+        level = None if each.is_compiled else Severity.WARNING
+        yield Hit(each.path, each.span, message(each), level, fix=fix if each.meant else None)
+
+
+def message(each: MissingHeader) -> str:
+    near = f" (did you mean `{each.meant}`?)" if each.meant else ""
+    advice = "correct the name" if each.meant else "add it, or remove the line"
+    return f'`{each.owner}` has no header `{each.header}`{near}: the compiler stops with "No such file"; {advice}'

@@ -1,0 +1,114 @@
+"""Headers of the workspace that C++ includes: those that are there, those that a build makes, and misspelt ones."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.finding import Severity
+from rospkg_cli.testing import lint_files
+
+ERROR, WARNING = Severity.ERROR, Severity.WARNING
+BASE = {
+    "base/package.xml": manifest("", "ament_cmake", "base"),
+    "base/CMakeLists.txt": CMAKE.replace("my_pkg", "base"),
+    "base/include/base/frames.hpp": "",
+}
+OWN = {"my_pkg/include/my_pkg/words.hpp": "", "my_pkg/src/helper.hpp": "", "my_pkg/src/deep/v1.hpp": ""}
+GIVEN = tuple[Severity, str]
+
+
+def findings(source: str, lines: str = "", **more: str) -> list[GIVEN]:
+    """Lint a package whose one source is given; more files are named with `__` for `/`."""
+    cmake = CMAKE.replace("ament_package", f"add_executable(talker src/a.cpp)\n{lines}\nament_package")
+    files = {
+        "my_pkg/package.xml": manifest("  <depend>base</depend>\n", "ament_cmake"),
+        "my_pkg/CMakeLists.txt": cmake,
+        "my_pkg/src/a.cpp": f"{source}\nint main() {{return 0;}}\n",
+        **BASE,
+        **OWN,
+        **{name.replace("__", "/") + ".hpp": text for name, text in more.items() if name != "base_lines"},
+    }
+    files["base/CMakeLists.txt"] = files["base/CMakeLists.txt"].replace(
+        "ament_p", more.get("base_lines", "") + "ament_p"
+    )
+    found = lint_files(files, ["CMK201"]).findings
+    return [(each.severity, each.message.partition("did you mean `")[2].partition("`")[0]) for each in found]
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ('#include "my_pkg/words.hpp"', []),
+        ('#include "my_pkg/wodrs.hpp"', [(ERROR, "my_pkg/words.hpp")]),
+        ("#include <my_pkg/wodrs.hpp>", [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkg/renamed_long_ago.hpp"', [(ERROR, "")]),
+        ('#include "my_pkg/more/words.hpp"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkg/many_words.hpp"', [(ERROR, "")]),
+        ('#include "my_pkg/wordings.hpp"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkg/words.h"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkg/msg/wodrs.hpp"', []),
+        ('#include "my_pkg/wodrs"', []),
+        ('#include "my_pkg/../wodrs.hpp"', []),
+        ('#if A\n#include "my_pkg/wodrs.hpp"\n#endif', []),
+        ('#if __has_include("x")\n#endif\n#include "my_pkg/wodrs.hpp"', []),
+        ('#include "base/frames.hpp"', []),
+        ('#include "base/frame.hpp"', [(ERROR, "base/frames.hpp")]),
+        ('#include "base/renamed_long_ago.hpp"', [(ERROR, "")]),
+        ('#include "other/frame.hpp"', []),
+        ('#include "helper.hpp"', []),
+        ('#include "hepler.hpp"', [(ERROR, "helper.hpp")]),
+        ('#include "hepelr.hpp"', [(ERROR, "helper.hpp")]),
+        ('#include "hepe.hpp"', []),
+        ("#include <hepler.hpp>", []),
+        ('#include "words.hpp"', []),
+        ('#include "wrods.hpp"', []),
+        ('#include "deep/v1.hpp"', []),
+    ],
+)
+def test_what_a_source_includes(line: str, expected: list[GIVEN]) -> None:
+    assert findings(line) == expected
+
+
+def test_a_number_is_no_misspelling() -> None:
+    more = {"my_pkg__src__part_1": ""}
+    assert findings('#include "part_2.hpp"', **more) == []
+    assert findings('#include "patr_1.hpp"', **more) == [(ERROR, "part_1.hpp")]
+
+
+@pytest.mark.parametrize(
+    ("lines", "near", "far"),
+    [
+        ("", True, True),
+        ("configure_file(a.in ${CMAKE_CURRENT_BINARY_DIR}/include/my_pkg/wodrs.hpp)", False, True),
+        ("configure_file(a.in ${CMAKE_CURRENT_BINARY_DIR}/${SOMETHING})", True, False),
+        ("generate_parameter_library(wodrs src/a.yaml)", False, True),
+        ("generate_export_header(talker)", True, True),
+        ("add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/wodrs.hpp COMMAND tool)", False, False),
+        ("add_custom_command(OUTPUT b COMMAND tool ${CMAKE_CURRENT_SOURCE_DIR})", True, False),
+        ("protobuf_generate(TARGET talker)", True, False),
+        ("team_generate(talker)", True, False),
+        ("include(${WHEREVER})", True, False),
+        ("externalproject_add(a)", True, False),
+    ],
+)
+def test_what_a_build_makes(lines: str, near: bool, far: bool) -> None:
+    assert len(findings('#include "my_pkg/wodrs.hpp"', lines)) == near
+    assert len(findings('#include "my_pkg/renamed_long_ago.hpp"', lines)) == far
+    theirs = lines.replace("talker", "base")
+    assert len(findings('#include "base/renamed_long_ago.hpp"', base_lines=f"{theirs}\n")) == (
+        far and near and "gen" not in lines
+    )
+
+
+def test_a_folder_of_two_packages() -> None:
+    source = '#include "my_pkg/renamed_long_ago.hpp"'
+    assert findings(source, base__include__my_pkg__renamed_long_ago="") == []
+    assert findings(source, base__include__my_pkg__other="") == [(ERROR, "")]
+    assert findings(source, base__include__my_pkg__other="", base_lines="team_generate(a)\n") == []
+
+
+def test_what_the_package_does_not_compile_is_milder() -> None:
+    header = '#include "my_pkg/wodrs.hpp"\n'
+    assert findings("", my_pkg__include__my_pkg__b=header) == [(WARNING, "my_pkg/words.hpp")]
+    assert findings('#include "my_pkg/b.hpp"', my_pkg__include__my_pkg__b=header) == [(ERROR, "my_pkg/words.hpp")]
