@@ -55,7 +55,7 @@ FLOORS = (
     {"engine"},
     {"rule_docs"},
     {"report", "scaffold", "index"},
-    {"change"},
+    {"change", "lookup"},
     {"addition"},
     {"cli"},
     {"testing"},

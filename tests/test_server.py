@@ -195,6 +195,30 @@ def test_columns_count_utf_16_units(editor: Editor, package: Path) -> None:
     assert line[2 * at.start.character : 2 * at.end.character].decode("utf-16-le") == "TODO"
 
 
+def test_definition_hover_completion_and_format(editor: Editor, package: Path) -> None:
+    path = package / "package.xml"
+    other = f"  <depend>{package.name}</depend>\n  <buildtool_depend>ament_lint</buildtool_depend>\n"
+    text = path.read_text().replace("  <export>", f"{other}  <export>")
+    editor.open(path)
+    editor.type(path, text)
+    line = text.split("\n").index(f"  <depend>{package.name}</depend>")
+    at = {"text_document": types.TextDocumentIdentifier(path.as_uri()), "position": types.Position(line, 12)}
+    client = editor.client
+    editor.until(lambda: bool(editor.codes(path)))
+    [place] = editor.run(client.text_document_definition_async(types.DefinitionParams(**at))) or ()
+    assert (place.uri, place.range.start.line) == (path.as_uri(), 3)
+    told = editor.run(client.text_document_hover_async(types.HoverParams(**at)))
+    assert told
+    assert told.contents.value.startswith(f"**{package.name}** 1.0.0, in this workspace")
+    offered = editor.run(client.text_document_completion_async(types.CompletionParams(**at)))
+    assert offered
+    assert package.name in [each.label for each in offered.items]
+    options = types.FormattingOptions(tab_size=2, insert_spaces=True)
+    asked = types.DocumentFormattingParams(at["text_document"], options)
+    edits = editor.run(client.text_document_formatting_async(asked))
+    assert applied(text, edits).index("ament_lint") < applied(text, edits).index(f"<depend>{package.name}")
+
+
 def test_a_wrong_config_is_a_message_and_nothing_ends(editor: Editor, folder: Path, package: Path) -> None:
     config, path = folder / "rospkg.toml", package / "package.xml"
     config.write_text("selct = []\n")

@@ -50,5 +50,11 @@ for _, answer in pairs(vim.lsp.buf_request_sync(0, "textDocument/codeAction", as
   end
 end
 say("its action removes it", function() return not codes():find("XML201") end)
+vim.api.nvim_win_set_cursor(0, { 1, 0 })
+vim.fn.search("<depend>my_o")
+vim.cmd("normal 10l")
+vim.lsp.buf.definition()
+say("a definition opens", function() return vim.fn.expand("%:p"):find("my_other/package.xml", 1, true) ~= nil end)
+vim.cmd("buffer 1")
 io.stdout:write(table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), "\n"), "\n")
 vim.cmd("qa!")

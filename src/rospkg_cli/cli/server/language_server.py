@@ -118,14 +118,6 @@ def path_of(uri: str) -> Path | None:
     return Path(path) if path else None
 
 
-def make_server() -> PackageServer:
-    """Return the server with all that it answers."""
-    server = PackageServer()
-    watch_texts(server)
-    offer_actions(server)
-    return server
-
-
 def watch_texts(server: PackageServer) -> None:
     """Let the server follow what is open, changed, saved and closed."""
 

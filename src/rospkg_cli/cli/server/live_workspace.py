@@ -14,6 +14,8 @@ from ...engine.live.live_packages import LivePackages
 from ...engine.live.noting_pool import NotingPool
 from ...engine.run.session import Results, Session, no_progress
 from ...light_dataclasses import dataclass, field, replace
+from ...lookup.world import LookupWorld
+from ...package.package_facts import PackageFacts
 from ...tree import TreeEntry
 from ..lint.lint_options import LintOptions
 from ..lint.session import make_session
@@ -39,6 +41,10 @@ class LiveWorkspace:
     root: Path = Path()
     is_finished: bool = False
     """Whether the last run judged all packages."""
+    facts: dict[str, PackageFacts] = field(default_factory=dict)
+    """The last known facts of each package, by folder."""
+    _world: LookupWorld | None = None
+    _known: object = None
 
     def put(self, path: Path, text: bytes | None) -> None:
         """Take the text of an editor for that of a file; None gives the file back."""
@@ -58,6 +64,9 @@ class LiveWorkspace:
         session = self.prepared(located, configs)
         self.is_finished = session.scope.selected == located.scope.selected
         results = session.run() if located.scope.folders else Results()
+        self.facts = {
+            each: f for each, f in {**self.facts, **self.memory.facts}.items() if each in session.scope.folders
+        }
         self.session, self.root = session, located.root
         return results
 
@@ -71,17 +80,36 @@ class LiveWorkspace:
         scope = session.scope
         given = [scope.incomplete, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories)), scope.folders]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
-        inside = {path: text for path, text in self.texts.items() if path.is_relative_to(located.root)}
-        texts = {path.relative_to(located.root).as_posix(): text for path, text in inside.items()}
         tree = DiskTree(located.root, scope.folders)
         return replace(
             session,
-            tree=Overlay(tree, {path: with_text(tree, path, text) for path, text in texts.items()}),
+            tree=self.overlay(tree, located.root),
             scope=replace(scope, selected=self.next_packages(located)),
             kept=self.memory,
             make_pool=NotingPool,
             make_small_pool=NotingPool,
         )
+
+    def world(self) -> LookupWorld | None:
+        """Return the packages for looking up, with the texts of the editor; None before the first run.
+
+        What was read of packages is kept as long as no text changes.
+        """
+        session = self.session
+        if session is None:
+            return None
+        known = (session, {path: id(text) for path, text in list(self.texts.items())})
+        if self._world is None or known != self._known:
+            tree = DiskTree(self.root, session.scope.folders)
+            workspace = session.link(sorted(self.facts.values(), key=lambda each: each.folder))
+            self._world, self._known = LookupWorld(self.overlay(tree, self.root), workspace), known
+        return self._world
+
+    def overlay(self, tree: DiskTree, root: Path) -> Overlay:
+        """Return a tree below a root with the texts of the editor over it."""
+        inside = {path: text for path, text in list(self.texts.items()) if path.is_relative_to(root)}
+        texts = {path.relative_to(root).as_posix(): text for path, text in inside.items()}
+        return Overlay(tree, {path: with_text(tree, path, text) for path, text in texts.items()})
 
     def next_packages(self, located: Located) -> frozenset[str]:
         """Return the packages that are judged already, those that are wanted, and some more."""

@@ -13,7 +13,11 @@ def serve() -> int:
     """Serve until the editor ends it; return the exit status. Raises UsageError without pygls."""
     if find_spec("pygls") is None:
         raise UsageError(MISSING)
-    from .language_server import make_server
+    from .answers import offer_lookups
+    from .language_server import PackageServer, offer_actions, watch_texts
 
-    make_server().start_io()
+    server = PackageServer()
+    for let in (watch_texts, offer_actions, offer_lookups):
+        let(server)
+    server.start_io()
     return 0

@@ -1,0 +1,1 @@
+"""What stands at a place of a file, and where it comes from: for editors."""

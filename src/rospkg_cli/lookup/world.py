@@ -1,0 +1,56 @@
+"""The packages of a workspace, for looking up: read again only where their files changed."""
+
+from __future__ import annotations
+
+from ..files import PackageFiles
+from ..light_dataclasses import dataclass, field
+from ..package.install_table import InstalledFile, InstallTable
+from ..package.package import Package
+from ..package.package_facts import NOWHERE, PackageFacts
+from ..package.workspace import Workspace
+from ..source import Source, Span
+from ..tree import Tree
+
+
+@dataclass(frozen=True)
+class Place:
+    """A span of a file; the path is relative to the root of the tree."""
+
+    path: str
+    span: Span
+
+
+@dataclass
+class LookupWorld:
+    tree: Tree
+    workspace: Workspace
+    _packages: dict[str, Package] = field(default_factory=dict, init=False, repr=False)
+
+    def package(self, folder: str) -> Package:
+        """Return the package in a folder."""
+        if folder not in self._packages:
+            self._packages[folder] = Package(PackageFiles(self.tree.sub(folder), folder, self.tree))
+        return self._packages[folder]
+
+    def facts(self, name: str, folder: str) -> PackageFacts | None:
+        """Return the facts of a named package; of the one in a folder where no name is given."""
+        if name:
+            return self.workspace.named(name)
+        return next((each for each in self.workspace.packages if each.folder == folder), None)
+
+    def rows(self, facts: PackageFacts) -> tuple[InstalledFile, ...]:
+        """Return what a package installs, as far as that is known."""
+        table = self.package(facts.folder).parts(InstallTable).only
+        return table.rows if table else ()
+
+    def place(self, facts: PackageFacts, path: str, span: Span = NOWHERE) -> Place | None:
+        """Return a place in a file of a package; None where there is no such file."""
+        whole = facts.at(path).lstrip("/")
+        return Place(whole, span) if path in self.package(facts.folder).files.paths else None
+
+    def source(self, path: str) -> Source:
+        """Return the text of a path from the root; an empty one where it has none."""
+        try:
+            return Source(path, self.tree.entry(path).text.text)
+        except (OSError, UnicodeError):
+            return Source(path, "")
