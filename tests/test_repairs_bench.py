@@ -96,6 +96,8 @@ def test_a_finding_names_a_token_as_a_word() -> None:
     assert naming(known, [finding]) == ["DEP101"]
     assert naming(known, [{**finding, "code": "XML104"}]) == []
     assert naming(known, [{**finding, "message": "`tf2_ros-py` is imported and not declared"}]) == []
+    brought = "`rclpy` is imported and not declared: it comes with `tf2_ros` today; declare what you use"
+    assert naming(known, [{**finding, "message": brought}]) == []
     by_file = {"class": "launch-missing-file", "token": "robot.rviz"}
     assert naming(by_file, [{"code": "LCH003", "message": "", "path": "config/Robot.rviz"}]) == ["LCH003"]
 
@@ -106,6 +108,7 @@ def test_the_list_of_repairs_is_whole() -> None:
     assert len({each["repo"] for each in repairs}) >= 20
     assert {each["class"] for each in repairs} <= set(FITTING)
     assert {each["verdict"] for each in repairs} <= {"solved", "not found", "still told"}
+    assert all(each.get("excluded", "why") for each in repairs)
     assert all(each["token"] or each["class"] in NAMELESS for each in repairs)
 
 

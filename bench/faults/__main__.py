@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -23,6 +22,7 @@ from typing import Any
 
 from bench.faults.draw import draw
 from bench.faults.fault import PutFault
+from bench.faults.index import fetch_index
 from bench.faults.kinds import KINDS, FaultKind
 from bench.faults.load import load
 from bench.faults.source_package import SourcePackage, packages_of
@@ -118,11 +118,6 @@ def as_record(trial: Trial) -> Record:
         "beside": trial.beside,
         "excluded": trial.excluded,
     }
-
-
-def fetch_index(rosdistro: Path) -> None:
-    command = [sys.executable, "-m", "rospkg_cli", "index", "update", "--source", str(rosdistro), "--quiet"]
-    subprocess.run(command, check=True)
 
 
 if __name__ == "__main__":

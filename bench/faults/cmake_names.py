@@ -45,7 +45,9 @@ def cmake_mistyped_target_dependency(package: SourcePackage) -> Iterator[PutFaul
 
 @kind("cmake")
 def cmake_mistyped_imported_target(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(CMAKE, r"^\s+(?:PUBLIC |PRIVATE )?\w+::(\w{4,})\b"))
+    for spot in package.spots(CMAKE, r"^\s+(?:PUBLIC |PRIVATE )?(\w+)::(\w{4,})\b", 2):
+        is_known = spot.word == spot[1] or spot[1] in package.siblings
+        yield spot.typo().known(is_known, "the targets of a package that is not here")
 
 
 @kind("cmake")

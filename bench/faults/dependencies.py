@@ -21,7 +21,7 @@ def without(package: SourcePackage, name: str) -> PutFault | None:
     """Return the fault that every dependency on a name is lost, if the package has one."""
     pattern = rf"[ \t]*<(\w*depend)\b[^>]*>\s*({re.escape(name)})\s*</\1>[ \t]*\n?"
     found = list(package.spots(XML, pattern, 2))
-    if not found or package.holds(XML, rf"<(?:group_depend)>{name}"):
+    if not found or any("condition" in spot[0] for spot in found):
         return None
     text = found[0].text
     for spot in reversed(found):
@@ -38,7 +38,9 @@ def lost(package: SourcePackage, names: set[str]) -> Iterator[PutFault]:
 @kind("manifest")
 def depend_lost_that_cmake_finds(package: SourcePackage) -> Iterator[PutFault]:
     yield from lost(
-        package, package.words(CMAKE, r"^find_package\(\s*(\w+)") - {"ament_cmake", "rosidl_default_generators"}
+        package,
+        package.words(CMAKE, r"^find_package\(\s*(\w+)")
+        - {"ament_cmake", "ament_cmake_python", "rosidl_default_generators"},
     )
 
 
@@ -49,6 +51,8 @@ def depend_lost_that_is_imported(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("manifest")
 def depend_lost_that_tests_import(package: SourcePackage) -> Iterator[PutFault]:
+    if not package.is_python:
+        return
     own = package.words(r"^(?!tests?/).*\.py$", r"^(?:from|import)\s+(\w+)")
     yield from lost(package, package.words(r"^tests?/.*\.py$", r"^(?:from|import)\s+(\w+)") - own)
 
@@ -83,15 +87,14 @@ def buildtool_lost(package: SourcePackage) -> Iterator[PutFault]:
 @kind("manifest")
 def generators_lost(package: SourcePackage) -> Iterator[PutFault]:
     if package.holds(CMAKE, r"rosidl_generate_interfaces\("):
-        for spot in package.spots(XML, r"<\w*depend>(rosidl_default_generators)</\w+>"):
-            yield spot.drop_line()
+        yield from lost(package, {"rosidl_default_generators"})
 
 
 @kind("manifest")
 def interface_runtime_lost(package: SourcePackage) -> Iterator[PutFault]:
-    if package.holds(CMAKE, r"rosidl_generate_interfaces\("):
-        for spot in package.spots(XML, r"<exec_depend>(rosidl_default_runtime)</exec_depend>"):
-            yield spot.drop_line()
+    brings = r"<(?:exec_)?depend>rosidl_default_generators"
+    if package.holds(CMAKE, r"rosidl_generate_interfaces\(") and not package.holds(XML, brings):
+        yield from lost(package, {"rosidl_default_runtime"})
 
 
 @kind("manifest")

@@ -58,8 +58,13 @@ def entry_point_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in in_setup(package, rf"^\s*{ENTRY},?[ \t]*\n", 2):
         module = spot.word.rpartition(".")[2]
         others = len(list(in_setup(package, ENTRY)))
-        if others > 1 and package.holds(r"\.py$", rf"__main__|launch.*{module}"):
-            yield from parses([spot.drop(spot[1], module)])
+        file = f"{spot.word.replace('.', '/')}.py"
+        is_program = package.holds(rf"^{file}$", r"^if __name__ ==") or package.holds(
+            r"launch", rf"['\"]{spot[1]}['\"]"
+        )
+        if others > 1:
+            for fault in parses([spot.drop(spot[1], module)]):
+                yield fault.known(is_program, "nothing says that the module is meant as a program")
 
 
 @kind("setup.py")

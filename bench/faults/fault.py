@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 
 @dataclass(frozen=True)
@@ -20,8 +20,12 @@ class PutFault:
     """The first line that changes; 0: no single one."""
     not_executable: frozenset[str] = field(default_factory=frozenset)
     """Files that lose their executable bit."""
-    equivalent: str = ""
-    """Why nothing fails, or why nobody could know; "": it is a fault."""
+    excluded: str = ""
+    """Why nothing fails, or why nobody could know; "": it counts."""
+
+    def known(self, is_known: bool, why_not: str) -> PutFault:
+        """Return the fault, excluded for a reason where what tells of it is not known to anybody."""
+        return self if is_known else replace(self, excluded=why_not)
 
 
 @dataclass(frozen=True)

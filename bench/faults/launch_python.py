@@ -7,17 +7,10 @@ from collections.abc import Iterator
 
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
+from bench.faults.known import WELL_KNOWN, is_in_repository
 from bench.faults.source_package import SourcePackage
 
 FILES = r"(launch/.*|\.launch|_launch)\.py$"
-WELL_KNOWN = set(
-    "tf2_ros robot_state_publisher joint_state_publisher joint_state_publisher_gui rviz2 controller_manager xacro joy "
-    "ros_gz_sim ros_gz_bridge gazebo_ros image_proc depth_image_proc image_view teleop_twist_joy twist_mux "
-    "slam_toolbox nav2_map_server nav2_amcl nav2_planner nav2_controller nav2_bt_navigator nav2_lifecycle_manager "
-    "nav2_behaviors nav2_velocity_smoother moveit_ros_move_group robot_localization rqt_gui demo_nodes_cpp "
-    "demo_nodes_py rclcpp_components rosbridge_server usb_cam v4l2_camera composition pointcloud_to_laserscan".split()
-)
-"""Packages outside a repository whose executables and components every user knows."""
 NODE = r"\b(?:Node|LifecycleNode|ComposableNodeContainer)\("
 
 
@@ -25,10 +18,6 @@ def launch_spots(package: SourcePackage, pattern: str, group: int = 1) -> Iterat
     for spot in package.spots(FILES, pattern, group):
         if "generate_launch_description" in spot.text:
             yield spot
-
-
-def is_in_repository(package: SourcePackage, name: str) -> bool:
-    return any(package.repository.rglob(name))
 
 
 @kind("launch python")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
-from bench.faults.launch_python import WELL_KNOWN, is_in_repository
+from bench.faults.known import WELL_KNOWN, is_in_repository
 from bench.faults.source_package import SourcePackage
 
 XML = r"(launch/.*\.xml|\.launch\.xml|launch/.*\.launch)$"

@@ -24,7 +24,8 @@ MODULES = (
     "params",
     "urdf",
     "xacro",
-    "sources",
+    "cpp_sources",
+    "python_sources",
 )
 
 

@@ -115,7 +115,8 @@ def manifest_exec_dependency(package: SourcePackage) -> Iterator[PutFault]:
 @kind("manifest")
 def manifest_format_one(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(XML, r"<package format=\"([23])\""):
-        yield spot.put("1", "format")
+        if package.holds(XML, r"<(exec_|test_)?depend>"):
+            yield spot.put("1", "format")
 
 
 @kind("manifest")

@@ -127,7 +127,7 @@ def setup_other_version(package: SourcePackage) -> Iterator[PutFault]:
 @kind("setup.py")
 def setup_tests_require(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"^(\s+)(zip_safe\s*=\s*True,)"
-    if not package.holds(SETUP, "tests_require"):
+    if not package.holds(SETUP, "tests_require|extras_require"):
         for spot in in_setup(package, pattern, 2):
             yield spot.put(f"{spot.word} tests_require=['pytest'],", "tests_require")
 

@@ -34,7 +34,7 @@ class Trial:
 
     @property
     def excluded(self) -> str:
-        return self.kind.excluded or self.fault.equivalent
+        return self.kind.excluded or self.fault.excluded
 
     @property
     def beside_count(self) -> int:

@@ -16,6 +16,8 @@ from rospkg_cli.cli.lint.lint_options import LintOptions, ReportOptions, RuleOpt
 from rospkg_cli.cli.lint.run import lint_to
 
 Repair = dict[str, str]
+BRINGER = re.compile(r"\bcomes? with [^;:]*")
+"""Names a package that serves today in place of the one that lacks: it is not at fault."""
 
 
 def verdict(mirror: Path, repair: Repair) -> str:
@@ -56,7 +58,7 @@ def naming(repair: Repair, found: Sequence[dict[str, Any]]) -> list[str]:
     word = re.compile(rf"(?<![\w-]){re.escape(token)}(?![\w-])")
     codes = []
     for finding in found:
-        text = finding["message"].lower() + (f" {finding['path'].lower()}" if "." in token else "")
+        text = BRINGER.sub("", finding["message"].lower()) + (f" {finding['path'].lower()}" if "." in token else "")
         is_named = repair["class"] in NAMELESS or word.search(text)
         if is_named and finding["code"].startswith(FITTING[repair["class"]]):
             codes.append(finding["code"])

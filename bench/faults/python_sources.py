@@ -1,4 +1,4 @@
-"""Faults of sources in C++ and Python."""
+"""Faults of sources in Python."""
 
 from __future__ import annotations
 
@@ -7,85 +7,11 @@ from collections.abc import Iterator
 
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
+from bench.faults.known import UNKNOWN, has_known_interfaces
 from bench.faults.setup_py import parses
 from bench.faults.source_package import SourcePackage
 
-CPP = r"^(?!test/).*\.(cpp|hpp|cc|h)$"
 PYTHON = r"^(?!setup\.py|launch/|doc/|.*\.launch\.py).*\.py$"
-
-
-@kind("c++")
-def cpp_mistyped_own_header(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(CPP, rf"^#include\s*[<\"]{package.name}/((?:\w+/)*\w+\.hp?p?)[>\"]"):
-        if package.matching(rf"{package.name}/{spot.word}$"):
-            yield spot.typo(spot.word.rpartition("/")[2])
-
-
-@kind("c++", is_seen_outside=True)
-def cpp_own_header_renamed(package: SourcePackage) -> Iterator[PutFault]:
-    for file in package.matching(rf"^include/.*{package.name}/\w+\.hpp$"):
-        name = file.rpartition("/")[2]
-        if package.holds(CPP, rf"#include\s*[<\"]{package.name}/{name}"):
-            yield package.renamed(file, file.replace(".hpp", "_2.hpp"))
-
-
-@kind("c++")
-def cpp_mistyped_header_of_sibling(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(CPP, r"^#include\s*[<\"](\w+)/((?:\w+/)*\w+\.hp?p?)[>\"]", 2):
-        folder = package.siblings.get(spot[1])
-        if spot[1] == package.name or folder is None or "/msg/" in spot.match[0]:
-            continue
-        if any((package.repository / folder).glob(f"include/**/{spot[1]}/{spot.word}")):
-            yield spot.typo(spot.word.rpartition("/")[2])
-
-
-@kind("c++")
-def cpp_mistyped_header_of_interface(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(CPP, r"^#include\s*[<\"](?:\w+)/(?:msg|srv|action)/(\w+)\.hpp[>\"]"):
-        yield spot.typo(f"{spot.word}.hpp")
-
-
-@kind("c++")
-def cpp_header_of_interface_by_class(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(CPP, r"^#include\s*[<\"]\w+/(?:msg|srv|action)/(\w+_\w+)\.hpp[>\"]"):
-        new = "".join(part.capitalize() for part in spot.word.split("_"))
-        yield spot.put(new, f"{spot.word}.hpp", f"{new}.hpp")
-
-
-@kind("c++")
-def cpp_mistyped_include_package(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(CPP, r"^#include\s*[<\"]([a-z0-9]+_\w+)/(?:\w+/)*\w+\.hp?p?[>\"]"):
-        if spot.word in package.siblings or "/msg/" in spot.match[0]:
-            yield spot.typo()
-
-
-@kind("c++")
-def cpp_mistyped_message_type(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(r"\.cpp$", r"\b\w+_msgs::(?:msg|srv)::([A-Z]\w+)\b"))
-
-
-@kind("c++")
-def cpp_include_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.put("ros/ros.h") for spot in package.spots(CPP, r"^#include\s*[<\"](rclcpp/rclcpp\.hpp)[>\"]"))
-
-
-@kind("c++")
-def cpp_undeclared_parameter(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(r"\.cpp$", r"\bget_parameter\(\s*\"([\w.]+)\""):
-        if re.search(rf"declare_parameter(?:<[\w:<>]+>)?\(\s*\"{re.escape(spot.word)}\"", spot.text):
-            yield spot.typo()
-
-
-@kind("c++")
-def cpp_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(CPP, r"get_package_share_directory\(\s*\"(\w+)\""))
-
-
-@kind("c++")
-def cpp_source_renamed(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(r"^CMakeLists\.txt$", r"\b(src/\w+\.cpp)\b"):
-        if spot.word in package.files:
-            yield package.renamed(spot.word, spot.word.replace(".cpp", "_node2.cpp"))
 
 
 @kind("python")
@@ -133,7 +59,8 @@ def python_mistyped_interface_module(package: SourcePackage) -> Iterator[PutFaul
 
 @kind("python")
 def python_mistyped_interface(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(PYTHON, r"^from \w+\.(?:msg|srv|action) import (\w+)"))
+    for spot in package.spots(PYTHON, r"^from (\w+)\.(?:msg|srv|action) import (\w+)", 2):
+        yield spot.typo().known(has_known_interfaces(package, spot[1]), UNKNOWN)
 
 
 @kind("python")
@@ -144,8 +71,12 @@ def python_mistyped_interface_package(package: SourcePackage) -> Iterator[PutFau
 @kind("python")
 def python_mistyped_field(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(PYTHON, r"^\s+(\w*msg)\.(\w{4,})(?:\.\w+)*\s*=[^=]", 2):
-        if re.search(rf"\b{spot[1]}\s*=\s*[A-Z]\w+\(\)", spot.text):
-            yield spot.typo()
+        made = re.search(rf"\b{spot[1]}\s*=\s*([A-Z]\w+)\(\)", spot.text)
+        if made is None:
+            continue
+        pattern = rf"^from (\w+)\.(?:msg|srv|action) import .*\b{made[1]}\b"
+        source = re.search(pattern, spot.text, re.MULTILINE)
+        yield spot.typo().known(source is not None and has_known_interfaces(package, source[1]), UNKNOWN)
 
 
 @kind("python")
