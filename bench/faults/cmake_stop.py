@@ -123,7 +123,8 @@ def cmake_conflict_markers(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("cmake")
 def cmake_mistyped_keyword(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.put("DESTINTION") for spot in package.spots(CMAKE, r"install\([^()]*\b(DESTINATION)\b"))
+    for spot in package.spots(CMAKE, r"install\(\s*\w+\s+([^()]*?)\b(DESTINATION)\b", 2):
+        yield spot.put("DESTINTION", *(word.strip("/") for word in spot[1].split()[:5]))
 
 
 @kind("cmake")

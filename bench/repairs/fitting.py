@@ -38,7 +38,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "plugin-library-path": ("PLG004",),
     "plugin-name-mismatch": ("PLG002", "PLG003"),
     "plugin-xml-not-exported": ("PLG", "XML306"),
-    "interface-unknown-type": ("IDL004", "DEP108", "DEP"),
+    "interface-unknown-type": ("IDL001", "IDL004", "DEP108", "DEP"),
     "launch-bad-package": ("DEP", "LCH"),
     "launch-bad-executable": ("LCH002",),
     "launch-missing-file": ("LCH003", "LCH004"),
