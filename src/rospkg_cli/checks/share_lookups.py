@@ -1,0 +1,133 @@
+"""Rule input: the packages and files that Python modules look for in share directories."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+from collections.abc import Iterator
+
+from ..files import PackageFiles
+from ..languages.python.file import PythonFile
+from ..languages.python.joined_paths import PathJoiner
+from ..languages.python.nodes import nodes_of
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..package.launch.file_references import is_file
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
+from ..ros.names import NameKind
+from ..source import Span
+from ..suggest import near_names, nearest
+from .closest_path import closest_path
+from .run_imports import RunImports
+
+SHARE = frozenset({"get_package_share_directory", "get_package_share_path", "FindPackageShare"})
+LOOKUPS = SHARE | {"get_package_prefix"}
+LOOKS_FIRST = frozenset({"exists", "isfile", "is_file", "isdir", "is_dir", "PackageNotFoundError", "FileNotFoundError"})
+SHORTEST = len("nav2")
+"""Of a package's name that is compared with all known ones."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownShare:
+    path: str
+    span: Span
+    """Of the package's name, between its quotes."""
+    name: str
+    near: str
+
+
+@dataclass(frozen=True, slots=True)
+class MissingShareFile:
+    path: str
+    span: Span
+    package: str
+    file: str
+    """Relative to the share directory."""
+    near: str | None
+    is_here: bool
+    """Whether the package has the file, and does not install it."""
+
+
+@dataclass(frozen=True)
+class ShareLookups:
+    run: RunImports
+    files: PackageFiles
+    facts: PackageFacts
+    workspace: Workspace
+
+    @property
+    def modules(self) -> Iterator[PythonFile]:
+        """The files that run, but for launch files, which have rules of their own."""
+        for file in self.run.running:
+            if role_of(file.path) != "launch" and any(name in file.source.text for name in LOOKUPS):
+                yield file
+
+    def unknown_packages(self) -> Iterator[UnknownShare]:
+        for file in self.modules:
+            if looks_first(file):
+                continue
+            for node in nodes_of(file.tree):
+                name = literal_of(node) if isinstance(node, ast.Call) and called(node) in LOOKUPS else None
+                near = self.near_package(str(name.value)) if name is not None else None
+                if name is not None and near:
+                    whole = file.span(name)
+                    yield UnknownShare(file.path, Span(whole.start + 1, whole.end - 1), str(name.value), near)
+
+    def near_package(self, name: str) -> str | None:
+        """Return the package that is meant by the name of none; None where it is one, or near to none or several."""
+        known = {*self.workspace.names, *(each.name for each in self.facts.dependencies), self.facts.name}
+        if name in known or self.workspace.is_available(name):
+            return None
+        if self.workspace.index.kind_of(name) is NameKind.PACKAGE:
+            return None
+        if near := nearest(name, known):
+            return near
+        found = near_names(name, self.workspace.index.packages, 1) if len(name) > SHORTEST else []
+        return found[0] if len(found) == 1 else None
+
+    def missing_files(self) -> Iterator[MissingShareFile]:
+        for file in self.modules:
+            if looks_first(file):
+                continue
+            for found in PathJoiner(file, share_of).paths():
+                path = posixpath.normpath(found.text.lstrip("/"))
+                facts = self.facts if found.base == self.facts.name else self.workspace.named(found.base)
+                if facts is not None and found.text.startswith("/") and is_file(path):
+                    missing = self.missing(file, file.span(found.node), facts, path)
+                    yield from [missing] if missing is not None else []
+
+    def missing(self, file: PythonFile, span: Span, facts: PackageFacts, path: str) -> MissingShareFile | None:
+        """Return a file that is not installed; None where it may be written, or where a rule of its folder tells it."""
+        if not facts.knows("share_files") or path in facts.share_files or facts.may_write(path):
+            return None
+        if path in facts.uninstalled:
+            return None
+        is_here = facts is self.facts and self.files.is_there(path)
+        near = None if is_here else closest_path(path, facts.share_files)
+        if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):
+            return None
+        return MissingShareFile(file.path, span, facts.name, path, near, is_here)
+
+
+def called(call: ast.Call) -> str:
+    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+
+
+def literal_of(call: ast.Call) -> ast.Constant | None:
+    """Return the package's name where a lookup is given a plain string."""
+    given = call.args[0] if call.args else next((each.value for each in call.keywords), None)
+    plain = isinstance(given, ast.Constant) and isinstance(given.value, str) and given.value.isidentifier()
+    return given if plain and isinstance(given, ast.Constant) else None
+
+
+def share_of(call: ast.Call, joiner: PathJoiner) -> str:
+    """Return the package whose share directory a call returns; "" for other calls."""
+    if called(call) not in SHARE or not call.args:
+        return ""
+    return joiner.text(call.args[0]) or ""
+
+
+def looks_first(file: PythonFile) -> bool:
+    """Return whether a file asks whether something is there, or catches that it is not."""
+    return any(name in file.source.text for name in LOOKS_FIRST)

@@ -1,0 +1,52 @@
+"""DEP112 unknown-share-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.share_lookups import ShareLookups
+from ...example import Example, manifest
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...rule import rule
+
+MODULE = """\
+from ament_index_python.packages import get_package_share_directory
+
+print(get_package_share_directory('{}'))
+"""
+NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n")}
+
+
+@rule(
+    "DEP112",
+    "unknown-share-package",
+    over=ShareLookups,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={**NEEDS, "my_pkg/talker.py": MODULE.format("«my_pgk»")},
+            good={"my_pkg/talker.py": MODULE.format("my_pkg")},
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds Python modules that look for the share directory or the prefix of a misspelt package.
+
+    ## Why is this bad?
+    The build is green, and the node ends with PackageNotFoundError.
+
+    ## When it is quiet
+    Where the name is near none of the workspace, of the dependencies and of the known packages; where the file asks
+    whether something exists or catches PackageNotFoundError; in files that nothing installs. Launch files have rules of
+    their own (DEP103).
+
+    ## Fix safety
+    The intended package is a guess.
+    """
+    for found in lookups.unknown_packages():
+        message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
+        fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
+        yield Hit(found.path, found.span, message, fix=fix)

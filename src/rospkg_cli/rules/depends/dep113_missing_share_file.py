@@ -1,0 +1,57 @@
+"""DEP113 missing-share-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.share_lookups import ShareLookups
+from ...example import SETUP_PY, Example, manifest
+from ...finding import Hit, Severity
+from ...rule import rule
+
+MODULE = """\
+from ament_index_python.packages import get_package_share_path
+
+with open({}) as names:
+    print(names.read())
+"""
+NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n")}
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+INSTALLED = SETUP_PY.replace(ENTRY, ENTRY + "        ('share/' + package_name + '/names', ['names/people.txt']),\n")
+OPENS = "get_package_share_path('my_pkg') / 'names' / '{}.txt'"
+PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.format(f"«{OPENS.format('people')}»")}
+
+
+@rule(
+    "DEP113",
+    "missing-share-file",
+    over=ShareLookups,
+    severity=Severity.ERROR,
+    examples=(
+        Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
+        Example(
+            bad={**PEOPLE, "setup.py": INSTALLED, "my_pkg/talker.py": MODULE.format(f"«{OPENS.format('poeple')}»")},
+            good={"my_pkg/talker.py": MODULE.format(OPENS.format("people"))},
+        ),
+    ),
+)
+def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files in a share directory that Python modules name and that no rule installs there.
+    It follows `get_package_share_directory` and its like, joined with literal parts.
+
+    ## Why is this bad?
+    The build is green, and opening the file raises FileNotFoundError.
+
+    ## When it is quiet
+    Where neither the package has the file nor installs one of a near name: the module may write it. Where the file
+    asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
+    SET207 tell about; in files that nothing installs.
+    """
+    for found in lookups.missing_files():
+        if found.is_here:
+            message = f"`{found.file}` is not installed: this does not find it in share/{found.package}; install it"
+        else:
+            message = f"`{found.package}` installs no file `{found.file}`; did you mean `{found.near}`?"
+        yield Hit(found.path, found.span, message)

@@ -1,0 +1,87 @@
+"""Share directories that Python modules look in: what no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import SETUP_PY, Example, manifest
+from rospkg_cli.rules.depends import dep113_missing_share_file as dep113
+
+from .setups import python
+
+HEAD = """\
+import os
+from os.path import join
+from pathlib import Path
+from ament_index_python.packages import get_package_prefix, get_package_share_directory, get_package_share_path
+from launch_ros.substitutions import FindPackageShare
+
+NAME = 'my_pkg'
+"""
+NEEDS = {
+    "package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n  <exec_depend>seldom</exec_depend>\n")
+}
+FILES = {**NEEDS, "names/people.txt": "Ada\n", "setup.py": dep113.INSTALLED}
+OWN = "get_package_share_directory('my_pkg')"
+
+
+def lookup(*lines: str, **files: str | None) -> Example:
+    paths = {name.replace("__", "/").replace("_DOT_", "."): each for name, each in files.items()}
+    return python({**FILES, "my_pkg/talker.py": HEAD + "".join(f"{line}\n" for line in lines), **paths})
+
+
+CASES = {
+    "DEP112": (
+        lookup(
+            "get_package_share_path('my_pgk')",
+            "get_package_prefix(package_name='my_pkgg')",
+            "FindPackageShare('sedlom')",
+        ),
+        lookup(
+            "get_package_share_path('nav2_bringpu')", "get_package_share_path('nav2')", "get_package_share_path('tfx')"
+        ),
+        lookup("get_package_share_path('unlike_all')", "get_package_share_path(name)", "get_package_share_path('')"),
+        lookup(
+            "get_package_share_path('seldom')",
+            "get_package_share_path(NAME)",
+            "other('my_pgk')",
+            "get_package_share_path()",
+        ),
+        lookup("try:", "    get_package_share_path('my_pgk')", "except PackageNotFoundError:", "    pass"),
+        lookup("", launch__a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),
+        lookup("", test__test_a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),
+        lookup("", tools__a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),
+    ),
+    "DEP113": (
+        lookup(f"join({OWN}, 'names', 'peopl.txt')", f"os.path.join({OWN}, 'names/people.txt')"),
+        lookup(f"a = {OWN}", "b = join(a, 'names')", "c = Path(b) / 'peopl.txt'", "print(a, b, c)"),
+        lookup(
+            f"Path({OWN}).joinpath('names', 'peopl.txt')", "str(get_package_share_path(NAME) / 'names' / 'peopl.txt')"
+        ),
+        lookup(
+            f"a = {OWN}",
+            "print(f'{a}/names/peopl.txt', f'{a}names/peopl.txt', f'{x}/names/peopl.txt')",
+            "a + '/names/peopl.txt'",
+        ),
+        lookup("FindPackageShare('my_pkg') / 'names' / 'peopl.txt'", "other('my_pkg') / 'names' / 'peopl.txt'"),
+        lookup(
+            f"a = {OWN}",
+            "a = x",
+            "join(a, 'names', 'peopl.txt')",
+            f"join({OWN}, x, 'peopl.txt')",
+            f"x({OWN}, 'peopl.txt')",
+        ),
+        lookup(f"def f(a):\n    a = {OWN}\n    return join(a, 'names', 'peopl.txt')"),
+        lookup(
+            f"join({OWN}, '/names', 'peopl.txt')", f"join({OWN}, 'names', 'unlike.csv')", f"join({OWN}, 'names', 'p')"
+        ),
+        lookup(
+            f"join({OWN}, '..', 'names', 'peopl.txt')", f"join({OWN}, 'names', 'peopl.log')", f"join({OWN}, sep='a')"
+        ),
+        lookup(f"if os.path.exists({OWN}):\n    join({OWN}, 'names', 'peopl.txt')"),
+        lookup(f"join({OWN}, 'names', 'peopl.txt')", _DOT_gitignore="peopl.txt\n"),
+        lookup(f"join({OWN}, 'names', 'people.txt')", setup_DOT_py=SETUP_PY, _DOT_gitignore="*.txt\n"),
+        lookup(f"join({OWN}, 'config', 'a.yaml')", config__a_DOT_yaml="a: 1\n"),
+        lookup(f"join({OWN}, 'names', 'peopl.txt')", setup_DOT_py=SETUP_PY.replace("['package.xml']", "found()")),
+        lookup("join(get_package_share_directory('other'), 'names', 'peopl.txt')"),
+        lookup("", launch__a_DOT_py=HEAD + f"join({OWN}, 'names', 'peopl.txt')\n"),
+    ),
+}
