@@ -20,8 +20,10 @@ from rospkg_cli.change import ChangeError
 from rospkg_cli.change.draft import Draft, same
 from rospkg_cli.change.judge import judge
 from rospkg_cli.cli.change.place import Place, place_of
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.session import Results, Scope
+from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.ros.distros import Targets
@@ -52,6 +54,15 @@ INTERFACES = {"msg", "srv", "action"}
 def packages(roots: list[Path]) -> Iterator[Path]:
     for root in roots:
         yield from sorted(packages_below(root.absolute()))
+
+
+def alone(place: Place, path: Path) -> Place:
+    """Return a package without those around it but their names, which is linted in a fraction of the time."""
+    tree = DiskTree(path)
+    names = {folder.rpartition("/")[2] for folder in place.located.scope.folders}
+    scope = Scope(("",), frozenset({""}), path.name, prefix_names=place.session.scope.prefix_names | names)
+    located = replace(place.located, root=path, scope=scope)
+    return replace(place, located=located, session=replace(place.session, tree=tree, scope=scope))
 
 
 def fits(place: Place, verb: str, build_type: str) -> bool:
@@ -140,6 +151,7 @@ def main() -> None:
     parser.add_argument("--verbs", default=",".join(VERBS))
     parser.add_argument("--stride", type=int, default=1)
     parser.add_argument("--type", default="")
+    parser.add_argument("--alone", action="store_true", help="lint each package without those around it")
     parser.add_argument("--show", action="store_true")
     options = parser.parse_args()
     count: Counter[tuple[str, str, str]] = Counter()
@@ -155,6 +167,8 @@ def main() -> None:
         build_type = manifest.build_type(Targets()) if manifest else ""
         if build_type not in ("ament_python", "ament_cmake") or options.type not in ("", build_type):
             continue
+        if options.alone:
+            place = alone(place, path)
         before = place.session.run()
         for verb in options.verbs.split(","):
             if fits(place, verb, build_type):

@@ -212,7 +212,8 @@ def test_a_node_about_a_message() -> None:
 def test_two_nodes_share_what_needs_no_ros() -> None:
     files = python_package(HEAD + FORMATS["black"][0])
     draft = added(files, "node", "one:publisher", "two:publisher")
-    after, _ = taken(draft, "node", "one")
+    after, is_all = taken(draft, "node", "one")
+    assert is_all
     assert after.entry("my_pkg/greeting.py")
     assert after.entry("my_pkg/one.py") is None
     last, _ = taken(after, "node", "two")

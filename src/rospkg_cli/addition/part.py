@@ -44,35 +44,46 @@ def put_in(draft: Draft, folder: str, parts: Iterable[Part]) -> None:
 
 
 def take_out(draft: Draft, folder: str, parts: Sequence[Part]) -> bool:
-    """Take parts out of a package, the last first; return whether putting them in again would give the same files."""
-    exact = True
+    """Take parts out of a package, the last first; return whether putting them in again would bring all back.
+
+    What was not the last of its kind comes back at another place.
+    """
+    is_all = True
     for part in reversed(parts):
-        exact &= take_one(draft, folder, part)
-    return exact
+        is_all &= take_one(draft, folder, part)
+    return is_all
 
 
 def take_one(draft: Draft, folder: str, part: Part) -> bool:
-    """Take a part out in the way that `add` would undo, else in the likeliest."""
-    first: Draft | None = None
+    """Take a part out in the way that `add` would undo to the byte, else to another order, else in the likeliest."""
+    ways: list[tuple[int, Draft]] = []
     for operations in part.remove(draft.package(folder)):
         tried = draft.copy()
         tried.apply(folder, operations)
-        first = first or tried
-        if comes_back(tried, draft, folder, part):
-            draft.put_all(tried.changes)
-            return True
-    if first is not None:
-        draft.put_all(first.changes)
-        return False
-    return True
+        loss = loss_of(tried, draft, folder, part)
+        ways.append((loss, tried))
+        if loss == NOTHING:
+            break
+    if not ways:
+        return True
+    least, best = min(ways, key=lambda way: way[0])
+    draft.put_all(best.changes)
+    return least < SOME
 
 
-def comes_back(taken: Draft, draft: Draft, folder: str, part: Part) -> bool:
-    """Return whether a part that was taken out of a draft comes back as it was."""
+NOTHING, ORDER, SOME = range(3)
+"""What is lost by removing and adding again: nothing, the order of things, or more."""
+
+
+def loss_of(taken: Draft, draft: Draft, folder: str, part: Part) -> int:
+    """Return what is lost where a part is taken out of a draft and put in again."""
     again = taken.copy()
     try:
         again.apply(folder, part.add(again.package(folder)))
     except ChangeError:
-        return False
-    paths = again.changes.keys() | draft.changes.keys()
-    return all(same(again.entry(path), draft.entry(path)) for path in paths)
+        return SOME
+    pairs = [(again.entry(path), draft.entry(path)) for path in again.changes.keys() | draft.changes.keys()]
+    if all(same(one, other) for one, other in pairs):
+        return NOTHING
+    is_same_text = all(one and other and sorted(one.data) == sorted(other.data) for one, other in pairs)
+    return ORDER if is_same_text else SOME
