@@ -140,6 +140,8 @@ def test_which_nodes_a_launch_file_starts() -> None:
 def test_names_and_formats_of_launch_files() -> None:
     files = python_package(SETUP)
     assert "launch/up.launch.xml" in added(files, "launch", "up.launch.xml").changes
+    assert "launch/up_launch.py" in added(files, "launch", "up_launch.py").changes
+    assert "cfg/a.yaml" in added(files, "params", "cfg/a").changes
     yaml = {**files, "launch/a.launch.yaml": "launch: []\n"}
     assert "launch/up.launch.yaml" in added(yaml, "launch", "up").changes
     with pytest.raises(ChangeError, match="no launch files in `toml`"):
@@ -164,6 +166,8 @@ def test_parameters_are_installed_with_what_the_code_declares() -> None:
     assert "install(DIRECTORY params\n" in text(other, "CMakeLists.txt")
     with pytest.raises(ChangeError, match="can't be the name of a file of parameters"):
         added(files, "params", "a b")
+    with pytest.raises(ChangeError, match="can't be the name of a file of parameters"):
+        added(files, "params", "launch/a")
 
 
 INTERFACES = """\

@@ -27,7 +27,7 @@ FORMATS = {
 """What each format of launch files needs to be read and run."""
 
 FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
-SUFFIX = re.compile(r"[._]launch\.(py|xml|yaml|yml)$")
+SUFFIX = re.compile(r"([._])launch\.(py|xml|yaml|yml)$")
 
 
 def launch_parts(package: Package, asked: str, nodes: Sequence[str] = (), force: bool = False) -> tuple[Part, ...]:
@@ -35,10 +35,10 @@ def launch_parts(package: Package, asked: str, nodes: Sequence[str] = (), force:
 
     `nodes` are executables of the package, or PACKAGE/EXECUTABLE; where none is given, those that its name means.
     """
-    stem, form = stem_and_format(package, asked)
+    stem, mark, form = named_file(package, asked)
     manifest = manifest_of(package)
     starts = tuple(started(package, manifest.name, nodes, stem))
-    path = path_of(package, stem, form)
+    path = f"launch/{stem}{mark or usual_mark(package, form)}launch.{form}"
     template = load_template("bringup")
     [file] = [each for each in template.files if each.source == "bringup.launch.{{ launch }}"]
     [made] = rendered_files(
@@ -52,21 +52,21 @@ def launch_parts(package: Package, asked: str, nodes: Sequence[str] = (), force:
     )
 
 
-def stem_and_format(package: Package, asked: str) -> tuple[str, str]:
-    """Return a launch file's name without its end, and its format; raises ChangeError.
+def named_file(package: Package, asked: str) -> tuple[str, str, str]:
+    """Return a launch file's name without its end, the `.` or `_` before it ("" where none was typed), and its format.
 
-    >>> SUFFIX.sub("", "talk.launch.py")
-    'talk'
+    Raises ChangeError.
     """
     name, colon, form = asked.partition(":")
+    mark = ""
     if (found := SUFFIX.search(name)) and not colon:
-        name, form = name[: found.start()], {"yml": "yaml"}.get(found[1], found[1])
+        name, mark, form = name[: found.start()], found[1], {"yml": "yaml"}.get(found[2], found[2])
     form = form or usual_format(package)
     if form not in FORMATS:
         raise ChangeError(f"there are no launch files in `{form}`{did_you_mean(form, FORMATS)}; known: py, xml, yaml")
     if not FILE_NAME.fullmatch(name):
         raise ChangeError(f"`{name}` can't be the name of a launch file: letters, digits, `_`, `-` and `.`")
-    return name, form
+    return name, mark, form
 
 
 def usual_format(package: Package) -> str:
@@ -75,11 +75,10 @@ def usual_format(package: Package) -> str:
     return next((form for form, _ in found.most_common() if form in FORMATS), "py")
 
 
-def path_of(package: Package, stem: str, form: str) -> str:
-    """Return the path, ending as the neighbours do: `.launch.py` or `_launch.py`."""
+def usual_mark(package: Package, form: str) -> str:
+    """Return what is before `launch.py` in the names of the neighbours: a point, or an underscore."""
     ends = Counter(path[-len(f"_launch.{form}") :] for path in package.files.below("launch"))
-    mark = "_" if ends[f"_launch.{form}"] > ends[f".launch.{form}"] else "."
-    return f"launch/{stem}{mark}launch.{form}"
+    return "_" if ends[f"_launch.{form}"] > ends[f".launch.{form}"] else "."
 
 
 def started(package: Package, name: str, nodes: Sequence[str], stem: str) -> Iterator[StartedNode]:

@@ -20,10 +20,10 @@ FOLDERS = ("config", "params", "param", "cfg")
 
 def params_parts(package: Package, asked: str, force: bool = False) -> tuple[Part, ...]:
     """Return the parts of a file of parameters; raises ChangeError for a name that no file can have."""
-    stem = asked.removesuffix(".yaml").removesuffix(".yml")
-    if not FILE_NAME.fullmatch(stem):
+    folder, slash, stem = asked.removesuffix(".yaml").removesuffix(".yml").rpartition("/")
+    if (slash and folder not in FOLDERS) or not FILE_NAME.fullmatch(stem):
         raise ChangeError(f"`{asked}` can't be the name of a file of parameters: letters, digits, `_`, `-` and `.`")
-    path = f"{folder_of(package)}/{stem}.yaml"
+    path = f"{folder or folder_of(package)}/{stem}.yaml"
     return (NewFile(path, text_of(package), force=force), ShareFile(path))
 
 

@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
 from ...checks.launch.without_package import NodesWithoutPackage, PathUse
+from ...edits.offers import node_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...package.package_facts import PackageFacts
 from ...rule import rule
 
 SETUP = SETUP_PY_FOR_ALL.replace(
@@ -73,7 +75,7 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         ends = f"the launch stops with \"executable '{node.executable}' not found on the libexec directory\""
         told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, {node.why}"}
         level = Severity(node.level) if node.level else None
-        message = f"{told[node.level]}; {hint(node)}"
+        message = f"{told[node.level]}; {hint(node, started.scope.package)}"
         yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
     for known in started.renamed():
         severity = Severity(known.level) if known.level else Severity.WARNING if known.wrong.is_removed else None
@@ -108,13 +110,14 @@ def without_package(use: PathUse) -> str:
     return f"the node has no package, so `{name}` is looked for on the PATH: {ends}; name the package: {packages}"
 
 
-def hint(node: ExecutableUse) -> str:
+def hint(node: ExecutableUse, own: PackageFacts) -> str:
     if node.suggestion:
         return f"did you mean `{node.suggestion}`?"
     if node.sister:
         return f"`{node.sister}` has one"
     there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8])
-    return f"it installs {there or 'no executable at all'}"
+    offered = node_command(node.facts, node.executable, own)
+    return f"it installs {there or 'no executable at all'}" + (f"; `{offered}` writes one" if offered else "")
 
 
 def rename(node: ExecutableUse, suggestion: str | None) -> Fix | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...checks.launch.relative_parameter_files import relative_parameter_files
+from ...edits.offers import file_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.launch.file_references import ReferenceKind
@@ -98,7 +99,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             mild = each.use == "default" or is_for_rviz(each)
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
-            yield Hit(scope.file.path, each.span, message(each, why), level, others)
+            yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
     for found in relative_parameter_files(scope):
         softer, why = level_at(scope.file, found.span)
         where = f"the share directory of `{scope.package.name}`"
@@ -109,15 +110,23 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
         )
 
 
-def message(missing: MissingReference, why: str) -> str:
+def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
     harm = f"{harm_of(missing)}, {why}" if why else harm_of(missing)
     if missing.state == "no slash":
         return (
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
             f"{harm}; begin it with `/`"
         )
-    hint = f"did you mean `{missing.better_path}`?" if missing.better_path else "add it, or correct the path"
-    return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint}"
+    return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint(scope, missing)}"
+
+
+def hint(scope: LaunchContext, missing: MissingReference) -> str:
+    """Return what to do: the near path, else how the file is made."""
+    if missing.better_path:
+        return f"did you mean `{missing.better_path}`?"
+    facts = scope.workspace.named(missing.package)
+    command = file_command(facts, missing.path, scope.package) if facts else ""
+    return f"`{command}` adds it, or correct the path" if command else "add it, or correct the path"
 
 
 def harm_of(missing: MissingReference) -> str:
