@@ -177,6 +177,11 @@ CASES = {
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
             good={}, on=""),
     ),
+    "CMK202": (
+        cmake("add_library(core SHARED src/core.cpp)\ninstall(TARGETS core DESTINATION lib)\n",
+              src__core_DOT_cpp="int core() {return 1;}\n",
+              src__part_DOT_cpp="RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"),
+    ),
     "CMK201": (
         cmake("add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n",
               src__a_DOT_cpp='#include "hepler.hpp"\n#include "my_pkg/not_there.hpp"\nint main() {return 0;}\n',

@@ -1,0 +1,83 @@
+"""C++ files with a node, a component or a plugin in them that no target compiles (CMK202)."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Literal
+
+from ...languages.cpp.code_text import code_text
+from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.foreign_commands import foreign_commands
+from ...package.file_role import role_of
+from ...source import Span
+from ..depends.compiled_sources import are_sources_known, own_compiled
+
+SOURCES = (".cpp", ".cc", ".cxx", ".c++")
+MAIN = regex(r"\bint\s+main\s*\(")
+STARTS_ROS = regex(r"\brclcpp::init\s*\(")
+MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLASS": "plugin"}
+ASIDE = frozenset(
+    "example examples demo demos sample samples benchmark benchmarks old backup deprecated scripts".split()
+)
+
+
+@dataclass(frozen=True, slots=True)
+class UncompiledSource:
+    path: str
+    span: Span
+    what: Literal["node", "component", "plugin"]
+
+
+@dataclass(frozen=True)
+class UncompiledSources:
+    package: CMakePackage
+    sources: tuple[CppFile, ...]
+
+    def all(self) -> Iterator[UncompiledSource]:
+        """Yield the files that no target has and no CMake file mentions; nothing where sources can't be known."""
+        cmake = self.package.cmake
+        is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.reads_unknown_files
+        if not self.package.is_ament or not is_known or next(foreign_commands(cmake), None) is not None:
+            return
+        compiled = own_compiled(cmake, self.sources) or set()
+        for source in self.sources:
+            if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):
+                yield from self.judged(source)
+
+    def is_candidate(self, path: str) -> bool:
+        """Return whether a file lies where programs do, and git keeps it."""
+        is_run = role_of(path) == "run" and ASIDE.isdisjoint(path.lower().split("/")) and not self.is_elsewhere(path)
+        return is_run and path.endswith(SOURCES) and not self.package.cmake.package_files.absent.is_ignored(path)
+
+    def is_elsewhere(self, path: str) -> bool:
+        """Return whether a CMakeLists.txt that is not read lies in a folder around a file: it may be built alone."""
+        folders = path.split("/")[:-1]
+        around = ("/".join(folders[: n + 1]) + "/CMakeLists.txt" for n in range(len(folders)))
+        read = {file.path for file in self.package.cmake.files}
+        return any(each not in read and self.package.cmake.package_files.has_file(each) for each in around)
+
+    def is_mentioned(self, path: str) -> bool:
+        """Return whether a CMake file has the name, in a comment too, or a file of the package includes it."""
+        name = posixpath.basename(path)
+        word = re.compile(rf"(?<![\w.-]){re.escape(posixpath.splitext(name)[0])}(?![\w-])")
+        return name in self.included or any(word.search(file.source.text) for file in self.package.cmake.files)
+
+    @cached_property
+    def included(self) -> frozenset[str]:
+        return frozenset(posixpath.basename(each.path) for source in self.sources for each in source.includes)
+
+    def judged(self, source: CppFile) -> Iterator[UncompiledSource]:
+        for call in source.calls_to(*MACROS):
+            if not call.is_conditional:
+                what: Literal["component", "plugin"] = "plugin" if call.name.startswith("PLUGIN") else "component"
+                yield UncompiledSource(source.path, call.span, what)
+                return
+        code = code_text(source.source.text)
+        if (found := MAIN.search(code)) is not None and STARTS_ROS.search(code) is not None:
+            yield UncompiledSource(source.path, Span(found.start(), found.end() - 1), "node")

@@ -1,0 +1,71 @@
+"""CMK202 uncompiled-source."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cpp.uncompiled_sources import UncompiledSources
+from ...example import CMAKE, Example, manifest
+from ...finding import Hit, Severity
+from ...rule import rule
+
+LINES = """\
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker PRIVATE rclcpp::rclcpp)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+NODE = """\
+#include <rclcpp/rclcpp.hpp>
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<rclcpp::Node>("talker"));
+}
+"""
+MORE = LINES.replace("talker", "listener").partition("\n")[2]
+
+
+@rule(
+    "CMK202",
+    "uncompiled-source",
+    over=UncompiledSources,
+    severity=Severity.WARNING,
+    examples=(
+        Example(
+            bad={
+                "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+                "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
+                "src/talker.cpp": NODE,
+                "src/listener.cpp": NODE.replace("int main(", "«int main»("),
+            },
+            good={"CMakeLists.txt": CMAKE.replace("ament_package", LINES + MORE + "ament_package")},
+            on="ament_cmake",
+        ),
+    ),
+)
+def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds C++ files with a node, a component or a plugin that no target of CMake compiles.
+    A node is a `main()` that calls `rclcpp::init()`; components and plugins are registered by their macros.
+
+    ## Why is this bad?
+    The build is green and passes over the file: `ros2 run` finds no such executable, and nothing can be loaded.
+
+    ## When it is quiet
+    Where a CMake file has the name of the file anywhere, in a comment too, or another file includes it. In folders of
+    tests, examples, demos or third parties, where git ignores the file, where the sources of a target can't be
+    evaluated, and where a command of another package may add targets.
+    """
+    for each in sources.all():
+        name = each.path.rpartition("/")[2].rpartition(".")[0]
+        if each.what == "node":
+            fails = f"`ros2 run {sources.package.facts.name} {name}` finds nothing; add an executable of it"
+        else:
+            fails = f"the {each.what} can't be loaded; add the file to a library"
+        message = (
+            f"no target in CMakeLists.txt compiles `{each.path}`: the build passes over it, and {fails}, or remove it"
+        )
+        yield Hit(each.path, each.span, message)

@@ -1,0 +1,84 @@
+"""C++ files that no target compiles: which of them are somebody's node, and which are left out on purpose."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+NODE = "int main() {\n  rclcpp::init(0, nullptr);\n}\n"
+PART = "RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"
+PLUGIN = "PLUGINLIB_EXPORT_CLASS(my_pkg::Part, nav2_core::Controller)\n"
+
+
+def messages(files: dict[str, str], lines: str = "") -> list[str]:
+    cmake = CMAKE.replace("ament_package", f"add_executable(talker src/talker.cpp)\n{lines}\nament_package")
+    package = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, "src/talker.cpp": NODE}
+    return [each.message for each in lint_files({**package, **files}, ["CMK202"]).findings]
+
+
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        (NODE, "`ros2 run my_pkg spare` finds nothing; add an executable"),
+        (PART, "the component can't be loaded"),
+        (PLUGIN, "the plugin can't be loaded"),
+        ("int main() {}\n", ""),
+        ("void start() {\n  rclcpp::init(0, nullptr);\n}\n", ""),
+        (f"// {NODE.splitlines()[0]}\n  rclcpp::init(0, nullptr);\n", ""),
+        (f"#if SPARE\n{PART}#endif\n", ""),
+    ],
+)
+def test_what_a_file_holds(source: str, said: str) -> None:
+    found = messages({"src/spare.cpp": source})
+    assert len(found) == bool(said)
+    assert all(said in each for each in found)
+
+
+@pytest.mark.parametrize(
+    ("path", "count"),
+    [
+        ("src/spare.cc", 1),
+        ("spare.cpp", 1),
+        ("src/spare.hpp", 0),
+        ("test/spare.cpp", 0),
+        ("src/examples/spare.cpp", 0),
+        ("third_party/spare.cpp", 0),
+    ],
+)
+def test_where_a_file_lies(path: str, count: int) -> None:
+    assert len(messages({path: NODE})) == count
+    assert messages({path: NODE, ".gitignore": "spare.*\n"}) == []
+    assert messages({path: NODE, "src/talker.cpp": f'#include "{path}"\n{NODE}'}) == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "count"),
+    [
+        ("add_executable(spare src/spare.cpp)", 0),
+        ("# add_executable(spare src/spare.cpp)", 0),
+        ("# spare parts", 0),
+        ("# spares", 1),
+        ("# old-spare spare-old", 1),
+        ("team_node(talker)", 0),
+        ("include(${WHEREVER})", 0),
+        ("add_executable(other ${SOURCES_OF_ANOTHER})", 0),
+        ("set(SOURCES src/talker.cpp)\nadd_executable(other ${SOURCES})", 1),
+        ("file(GLOB SOURCES src/*.cpp)\nadd_executable(other ${SOURCES})", 0),
+    ],
+)
+def test_what_cmake_says_of_it(lines: str, count: int) -> None:
+    assert len(messages({"src/spare.cpp": NODE}, lines)) == count
+
+
+def test_a_file_may_be_built_alone() -> None:
+    files = {"src/deep/more/spare.cpp": NODE}
+    assert len(messages(files)) == 1
+    assert messages({**files, "src/deep/CMakeLists.txt": ""}) == []
+    assert len(messages({**files, "src/deep/CMakeLists.txt": ""}, "add_subdirectory(src/deep)")) == 1
+
+
+def test_a_file_for_ros_1_is_left_alone() -> None:
+    files = {"package.xml": manifest("", "catkin"), "src/spare.cpp": NODE}
+    assert messages(files) == []
