@@ -8,11 +8,12 @@ import time
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import unquote
 
 from lsprotocol import types
 from pygls.lsp.client import LanguageClient
 
-PATIENCE = 30
+PATIENCE = 60
 """Seconds after which what does not come is missed."""
 
 T = TypeVar("T")
@@ -40,10 +41,14 @@ class Editor:
         self.client.initialized(types.InitializedParams())
 
     def published(self, found: types.PublishDiagnosticsParams) -> None:
-        self.diagnostics[Path(found.uri.removeprefix("file://"))] = tuple(found.diagnostics)
+        self.diagnostics[Path(unquote(found.uri.removeprefix("file://")))] = tuple(found.diagnostics)
 
     def shown(self, found: types.ShowMessageParams | types.LogMessageParams) -> None:
         self.messages.append(found.message)
+
+    @property
+    def process_id(self) -> int:
+        return int(getattr(self.client, "_server").pid)  # noqa: B009
 
     def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
         return self.loop.run_until_complete(asyncio.wait_for(coroutine, PATIENCE))
@@ -54,6 +59,11 @@ class Editor:
         while not holds():
             assert time.monotonic() < end, f"it did not come: {self.diagnostics} {self.messages}"
             self.run(asyncio.sleep(0.02))
+
+    def settle(self) -> None:
+        """Wait until the server has linted all that was typed."""
+        asked = types.ExecuteCommandParams("rospkg.settled", [])
+        self.loop.run_until_complete(asyncio.wait_for(self.client.workspace_execute_command_async(asked), 600))
 
     def codes(self, path: Path) -> list[Any]:
         return sorted(str(each.code) for each in self.diagnostics.get(path, ()))

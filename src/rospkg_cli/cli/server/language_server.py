@@ -20,6 +20,9 @@ from .diagnostics import diagnostic
 from .linted import Linted
 from .live_workspace import LiveWorkspace
 
+SETTLED = "rospkg.settled"
+"""The command that is answered when there is nothing left to lint."""
+
 PAUSE = 0.15
 """Seconds without a change after which packages are linted."""
 
@@ -36,7 +39,11 @@ class PackageServer(LanguageServer):
         """The files with diagnostics, by workspace."""
         self.worker = ThreadPoolExecutor(1, "lint")
         self.has_changed = asyncio.Event()
+        self.is_settled = asyncio.Event()
+        """Set while the diagnostics are those of the texts in the editor, in all packages."""
         self.loop: asyncio.Task[None] | None = None
+        self.uris: dict[Path, str] = {}
+        """The files that are open, as the editor writes their addresses."""
         self.told = ""
         """The last error that was shown."""
 
@@ -56,12 +63,17 @@ class PackageServer(LanguageServer):
         path = path_of(uri)
         if path is None or (live := self.workspace_at(path)) is None:
             return
+        if text is None:
+            self.uris.pop(path, None)
+        else:
+            self.uris[path] = uri
         live.put(path, None if text is None else text.encode("utf-8", "surrogatepass"))
         if text is not None and (package := enclosing_package(path.parent)):
             live.wanted.add(package)
         self.lint_soon()
 
     def lint_soon(self) -> None:
+        self.is_settled.clear()
         self.has_changed.set()
         if self.loop is None or self.loop.done():
             self.loop = asyncio.get_running_loop().create_task(self.lint_on())
@@ -77,6 +89,8 @@ class PackageServer(LanguageServer):
                 await self.lint(folder, live)
             if not all(live.is_finished for live in self.workspaces.values()):
                 self.has_changed.set()
+            elif not self.has_changed.is_set():
+                self.is_settled.set()
 
     async def lint(self, folder: Path, live: LiveWorkspace) -> None:
         """Lint a workspace beside what goes on, and publish."""
@@ -101,7 +115,9 @@ class PackageServer(LanguageServer):
         linted, codec = self.linted[folder], self.workspace.position_codec
         for path in sorted(linted.by_file.keys() | self.published.get(folder, set())):
             found = [diagnostic(each, linted.root, linted.source, codec) for each in linted.by_file.get(path, [])]
-            self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(path.as_uri(), found))
+            self.text_document_publish_diagnostics(
+                types.PublishDiagnosticsParams(self.uris.get(path) or path.as_uri(), found)
+            )
         self.published[folder] = set(linted.by_file)
 
     def linted_at(self, path: Path) -> Linted | None:
@@ -163,6 +179,11 @@ def watch_texts(server: PackageServer) -> None:
             if path := path_of(each.uri):
                 server.workspaces[path] = LiveWorkspace(path)
         server.lint_soon()
+
+    @server.command(SETTLED)
+    async def settled(*_: object) -> None:
+        """Answer when all diagnostics are up to date."""
+        await server.is_settled.wait()
 
 
 def offer_actions(server: PackageServer) -> None:
