@@ -10,6 +10,7 @@ from ..files import ReaderInput
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, has_targets, registered_components
 from .cmake.made_headers import header_files
+from .contested_build_type import is_build_type_contested
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
@@ -117,6 +118,20 @@ PARTS: dict[tuple[str, ...], Part] = {
 """What is collected together, by the fields that it yields."""
 
 
+MADE_BY_THE_BUILD: frozenset[UnknownField] = frozenset(get_args(UnknownField)) - {"name", "dependencies"}
+
+
+def collect_part(
+    part: Part, reading: ReaderInput, targets: Targets, manifest: Manifest
+) -> tuple[dict[str, Any], set[UnknownField]]:
+    """Return some fields, and which are unknown: all that a build makes, where it is open how the package is built."""
+    fields, doubts = part(reading, targets, manifest)
+    made = MADE_BY_THE_BUILD.intersection(fields)
+    if made and is_build_type_contested(manifest, reading.files, targets):
+        doubts = doubts | made
+    return fields, doubts
+
+
 def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback: str) -> PackageFacts:
     """Return a package's facts; `fallback` is its name where package.xml can't be read."""
     manifest = reading.parts(Manifest).only
@@ -125,7 +140,7 @@ def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback:
     fields: dict[str, Any] = {}
     unknown: set[UnknownField] = set()
     for part in PARTS.values():
-        found, doubts = part(reading, targets, manifest)
+        found, doubts = collect_part(part, reading, targets, manifest)
         fields |= found
         unknown |= doubts
     return PackageFacts(name_of(manifest, folder, fallback), folder, unknown=frozenset(unknown), **fields)

@@ -7,7 +7,7 @@ from typing import Any
 from ..files import ReaderInput
 from ..light_dataclasses import field_names
 from ..ros.distros import Targets
-from .collect_facts import PARTS, name_of, unknown_facts
+from .collect_facts import PARTS, collect_part, name_of, unknown_facts
 from .manifest import Manifest
 from .package_facts import PackageFacts, UnknownField
 
@@ -34,7 +34,7 @@ class FactsOnDemand(PackageFacts):
             object.__setattr__(self, "unknown", frozenset(self._doubts))
         elif name in FIELDS:
             try:
-                fields, doubts = PARTS[FIELDS[name]](self._reading, self._targets, self._manifest)
+                fields, doubts = collect_part(PARTS[FIELDS[name]], self._reading, self._targets, self._manifest)
             except Exception:
                 fields = {each: getattr(NOTHING, each) for each in FIELDS[name]}
                 doubts = {each for each in NOTHING.unknown if each in fields}

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
+from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
+from ...package.setup.setup_text import SetupText
 from .module_exports import absolute
 from .python_package import PythonPackage
 
@@ -21,6 +23,25 @@ class ModuleTree:
     @property
     def setup(self) -> SetupPy:
         return self.package.setup
+
+    @cached_property
+    def missing_folders(self) -> tuple[SetupText, ...]:
+        """The packages that `packages` lists and that have no folder: setuptools stops at the first."""
+        setup = self.setup
+        folders = ((said, setup.folder_of(said.text)) for said in setup.packages if not setup.searches)
+        absent = self.package.files.absent
+        return tuple(said for said, folder in folders if setup.kind(folder) is None and not absent.is_expected(folder))
+
+    def not_installed(self) -> dict[str, list[tuple[EntryPoint, str]]]:
+        """Return the entry points whose module lies in a package that is not listed, each with its file, by package."""
+        found: dict[str, list[tuple[EntryPoint, str]]] = {}
+        for entry in self.setup.entry_points:
+            path = self.setup.file_of(entry.module) if entry.module and not entry.fault else None
+            if path is None or entry.module in self.setup.modules or posixpath.dirname(path) in self.missing_inits:
+                continue
+            inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
+            found.setdefault(inner, []).append((entry, path))
+        return found
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:

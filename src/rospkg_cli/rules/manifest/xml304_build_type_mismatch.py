@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
+from ...package.contested_build_type import has_several_build_types
 from ...ros.manifest import BUILD_FILES
 from ...rule import rule
 
@@ -47,13 +48,15 @@ def build_type_mismatch(package: ManifestAndFiles) -> Iterator[Hit]:
     `colcon build` fails: "setup.py not found", or CMake's "does not appear to contain CMakeLists.txt".
 
     ## When it is quiet
-    A build type whose condition excludes the targets is left alone, and a pyproject.toml without setup.py is left to
-    SET307.
+    A build type whose condition excludes the targets is left alone. Two build types at once are left to XML303, and a
+    pyproject.toml without setup.py to SET307.
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html)
     """
     manifest, files = package.manifest, package.files
+    if has_several_build_types(manifest, package.targets):
+        return
     for element in manifest.build_types(package.targets):
         wanted = BUILD_FILES.get(element.text)
         if wanted is None or files.exists(wanted):

@@ -9,6 +9,7 @@ from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...example import CMAKE, CONFIG_INSTALL, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
+from ...ros.manifest import BUILD_FILES
 from ...rule import rule
 
 INSTALL = regex(r"install\w*\s*\(", re.I)
@@ -46,8 +47,8 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     ## When it is quiet
     A CMakeLists.txt without an install rule is an info, and so is a setup.py without packages, modules, scripts and
     data files: left from ROS 1 often, nothing of them is missed. Packages for ROS 1 and ROS 2 (catkin, conditions) are
-    left alone, and so is a setup.py that CMake installs by `ament_python_install_package()`, or that a CMakeLists.txt
-    of unknown parts may use.
+    left alone, those without the file of their own build type to XML304, and a setup.py that CMake installs by
+    `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
@@ -57,6 +58,8 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     if len(types) != 1 or manifest.depends_on("catkin") or any("condition" in each.attributes for each in types):
         return
     used, other, level = types[0].text, "", None
+    if not files.exists(BUILD_FILES.get(used, "package.xml")):
+        return
     if used == "ament_python" and files.exists("CMakeLists.txt"):
         other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
         level = None if INSTALL.search(files.source("CMakeLists.txt").text) else Severity.INFO

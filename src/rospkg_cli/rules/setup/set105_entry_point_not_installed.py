@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup_py import add_package
 from ...example import Example, scripts, setup_py
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(
@@ -37,23 +36,19 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
-    folder lacks its `__init__.py` (SET301).
+    folder lacks its `__init__.py` (SET301). A package that is listed and not there stops the build first (SET302).
 
     ## Fix safety
     The module may belong elsewhere instead.
     """
-    setup = tree.setup
-    if not tree.package.knows_installed_modules:
+    if not tree.package.knows_installed_modules or tree.missing_folders:
         return
-    for entry in setup.entry_points:
-        path = setup.file_of(entry.module) if entry.module and not entry.fault else None
-        if path is None or entry.module in setup.modules or posixpath.dirname(path) in tree.missing_inits:
-            continue
-        inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
-        edits = add_package(setup, inner) if inner else ()
+    for inner, entries in tree.not_installed().items():
+        (first, path), *others = entries
+        edits = add_package(tree.setup, inner) if inner else ()
         what = f"add `{inner}` to `packages`" if inner else "move it into a package of `packages`"
-        message = (
-            f"`{path}` is not installed: the build is green, and `{entry.name}` raises ModuleNotFoundError; {what}"
-        )
+        who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
+        message = f"`{path}` is not installed: the build is green, and {who} ModuleNotFoundError; {what}"
+        related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
         fix = Fix(f"add `{inner}` to `packages`", edits, Safety.UNSAFE) if edits else None
-        yield Hit(entry.path, entry.module_span, message, fix=fix)
+        yield Hit(first.path, first.module_span, message, related=related, fix=fix)

@@ -54,11 +54,12 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     setup = tree.setup
     if not tree.package.knows_installed_modules or setup.searches:
         return
-    for said in setup.packages:
-        folder = setup.folder_of(said.text)
-        if setup.kind(folder) is None and not tree.package.files.absent.is_expected(folder):
-            message = f"there is no folder `{folder}`: setuptools stops; list packages that are there"
-            yield Hit(said.path, said.shown, message)
+    for said in tree.missing_folders:
+        own = tree.package.name
+        is_meant = setup.kind(setup.folder_of(own)) == "dir" and own not in {each.text for each in setup.packages}
+        todo = f"did you mean `{own}`?" if is_meant else "list packages that are there"
+        message = f"there is no folder `{setup.folder_of(said.text)}`: setuptools stops; {todo}"
+        yield Hit(said.path, said.shown, message)
     argument = setup.argument("packages")
     for name in tree.unlisted if argument else ():
         edits = add_package(setup, name)
