@@ -118,7 +118,8 @@ PARTS: dict[tuple[str, ...], Part] = {
 """What is collected together, by the fields that it yields."""
 
 
-MADE_BY_THE_BUILD: frozenset[UnknownField] = frozenset(get_args(UnknownField)) - {"name", "dependencies"}
+MADE_BY_THE_BUILD: frozenset[UnknownField] = frozenset(get_args(UnknownField)) - {"name", "dependencies", "interfaces"}
+"""What is there only after the build; interfaces have files of their own."""
 
 
 def collect_part(

@@ -40,10 +40,10 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where another package of the workspace has interfaces of these names: the files are what was left when they moved.
-    Files in other folders than `msg/`, `srv/` and `action/` are data. Of two build types at once, or one whose file is
-    missing, XML303 and XML304 tell.
+    Files in other folders than `msg/`, `srv/` and `action/` are data. Without a setup.py the build type is wrong, which
+    XML303 and XML304 tell.
     """
-    if package.facts.build_type != "ament_python" or not package.facts.knows("interfaces"):
+    if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
         return
     name = package.facts.name
     found = filter(is_interface, package.files.paths)
