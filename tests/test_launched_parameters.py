@@ -108,7 +108,7 @@ def test_a_node_that_may_not_be_started_is_left_alone() -> None:
         ("talker", False),
         ("/**", False),
         ("/ns/talker", False),
-        ("listener", False),
+        ("listener", True),
         ("$(var name)", False),
     ],
 )

@@ -45,8 +45,14 @@ def no_text(value: Value, place: Span, what: str) -> Iterator[Fault]:
     quoted = f"'{value.value}'" if isinstance(value, Constant) and value.value is not None else ""
     if isinstance(value, Sequence):
         for item, at in zip(value.items, value.places, strict=True):
-            if isinstance(item, Constant):
+            if isinstance(item, Constant | Unknown):
                 yield from no_text(item, at, what)
+    elif isinstance(value, Unknown):
+        defaults = [each for each in value.options if isinstance(each, Constant)]
+        if defaults and len(defaults) == len(value.options):
+            name = type_name(defaults[0])
+            message = f"{what} takes a string, and where the variable is not set this is {name}"
+            yield Fault(value.span, f"{message}: launch raises TypeError", "warning")
     elif isinstance(value, Constant) or is_condition(value) or (isinstance(value, Call) and class_of(value) in ACTIONS):
         message = f"{what} takes a string or a substitution, and {type_name(value)} is neither: launch raises TypeError"
         if isinstance(value, Constant):
@@ -65,8 +71,7 @@ def words_faults(argument: Argument, what: str) -> Iterator[Fault]:
         yield Fault(value_span(argument), message)
     elif isinstance(value, Sequence):
         for item, place in zip(value.items, value.places, strict=True):
-            if not isinstance(item, Unknown):
-                yield from no_text(item, place, f"each item of {what}")
+            yield from no_text(item, place, f"each item of {what}")
     elif isinstance(value, Constant) or is_substitution(value):
         yield Fault(value_span(argument), f"{what} takes a list, not {type_name(value)}: Python raises TypeError")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...lazy_regex import regex
 from ...package.launch.entity import Entity
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import Substitution
@@ -11,6 +12,9 @@ from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, 
 from ...suggest import did_you_mean, nearest
 from ..fault import Fault
 from ..read_sentences import syntax_sentence
+
+BARE = regex(r"(?<![$\w)])\((var|find-pkg-share|find-pkg-prefix) (\w+)\)")
+PROSE = frozenset({"description", "message", "reason"})
 
 
 def entity_faults(file: LaunchFile) -> Iterator[Fault]:
@@ -25,6 +29,18 @@ def entity_faults(file: LaunchFile) -> Iterator[Fault]:
         yield from substitution_faults(each)
     used = {each.arguments[0].literal or "" for each in file.configurations() if each.arguments}
     yield from quoted_arguments(file.root, frozenset(used))
+    yield from without_dollar(file)
+
+
+def without_dollar(file: LaunchFile) -> Iterator[Fault]:
+    """Yield `(var x)` where `x` is an argument of the file, and `(find-pkg-share x)/…`: text, as launch reads it."""
+    declared = {argument.name.literal for argument in file.arguments}
+    for entity in file.root.walk() if file.root else ():
+        for name, written in entity.attributes.items() if entity.name != "log" else ():
+            for found in BARE.finditer(written.text) if name not in PROSE else ():
+                if found.group(1) != "var" or found.group(2) in declared:
+                    span = written.part(found.start(), found.end())
+                    yield Fault(span, f"`{found.group()}` is text, and no substitution: write `${found.group()}`")
 
 
 def action_faults(entity: Entity) -> Iterator[Fault]:

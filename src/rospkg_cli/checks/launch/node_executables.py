@@ -99,6 +99,13 @@ class NodeExecutables:
             if wrong is not None:
                 yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
 
+    def blank(self) -> Iterator[tuple[LaunchText, str]]:
+        """Yield the executables and packages of nodes that hold nothing, each with what it is."""
+        for node in self.scope.file.nodes:
+            for text, what in ((node.executable, "executable"), (node.package, "package")):
+                if text is not None and text.literal is not None and not text.literal.strip():
+                    yield text, what
+
     def entry(self, node: ExecutableUse) -> str:
         """Return the only executable of this package that starts the module whose name a node has; "" for none."""
         table, module = self.scope.table, node.executable.removesuffix(".py")

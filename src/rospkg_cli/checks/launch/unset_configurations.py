@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
@@ -14,6 +15,7 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
 from .entity_schema import entity_faults
+from .idle_actions import never_added
 
 State = Literal["undeclared", "late", "not added"]
 """`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""
@@ -33,6 +35,8 @@ class UnsetConfiguration:
     """Whether it is only passed on to an included file, under its own name."""
     is_lookup: bool = False
     """Whether Python looks it up in a dict."""
+    may_be_included: bool = False
+    """Whether a file that is included before, and is not here, may set it; none of the workspace does."""
 
 
 @dataclass(frozen=True)
@@ -67,13 +71,13 @@ class LaunchConfigurations:
         events = self.file.events or ()
         declared = tuple(event.name for event in events if event.kind == "declare")
         seen: set[str] = set()
-        for index, event in self.missing(events, inherited | OWN):
+        for index, event, unsure in self.missing(events, inherited | OWN):
             if event.name not in seen:
                 seen.add(event.name)
                 state = self.state(event.name, index)
-                if state is not None:
+                if state is not None and not (unsure and (not declared or self.workspace.launch.has(event.name))):
                     yield UnsetConfiguration(
-                        event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup
+                        event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup, unsure
                     )
 
     def state(self, name: str, index: int) -> State | None:
@@ -101,10 +105,12 @@ class LaunchConfigurations:
                 found[event.kind][event.name] = index
         return found
 
-    def missing(self, events: tuple[LaunchEvent, ...], known: frozenset[str]) -> Iterator[tuple[int, LaunchEvent]]:
-        """Yield the uses of what nothing has set by then."""
-        names, open_ = set(known), False
-        stack: list[tuple[set[str], bool]] = []
+    def missing(
+        self, events: tuple[LaunchEvent, ...], known: frozenset[str]
+    ) -> Iterator[tuple[int, LaunchEvent, bool]]:
+        """Yield the uses of what nothing has set by then, and whether an included file that is not here may do so."""
+        names, open_, unsure = set(known), False, False
+        stack: list[tuple[set[str], bool, bool]] = []
         for index, event in enumerate(events):
             match event.kind:
                 case "declare" | "define" | "pass":
@@ -114,16 +120,16 @@ class LaunchConfigurations:
                     open_ = True
                 case "include":
                     found = self.workspace.launch.defined_by(event.name)
-                    open_ = open_ or found is None
+                    unsure = unsure or found is None
                     names |= found or set()
                 case "push":
-                    stack.append((set(names), open_))
+                    stack.append((set(names), open_, unsure))
                 case "pop":
-                    names, open_ = stack.pop()
+                    names, open_, unsure = stack.pop()
                 case "later":
                     names |= {each.name for each in events if each.kind in ("declare", "define")}
                 case "use" if event.name and not event.is_optional and not open_ and event.name not in names:
-                    yield index, event
+                    yield index, event, unsure
 
     def unused(self) -> Iterator[DeclaredArgument]:
         """Yield the arguments that nothing in the file uses; none where it includes files, which see them."""
@@ -133,7 +139,9 @@ class LaunchConfigurations:
             return
         used = {event.name for event in events if event.kind == "use"}
         used |= {nearest(each.name, each.declared) or "" for each in self.unset()} - {""}
-        used |= {s.arguments[0].literal or "" for s in self.file.configurations() if s.arguments}
+        used |= {
+            s.arguments[0].literal or "" for s in self.file.configurations() if s.arguments and self.is_read(s.span)
+        }
         if "" in used:
             return
         used |= OWN
@@ -142,9 +150,18 @@ class LaunchConfigurations:
             if name and name not in used and not self.has_other_mention(name, argument.span):
                 yield argument
 
+    @cached_property
+    def unread(self) -> tuple[Span, ...]:
+        """What a Python file binds to a local name that nothing reads."""
+        return tuple(never_added(self.file.python)) if self.file.python is not None else ()
+
+    def is_read(self, span: Span) -> bool:
+        return not any(each.start <= span.start and span.end <= each.end for each in self.unread)
+
     def has_other_mention(self, name: str, declared: Span) -> bool:
-        """Return whether a Python file has the name in quotes at another place."""
+        """Return whether a Python file has the name in quotes at another place, which something reads."""
         if self.file.frontend != "python":
             return False
-        text, quoted = self.file.source.text, (f"'{name}'", f'"{name}"')
-        return any(text.find(each, 0, declared.start) >= 0 or text.find(each, declared.end) >= 0 for each in quoted)
+        found = re.finditer(rf"(['\"]){re.escape(name)}\1", self.file.source.text)
+        places = (Span(each.start(), each.end()) for each in found)
+        return any(not (declared.start <= at.start < declared.end) and self.is_read(at) for at in places)

@@ -110,7 +110,10 @@ class LaunchParameters:
         return [path for path, row in rows if row.source == file.path] or [file.path]
 
     def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
-        """Yield the blocks that no node reads, where a node that gets the file and has none has a near name."""
+        """Yield the blocks that no node reads, where a node that gets the file and has none has a near name.
+
+        Where the file has one block, and goes to one node, the names need not be alike.
+        """
         started = {each.name for each in self.node_arguments}
         for file in self.files:
             readers = [each for each in self.node_arguments if file in each.files and each.name]
@@ -119,9 +122,18 @@ class LaunchParameters:
             for block in file.blocks:
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
-                    found = [each for each in without_block if is_near(key, each.name or "")]
+                    is_only = len(file.blocks) == 1 and self.is_only_for_named(file)
+                    found = [each for each in without_block if is_only or is_near(key, each.name or "")]
                     if found and len({each.name for each in found}) == 1:
                         yield file, block, found[0]
+
+    def is_only_for_named(self, file: ParameterFile) -> bool:
+        """Return whether all nodes that may get a file have a literal name, and nothing else opens or passes it on."""
+        given = [each for each in self.node_arguments if file in each.files]
+        texts = [launch.source.text for launch in self.launches if not any(each.launch is launch for each in given)]
+        name = file.path.rpartition("/")[2]
+        alone = all(each.name and each.node.is_certain and not each.launch.includes for each in given)
+        return alone and not any(name in text for text in texts)
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
         """Yield each node with the parameters that its code declares without a default and that are not set."""

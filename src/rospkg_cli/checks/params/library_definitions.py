@@ -19,6 +19,14 @@ VALIDATORS = frozenset(
     """bounds lt gt lt_eq gt_eq one_of fixed_size size_gt size_lt not_empty unique subset_of element_bounds
     lower_element_bounds upper_element_bounds lower_bounds upper_bounds""".split()
 )
+ARGUMENTS = {
+    **dict.fromkeys(("bounds", "element_bounds"), 2),
+    **dict.fromkeys(("lt", "gt", "lt_eq", "gt_eq", "fixed_size", "size_gt", "size_lt", "one_of", "subset_of"), 1),
+    **dict.fromkeys(("lower_element_bounds", "upper_element_bounds"), 1),
+    **dict.fromkeys(("not_empty", "unique"), 0),
+}
+"""How many arguments a validator takes; `LISTS` take one that is a list."""
+LISTS = frozenset({"one_of", "subset_of"})
 YAML_BOOLS = (TRUE | FALSE) - frozenset("yYnN")
 
 
@@ -53,9 +61,10 @@ def definition_faults(each: Definition, has_validators: bool) -> Iterator[Fault]
     if base and default is not None and (problem := default_problem(base, default)):
         yield Fault(default.span, f"the default of `{name}` {problem}: the build stops; correct it, or the type")
     validation = each.field("validation")
-    for key, _ in validation.entries if isinstance(validation, MappingNode) else ():
+    for key, given in validation.entries if isinstance(validation, MappingNode) else ():
         if isinstance(key, ScalarNode):
             yield from validator_faults(key, has_validators)
+            yield from argument_faults(key, given)
 
 
 def validator_faults(key: ScalarNode, has_validators: bool) -> Iterator[Fault]:
@@ -64,6 +73,21 @@ def validator_faults(key: ScalarNode, has_validators: bool) -> Iterator[Fault]:
     if name not in VALIDATORS and "::" not in name and (hint or not has_validators):
         message = f"`{key.text}` is no validator{hint}: the generated code does not compile"
         yield Fault(key.span, f"{message}; one of your own is written `namespace::function`")
+
+
+def argument_faults(key: ScalarNode, given: YamlNode) -> Iterator[Fault]:
+    """Yield why the arguments of a validator do not fit; one that is no list is the only one."""
+    name = key.text.removesuffix("<>")
+    wanted = ARGUMENTS.get(name)
+    if wanted is None:
+        return
+    count = len(given.items) if isinstance(given, SequenceNode) else 0 if is_null(given) else 1
+    if name in LISTS and isinstance(given, SequenceNode) and all(isinstance(item, ScalarNode) for item in given.items):
+        message = f"`{key.text}` takes one list: the generated code does not compile"
+        yield Fault(key.span, f"{message}; write a second pair of brackets, `[[…]]`")
+    elif count != wanted:
+        message = f"`{key.text}` takes {wanted or 'no'} argument{'s' * (wanted != 1)}, not {count}"
+        yield Fault(key.span, f"{message}: the generated code does not compile")
 
 
 def default_problem(base: str, value: YamlNode) -> str | None:

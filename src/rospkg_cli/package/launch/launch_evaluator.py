@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...languages.python.evaluate.known_functions import LIBRARY
 from ...languages.python.evaluate.operators import path_join
 from ...languages.python.evaluate.path_functions import PATH_FUNCTIONS
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState
-from ...languages.python.evaluate.values import Call, Class, Function, Namespace, PartialText, Value
+from ...languages.python.evaluate.values import Call, Class, Constant, Function, Namespace, PartialText, Unknown, Value
 from ...languages.python.file import PythonFile
 from ...source import Span
 from .launch_classes import class_of
@@ -43,6 +44,20 @@ def joined(receiver: PartialText, call: Call) -> Value | None:
     return receiver if call.callee in SAME_PATH else None
 
 
+def with_default(machine: EvaluationState, call: Call) -> Value | None:
+    """os.environ.get and os.getenv: a default that is no text is a value that the launch may get."""
+    found, default = LIBRARY[call.callee](machine, call), call.get("default", 1)
+    if isinstance(found, Unknown) and isinstance(default, Constant) and default.value is not None:
+        return Unknown(found.span, found.why, options=(default,))
+    return found
+
+
+def as_text(machine: EvaluationState, call: Call) -> Value | None:
+    """str(x): whatever x may be, it is a text then."""
+    found = LIBRARY["str"](machine, call)
+    return Unknown(call.span, found.why) if isinstance(found, Unknown) and found.options else found
+
+
 SAME_PATH = frozenset({"resolve", "absolute", "expanduser"})
 PATHS = {
     "ament_index_python.get_package_share_path": found_path,
@@ -51,6 +66,9 @@ PATHS = {
     "os.path.abspath": passed_on,
     "os.path.realpath": passed_on,
     "os.path.normpath": passed_on,
+    "os.environ.get": with_default,
+    "os.getenv": with_default,
+    "str": as_text,
 }
 """What makes a path that others are joined to, and what gives it back."""
 

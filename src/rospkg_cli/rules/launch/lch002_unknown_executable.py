@@ -82,6 +82,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         yield Hit(
             started.scope.file.path, known.executable.span, not_offered(known), severity, fix=other_name(started, known)
         )
+    for text, what in started.blank():
+        yield Hit(started.scope.file.path, text.span, f"the {what} of this node is empty: the launch stops; name it")
     for use in NodesWithoutPackage(started.scope).uses():
         level = Severity(use.level) if use.level else None
         yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)

@@ -36,7 +36,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "undeclared-launch-argument",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the file is included by others, or uses so many that it probably is, or declares none"},
+    levels={Severity.INFO: "others include it, or probably do, it declares none, or it includes a file that is not here"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
@@ -61,9 +61,10 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     The launch stops with "launch configuration 'x' does not exist".
 
     ## When it is quiet
-    Nothing is said of files that can't be evaluated to the end, that set configurations of unknown names, or that
-    include something unknown. A file that others include may get the argument from them: an info, as where it uses
-    many, or several and declares none at all.
+    Nothing is said of files that can't be evaluated to the end, or that set configurations of unknown names. One that
+    others include may get the argument from them: an info, as where it uses many, or several and declares none at all.
+    Where it includes a file that is not here, it is an info, if it declares others and no file of the workspace has
+    that name.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
@@ -81,4 +82,7 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             better = "declare it, or give it a default"
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
         ends = f'unless given, the launch stops ("{raised}")'
-        yield Hit(file.path, each.span, f"{message}: {ends}; {better}", level)
+        if each.may_be_included:
+            ends += ", unless a file that it includes sets it"
+        mild = Severity.INFO if each.may_be_included else level
+        yield Hit(file.path, each.span, f"{message}: {ends}; {better}", mild)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.late_names import late_names
 from ...checks.launch.wrong_imports import wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -78,8 +79,9 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     """
     ## What it does
     Finds undefined names and wrong launch imports in Python launch files.
-    A name is neither defined nor imported, or a name of launch or launch_ros is imported from a module that does not
-    have it. Files that import `*`, or run strings as code, are left alone.
+    A name is neither defined nor imported, a name of launch or launch_ros is imported from a module that does not have
+    it, or a local name is used above the one line of its function that assigns it. Files that import `*`, or run
+    strings as code, are left alone.
 
     ## Why is this bad?
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
@@ -99,6 +101,11 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         use = min(uses, key=lambda one: LEVELS.index(one.level))
         message = f"`{use.found.name}` is defined nowhere: {use.ends}{hint(use.found)}"
         yield Hit(file.path, use.found.span, message, use.level)
+    for late in late_names(file.python):
+        unreached = {each.name for each in unreached_functions(file.python, (ENTRY_POINT,))}
+        level = Severity.INFO if late.function in unreached else None
+        message = f"`{late.name}` is used here and assigned in line {late.line}"
+        yield Hit(file.path, late.span, f"{message}: the launch stops with UnboundLocalError; assign it first", level)
     for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"

@@ -49,15 +49,15 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     ## What it does
     Finds parameters for a node that no launch file starts, where a similar node lacks them.
     The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
-    in it, has a similar name.
+    in it, has a similar name; or the file has this block alone, and goes to no other node.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
     runs with its defaults.
 
     ## When it is quiet
-    Blocks of nodes that any launch file here starts, or whose name is like that of no node which lacks one, are left
-    alone: nodes that other packages start may read them.
+    Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
+    node which lacks one: nodes that other packages start may read them.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.

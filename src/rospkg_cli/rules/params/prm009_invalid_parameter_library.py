@@ -51,6 +51,7 @@ def example(bad: str, good: str) -> Example:
         example('default_value: «"left"»', 'default_value: ["left", "right"]'),
         example("«greater_than<>»: [0.0]", "gt<>: [0.0]"),
         example("«default»: 10.0", "default_value: 10.0"),
+        example("«gt<>»: [0.0, 1.0]", "gt<>: [0.0]"),
     ),
 )
 def invalid_parameter_library(library: ParameterLibrary) -> Iterator[Hit]:
@@ -58,7 +59,8 @@ def invalid_parameter_library(library: ParameterLibrary) -> Iterator[Hit]:
     ## What it does
     Finds invalid definitions for `generate_parameter_library`.
     Every parameter has a type that exists, a default of that type (as PyYAML reads it: `1e-3` is a string, `1.0e-3` a
-    number), fields and validators that exist. The same holds for `generate_parameter_module`.
+    number), fields and validators that exist, these with as many arguments as they take. The same holds for
+    `generate_parameter_module`.
 
     ## Why is this bad?
     The generator stops the build with a traceback, or writes a header that does not compile.
