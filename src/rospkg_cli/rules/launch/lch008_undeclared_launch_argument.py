@@ -36,7 +36,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "undeclared-launch-argument",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "others include it, or probably do, it declares none, or it includes a file that is not here"},
+    levels={Severity.INFO: "others include it, or probably do, it declares none, or includes a file that is not here"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
