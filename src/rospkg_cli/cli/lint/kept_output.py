@@ -27,9 +27,9 @@ class KeptOutput(io.StringIO):
 
 
 def may_be_kept(options: LintOptions) -> bool:
-    """Return whether a run does nothing but print findings: what writes files is done each time."""
-    asks_git = options.changed or options.since is not None
-    return not (asks_git or writes(options) or options.no_cache or options.show_settings or options.report.output)
+    """Return whether a run does nothing but print findings of files: what asks git or standard input never is."""
+    is_unknown = options.changed or options.since is not None or options.stdin_filename is not None
+    return not (is_unknown or writes(options) or options.no_cache or options.show_settings or options.report.output)
 
 
 def writes(options: LintOptions) -> bool:

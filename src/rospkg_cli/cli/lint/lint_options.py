@@ -64,6 +64,8 @@ class LintOptions:
     changed: bool = False
     since: str | None = None
     """A commit, tag or branch: packages that have not changed after it are left out."""
+    stdin_filename: Path | None = None
+    """The file that standard input stands for."""
     jobs: str = "auto"
     allow_empty: bool = False
     no_cache: bool = False

@@ -144,6 +144,9 @@ def lint(
     since: Annotated[
         str | None, Option(metavar="REF", help="Only packages that have changed since a branch, tag or commit.")
     ] = None,
+    stdin_filename: Annotated[
+        Path | None, Option(metavar="FILE", help="With `-` for PATHS: the file that standard input stands for.")
+    ] = None,
     jobs: Annotated[str, Option("--jobs", "-j", metavar="N|auto", help="Number of processes.")] = "auto",
     allow_empty: Annotated[bool, Option("--allow-empty", help="Succeed when no package is found.")] = False,
     watch: Annotated[bool, Option("--watch", help="Lint again whenever a file changes, until Ctrl-C.")] = False,

@@ -71,6 +71,10 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
     with progress(not options.report.quiet) as show_progress:
         session = make_session(options, configs, located, show_progress)
         session = replace(session, kept=kept_packages(options, session))
+        if options.stdin_filename is not None and located.scope.selected:
+            from .standard_input import with_standard_input
+
+            session = with_standard_input(session, located.root, options.stdin_filename)
         found = (
             run_session(session, fixing, least_fixed(options, config))
             if located.scope.selected

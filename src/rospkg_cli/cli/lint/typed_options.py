@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Any
 
 from ...disk_trace import is_file, is_folder
@@ -26,7 +27,25 @@ def lint_as_typed(typed: dict[str, Any]) -> int:
         one_of("--show", each, SHOWN)
     typed |= {name: tuple(typed[name] or ()) for name in ("paths", "output")}
     typed["traceback"] |= "--traceback" in sys.argv  # typed before the verb
+    typed |= standard_input(typed)
     return lint(LintOptions.of(typed))
+
+
+def standard_input(typed: dict[str, Any]) -> dict[str, Any]:
+    """Return the paths where one is `-`: the file that standard input stands for. Raises UsageError."""
+    name, has_dash = typed["stdin_filename"], Path("-") in typed["paths"]
+    if name is None and not has_dash:
+        return {}
+    if name is None:
+        raise UsageError("`-` is standard input; --stdin-filename says which file it stands for")
+    if typed["paths"] not in ((), (Path("-"),)):
+        raise UsageError("--stdin-filename is for one file; leave the paths out, or give `-`")
+    options = (name for name in ("fix", "fix_only", "diff", "watch") if typed[name])
+    if wrong := next(options, None) or ("add_ignores" if typed["add_ignores"] is not None else ""):
+        raise UsageError(f"--{wrong.replace('_', '-')} can't be used with standard input, which is no file on disk")
+    if not is_folder(name.parent):
+        raise UsageError(f"--stdin-filename: there is no folder `{name.parent}`")
+    return {"paths": (name if is_file(name) else name.parent,)}
 
 
 def refuse_wrong_values(typed: dict[str, Any]) -> None:
