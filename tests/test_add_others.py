@@ -201,6 +201,10 @@ LISTS = {
         ),
         '"msg/Able.msg" "msg/Status.msg" "msg/Zeal.msg" DEPENDENCIES std_msgs)',
     ),
+    "another on the last line": (
+        INTERFACES.replace('\n  "msg/Zeal.msg"\n', '\n  "msg/Able2.msg" DEPENDENCIES std_msgs'),
+        '  "msg/Able2.msg"\n  "msg/Status.msg" DEPENDENCIES std_msgs)',
+    ),
     "a pattern": (
         INTERFACES.replace(
             'rosidl_generate_interfaces(${PROJECT_NAME}\n  "msg/Able.msg"\n  "msg/Zeal.msg"\n)',

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..edits.cmake_commands import match_case, start_with_comments
+from ..edits.cmake_commands import match_case, remove_argument, start_with_comments
 from ..finding import Edit
 from ..languages.cmake.command_blocks import Block
 from ..languages.cmake.file import CMakeFile
@@ -55,3 +55,12 @@ def block_removals(file: CMakeFile, lines: str) -> Iterator[tuple[Edit, ...]]:
     if text.endswith("\n\n", 0, at):
         yield (Edit(file.path, Span(at - 2, end), ""),)
     yield (Edit(file.path, Span(at, min(end + 1, len(text))), ""),)
+
+
+def argument_removals(file: CMakeFile, span: Span) -> Iterator[tuple[Edit, ...]]:
+    """Yield the ways to take out an argument: with its line, or with the blanks before it, behind it, or above it."""
+    text = file.source.text
+    yield (remove_argument(file, span),)
+    behind = len(text[span.end :]) - len(text[span.end :].lstrip())
+    yield (Edit(file.path, Span(span.start, span.end + behind), ""),)
+    yield (Edit(file.path, Span(len(text[: span.start].rstrip()), span.end), ""),)

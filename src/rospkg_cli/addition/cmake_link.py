@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..edits.cmake_commands import add_after, add_argument, match_case, remove, remove_argument
+from ..edits.cmake_commands import add_after, add_argument, match_case, remove
 from ..languages.cmake.syntax import CommandInvocation
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..ros.names import BUILT_IN
+from .cmake_block import argument_removals
 from .cmake_find import FINDERS, cmake_of
 from .part import Operations
 
@@ -77,4 +78,4 @@ class Linked:
                 yield (remove(cmake.root, command),)
             for argument in command.arguments[1:]:
                 if argument.text == self.written(command.name):
-                    yield (remove_argument(cmake.root, argument.span),)
+                    yield from argument_removals(cmake.root, argument.span)

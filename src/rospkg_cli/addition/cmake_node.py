@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..change import ChangeError, NotUnderstoodError, Paste
-from ..edits.cmake_commands import remove, remove_argument
+from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_executable, install_library
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.cpp import targets_of
 from ..scaffold.node import RequestedNode
-from .cmake_block import block_removals, put_before_installs
+from .cmake_block import argument_removals, block_removals, put_before_installs
 from .cmake_find import FINDERS, cmake_of
 from .part import Operations
 
@@ -113,7 +113,7 @@ class TargetInstalled:
             if not mine or not file.is_top(rule.call.command):
                 continue
             if len(rule.items) > 1:
-                yield (remove_argument(file, mine[0].span),)
+                yield from argument_removals(file, mine[0].span)
                 continue
             for lines in (block(file, "TARGETS", self.name, LIBEXEC), library_rule(file.indent, self.name)):
                 yield from block_removals(file, lines)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..edits.cmake_commands import remove, remove_argument
+from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_script
 from ..edits.cmake_python import FINDER, install_python_package
 from ..light_dataclasses import dataclass
 from ..package.package import Package
-from .cmake_block import block_removals
+from .cmake_block import argument_removals, block_removals
 from .cmake_find import cmake_of
 from .part import Operations
 
@@ -63,7 +63,7 @@ class InstalledProgram:
             file = cmake.file(rule.call.path)
             if mine and file.is_top(rule.call.command):
                 if len(rule.items) > 1:
-                    yield (remove_argument(file, mine[0].span),)
+                    yield from argument_removals(file, mine[0].span)
                 else:
                     yield from block_removals(file, block(file, "PROGRAMS", self.path, LIBEXEC))
                     yield (remove(file, rule.call.command),)

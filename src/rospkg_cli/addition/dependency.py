@@ -7,6 +7,7 @@ from typing import Literal
 
 from ..change import ChangeError
 from ..edits.manifest import add_dependency, remove_element
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.manifest import Manifest
 from ..package.package import Package
@@ -74,9 +75,15 @@ class Dependency:
             yield tuple(remove_element(manifest, element) for element in found)
 
 
+NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
+"""What may stand in code as the name of a package: the schemas of all formats, and upper case."""
+
+
 def manifest_of(package: Package) -> Manifest:
-    """Return package.xml; raises ChangeError where it can't be read."""
+    """Return package.xml; raises ChangeError where it can't be read, or has a name that no code can hold."""
     manifest = package.parts(Manifest).only
     if manifest is None or not manifest.name:
         raise ChangeError("package.xml can't be read; `rospkg lint` says why")
+    if not NAME.fullmatch(manifest.name):
+        raise ChangeError(f"`{manifest.name}` is no name for a package; `rospkg lint` says why")
     return manifest

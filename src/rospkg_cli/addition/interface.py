@@ -36,7 +36,8 @@ def interface_parts(package: Package, form: str, asked: Sequence[str], here: boo
     return tuple(parts_of(manifest, wanted))
 
 
-def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface]) -> Iterator[Part]:
+def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface], force: bool = False) -> Iterator[Part]:
+    """Yield the parts of interfaces; `force`: their files may have been edited since."""
     needs = sorted({name for each in wanted for name in each.packages} - {manifest.name})
     yield Dependency(GENERATORS, "buildtool")
     yield from (Dependency(name, "all") for name in needs)
@@ -45,7 +46,7 @@ def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface]) -> Iterat
     yield FoundInCMake(GENERATORS)
     yield from (FoundInCMake(name) for name in needs)
     for each in wanted:
-        yield NewFile(each.path, each.text)
+        yield NewFile(each.path, each.text, force=force)
         yield ListedFile(each.path)
     paths = tuple(each.path for each in wanted)
     yield from (InterfaceNeed(name, paths) for name in needs)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ..change import NotUnderstoodError, Paste
 from ..checks.interfaces.rosidl_targets import RosidlTargets
-from ..edits.cmake_commands import literal_span, remove_argument
+from ..edits.cmake_commands import literal_span
 from ..edits.cmake_interfaces import add_interface_dependency, add_interface_file
 from ..finding import Edit
 from ..languages.cmake.values import Word
@@ -18,7 +18,7 @@ from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..ros.distros import Targets
 from ..source import Span
-from .cmake_block import block_removals, put_before_installs
+from .cmake_block import argument_removals, block_removals, put_before_installs
 from .cmake_find import cmake_of
 from .dependency import manifest_of
 from .part import Operations
@@ -116,11 +116,7 @@ def word_removals(cmake: CMake, word: Word) -> Iterator[Operations]:
     file = cmake.file(word.path)
     if literal_span(file.source, word.span, word.text) is None:
         return
-    yield (remove_argument(file, word.span),)
-    end = word.span.end
-    text = file.source.text
-    behind = len(text[end:]) - len(text[end:].lstrip())
-    yield (Edit(file.path, Span(word.span.start, end + behind), ""),)
+    yield from argument_removals(file, word.span)
 
 
 def keyword_removal(cmake: CMake, word: Word) -> Iterator[Operations]:

@@ -10,10 +10,10 @@ from ..change import ChangeError
 from ..package.install_table import InstallTable
 from ..package.launch.launch_file import LaunchFile
 from ..package.package import Package
-from ..scaffold.bringup import NODE_NAME, Bringup, StartedNode
+from ..scaffold.bringup import NODE_NAME, PROGRAM, Bringup, StartedNode
 from ..scaffold.template import load_template
 from ..suggest import did_you_mean
-from .dependency import Dependency, manifest_of
+from .dependency import NAME, Dependency, manifest_of
 from .new_file import NewFile
 from .part import Part
 from .rendered import rendered_files
@@ -87,6 +87,8 @@ def started(package: Package, name: str, nodes: Sequence[str], stem: str) -> Ite
     chosen = list(nodes) or ([stem] if stem in own else own)
     for each in chosen:
         other, slash, executable = each.rpartition("/")
+        if not PROGRAM.fullmatch(executable) or (slash and not NAME.fullmatch(other)):
+            raise ChangeError(f"`{each}` can't be a node to start: EXECUTABLE, or PACKAGE/EXECUTABLE")
         if not slash and own and executable not in own:
             raise ChangeError(f"the package has no executable `{executable}`{did_you_mean(executable, own)}")
         yield StartedNode(other or name, executable, node_name(executable))
@@ -96,7 +98,7 @@ def executables(package: Package, name: str) -> list[str]:
     """Return the executables of the package that can be a node, by name."""
     table = package.parts(InstallTable).only
     found = {path for path, row in table.below(f"lib/{name}") if row.what == "executable"} if table else set()
-    return sorted(each for each in found if "/" not in each)
+    return sorted(each for each in found if PROGRAM.fullmatch(each))
 
 
 def node_name(executable: str) -> str:

@@ -37,7 +37,14 @@ def python_home(package: Package, manifest: Manifest) -> PythonHome:
             f"setup.py installs no Python package: list `{name}` in `packages`, with `{name}/__init__.py`, and run the "
             "command again"
         )
-    return PythonHome(chosen, setup.folder_of(chosen))
+    return PythonHome(checked(chosen), setup.folder_of(chosen))
+
+
+def checked(module: str) -> str:
+    """Return the name of a module; raises ChangeError for one that can't be imported."""
+    if not all(part.isidentifier() for part in module.split(".")):
+        raise ChangeError(f"`{module}` is no name that Python can import; rename it, and run the command again")
+    return module
 
 
 def chosen_package(setup: SetupPy, name: str) -> str | None:
@@ -57,5 +64,5 @@ def cmake_python_home(cmake: CMake | None, manifest: Manifest) -> PythonHome:
     for call in cmake.named("ament_python_install_package") if cmake else ():
         if call.words and call.words[0].is_known:
             folders = [call.texts[at + 1] for at, text in enumerate(call.texts[:-1]) if text == "PACKAGE_DIR"]
-            return PythonHome(call.words[0].text, folders[0] if folders else call.words[0].text)
+            return PythonHome(checked(call.words[0].text), folders[0] if folders else call.words[0].text)
     return PythonHome(name, name)

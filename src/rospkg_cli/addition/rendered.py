@@ -14,7 +14,7 @@ from ..ros.distros import NEWEST_LTS, distro
 from ..ros.licenses import LICENSES, offered, spdx_id
 from ..scaffold.answers import Answers
 from ..scaffold.bringup import Bringup
-from ..scaffold.maintainer import LONGEST
+from ..scaffold.maintainer import CODING, LONGEST
 from ..scaffold.render import RenderedFile, render
 from ..scaffold.template import Template, TemplateFile
 from ..scaffold.user_text import UserText, user_text
@@ -39,7 +39,8 @@ def author_of(manifest: Manifest) -> Author:
     spdx = spdx_id(licenses[0].text) if len(licenses) == 1 else None
     known = offered(spdx) if spdx else None
     printable = "".join(char for char in maintainer if char.isprintable())
-    return Author(user_text("the maintainer's name", printable), known.spdx if known else "")
+    plain = "the authors" if CODING.search(printable) else printable  # Python would read it as that of the file
+    return Author(user_text("the maintainer's name", plain), known.spdx if known else "")
 
 
 def rendered_files(

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ..change import NotUnderstoodError, Paste
-from ..edits.cmake_commands import remove, remove_argument
+from ..edits.cmake_commands import remove
 from ..edits.cmake_install import SHARE, block, install_folder
 from ..edits.data_files import glob_code, share_code
 from ..edits.list_item import append_item, removals
@@ -19,7 +19,7 @@ from ..package.install_table import InstallTable
 from ..package.package import Package
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
-from .cmake_block import block_removals
+from .cmake_block import argument_removals, block_removals
 from .dependency import manifest_of
 from .entry_point import is_written, setup_of
 from .part import Operations
@@ -126,12 +126,12 @@ class ShareFile:
             if rule.kind != "DIRECTORY" or not mine or not file.is_top(rule.call.command):
                 continue
             if len(rule.items) > 1:
-                yield (remove_argument(file, mine[0].span),)
+                yield from argument_removals(file, mine[0].span)
             elif rule.call.name == "install":
                 yield from block_removals(file, block(file, "DIRECTORY", self.folder, SHARE))
                 yield (remove(file, rule.call.command),)
             else:
-                yield (remove_argument(file, mine[0].span),)
+                yield from argument_removals(file, mine[0].span)
                 yield from keyword_removals(file.path, file.source.text, self.folder, file.indent)
 
 

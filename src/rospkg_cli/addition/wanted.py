@@ -8,15 +8,19 @@ from itertools import product
 
 from ..change import ChangeError
 from ..light_dataclasses import dataclass
+from ..package.interfaces.interface_file import InterfaceFile
 from ..package.package import Package
 from ..ros.interfaces import KINDS
 from ..scaffold import ScaffoldError
+from ..scaffold.interface import RequestedInterface, text_of
 from ..scaffold.node import RequestedNode
 from ..scaffold.node_kinds import OF, all_kinds
 from ..scaffold.workspace import WorkspacePackages
 from .depend import depend_parts
-from .interface import interface_parts
+from .dependency import Dependency, manifest_of
+from .interface import interface_parts, parts_of
 from .launch import launch_parts
+from .named import is_needed
 from .new_file import NewFile
 from .node import node_parts, node_place, requested_node
 from .params import params_parts
@@ -152,15 +156,23 @@ def interface_that_is_there(package: Package, form: str, name: str, force: bool)
     path = f"{form}/{name}.{form}"
     if not package.files.exists(path):
         raise ChangeError(f"there is no `{path}`; nothing was removed")
-    fields = package.files.readable_text(path)
-    return interface_parts(package, form, (f"{name}:{fields}",), here=True)
+    text = package.files.readable_text(path)
+    files = [each for each in package.parts(InterfaceFile).good if each.path == path]
+    packages = tuple(dict.fromkeys(kind.package for each in files for kind in each.types if kind.package))
+    found = RequestedInterface(form, name, written(form, name, text), packages)
+    return tuple(parts_of(manifest_of(package), [found], force))
+
+
+def written(form: str, name: str, text: str) -> str:
+    """Return what `add` would write for the fields of a file; "" for fields that it would not take."""
+    try:
+        return text_of(form, name, text)
+    except ScaffoldError:
+        return ""
 
 
 def dependency_that_is_there(package: Package, name: str, wanted: Wanted) -> Sequence[Part]:
     """Return the parts of a dependency; raises ChangeError where it is not declared, or something names it."""
-    from .dependency import Dependency, manifest_of
-    from .named import is_needed
-
     manifest = manifest_of(package)
     tags = sorted({each.tag for each in manifest.dependencies if each.name == name})
     if not tags:
