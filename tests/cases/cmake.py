@@ -177,6 +177,11 @@ CASES = {
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
             good={}, on=""),
     ),
+    "CMK109": (
+        cmake("find_package(ament_cmake_python REQUIRED)\n",
+              "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n",
+              my_pkg____init___DOT_py="", my_pkg__words_DOT_py="WORD = 'a'\n"),
+    ),
     "CMK202": (
         cmake("add_library(core SHARED src/core.cpp)\ninstall(TARGETS core DESTINATION lib)\n",
               src__core_DOT_cpp="int core() {return 1;}\n",

@@ -7,7 +7,9 @@ from functools import cached_property
 
 from ...languages.python.file import Import
 from ...light_dataclasses import dataclass
+from ...package.cmake.artifacts import PYTHON_MODULES
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.foreign_commands import foreign_commands
 from ...package.install_table import PYTHON, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
@@ -65,6 +67,26 @@ class PythonPackages:
                 ):
                     missing.discard(name)
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module)
+
+    def forgotten(self) -> str:
+        """Return the folder of the Python package called like the package, where nothing of it is installed though
+        CMake looks for ament_cmake_python; "" where something is, or a script or launch file imports it."""
+        cmake, name = self.package.cmake, self.package.facts.name
+        found = any(each.name == "ament_cmake_python" and not each.call.maybe for each in cmake.packages)
+        is_known = self.table.knows("module") and cmake.is_complete and not cmake.reads_unknown_files
+        is_used = any(row.source.startswith(f"{name}/") for row in self.table.rows)
+        files = [path for path in cmake.package_files.below(name) if path.endswith(".py")]
+        if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
+            return ""
+        return "" if any(each.folder == name for each in self.uninstalled()) else name
+
+    @property
+    def has_other_ways(self) -> bool:
+        """Whether the build may put modules where Python looks by other means."""
+        cmake = self.package.cmake
+        hooks = cmake.named("ament_environment_hooks", "generate_parameter_module")
+        bindings = any(target.call.name in PYTHON_MODULES for target in cmake.targets)
+        return bool(cmake.interface_targets or hooks) or bindings or next(foreign_commands(cmake), None) is not None
 
     def is_own(self, what: Import) -> bool:
         """Return whether an import refers to a module of the package, and not to one that rosidl generates."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.modules_beside_scripts import LeftModule, modules_left_behind
 from ...checks.cmake.uninstalled_python import PythonPackages
+from ...edits.cmake_install import install_script
 from ...edits.cmake_python import install_python_package
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
@@ -21,6 +23,8 @@ GOOD = (
     .replace(FOUND, f"{FOUND}find_package(ament_cmake_python REQUIRED)\n")
     .replace(INSTALL, f"{INSTALL}\nament_python_install_package(${{PROJECT_NAME}})\n")
 )
+HELLO = "scripts/hello.py"
+BESIDE = "install(PROGRAMS\n  scripts/hello.py\n  DESTINATION lib/${PROJECT_NAME}\n)\n"
 BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
 
 
@@ -29,6 +33,10 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     "missing-python-install",
     over=PythonPackages,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "a module beside a script, which a build with --symlink-install finds; or nothing in the "
+        "package imports it"
+    },
     examples=(
         Example(
             bad={
@@ -42,13 +50,29 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
             on="ament_cmake",
             fix=Safety.SAFE,
         ),
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", BESIDE.replace(HELLO, f"«{HELLO}»") + "ament_package"),
+                "scripts/hello.py": SCRIPT.replace("my_pkg.words", "words"),
+                "scripts/words.py": "HELLO = 'hello'\n",
+            },
+            good={
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package", BESIDE.replace(HELLO, f"{HELLO}\n  scripts/words.py") + "ament_package"
+                )
+            },
+            on="ament_cmake",
+            fix=Safety.SAFE,
+        ),
     ),
 )
 def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python packages of a CMake package that are imported at run time and not installed.
-    An installed script or launch file imports them, and no `ament_python_install_package()` installs them.
+    An installed script or launch file imports them, and no `ament_python_install_package()` installs them. Modules that
+    a script imports from its own folder have to be installed beside it. The Python package that is called like the
+    package counts, too, where ament_cmake_python is looked for and nothing installs any file of it.
 
     ## Why is this bad?
     The build is green, and the script ends with ModuleNotFoundError.
@@ -71,3 +95,24 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         fix = only_plain_names(Fix(f"install the Python package {each.folder}", edits), each.folder)
         related = Related(each.path, each.span, "it is imported here")
         yield Hit(place.path, place.command.span, message, related=(related,), fix=fix)
+    if folder := packages.forgotten():
+        start = f"the Python package `{folder}` is not installed, though CMake looks for ament_cmake_python"
+        message = f"{start}: nobody can import it; call `ament_python_install_package({folder})`"
+        fix = only_plain_names(
+            Fix(f"install the Python package {folder}", install_python_package(cmake, folder)), folder
+        )
+        yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.WARNING, fix=fix)
+    for left in modules_left_behind(packages):
+        yield beside(packages, left)
+
+
+def beside(packages: PythonPackages, left: LeftModule) -> Hit:
+    message = (
+        f"`{left.script}` imports `{left.source}`, which is not installed beside it: it ends with ModuleNotFoundError; "
+        "add it to the `install(PROGRAMS …)`"
+    )
+    fix = only_plain_names(
+        Fix(f"install `{left.source}`", (install_script(packages.package.cmake, left.source),)), left.source
+    )
+    related = Related(left.script, left.imported, "it is imported here")
+    return Hit(left.path, left.span, message, Severity.WARNING, (related,), fix)

@@ -1,0 +1,56 @@
+"""Modules that an installed script imports from its own folder, and that are not installed beside it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...languages.python.file import Import
+from ...light_dataclasses import dataclass
+from ...package.install_table import InstalledFile
+from ...ros.imports import STANDARD
+from ...source import Span
+from .uninstalled_python import PythonPackages
+
+
+@dataclass(frozen=True, slots=True)
+class LeftModule:
+    source: str
+    """The module's file."""
+    script: str
+    path: str
+    span: Span
+    """Of the script in the install rule."""
+    imported: Span
+    """Of the import in the script."""
+
+
+def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
+    """Yield each module once; nothing where it is unknown what is installed into lib/<package>."""
+    table, cmake = packages.table, packages.package.cmake
+    hooks = cmake.named("ament_environment_hooks")
+    if not table.knows("executable") or not table.knows("module") or not cmake.is_complete or hooks:
+        return
+    seen: set[str] = set()
+    for row in table.of("executable"):
+        file = packages.modules.at(row.source) if row.source.endswith(".py") and not row.maybe else None
+        if file is None or "sys.path" in file.source.text:
+            continue
+        for each in file.imports:
+            source = source_of(packages, row, each)
+            if source and source not in seen:
+                seen.add(source)
+                yield LeftModule(source, row.source, row.path, row.span, each.span)
+
+
+def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:
+    """Return the file beside a script that an import means and that is not beside the installed script, else ""."""
+    name, files = each.module.partition(".")[0], packages.package.cmake.package_files
+    if each.level or each.is_optional or not name or name in STANDARD or name in packages.installed:
+        return ""
+    here = f"{posixpath.dirname(row.source)}/{name}".lstrip("/")
+    there = f"{posixpath.dirname(row.destination)}/{name}"
+    found = next((path for path in (f"{here}.py", f"{here}/__init__.py") if files.has_file(path)), "")
+    is_beside = any(other.destination.startswith((f"{there}.", f"{there}/")) for other in packages.table.rows)
+    is_package = found.endswith("/__init__.py") and "/" not in here
+    return "" if is_beside or is_package else found

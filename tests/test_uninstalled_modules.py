@@ -1,0 +1,77 @@
+"""Python modules of CMake packages that nothing installs: beside a script, and the package's own."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.finding import Severity
+from rospkg_cli.testing import lint_files
+
+PYTHON = "find_package(ament_cmake_python REQUIRED)\n"
+SCRIPT = "install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n"
+BOTH = "install(PROGRAMS scripts/a.py scripts/b.py DESTINATION lib/${PROJECT_NAME})\n"
+OWN = {"my_pkg/__init__.py": "", "my_pkg/words.py": ""}
+
+
+def levels(lines: str, files: dict[str, str]) -> list[Severity]:
+    package = {
+        "package.xml": manifest("  <buildtool_depend>ament_cmake_python</buildtool_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),
+    }
+    return [each.severity for each in lint_files({**package, **files}, ["CMK109"]).findings]
+
+
+@pytest.mark.parametrize(
+    ("lines", "code", "count"),
+    [
+        (SCRIPT, "import b", 1),
+        (SCRIPT, "from b import c", 1),
+        (SCRIPT, "import b\nimport b.c", 1),
+        (SCRIPT, "import deep.c", 1),
+        (SCRIPT, "import other", 0),
+        (SCRIPT, "import json", 0),
+        (SCRIPT, "from . import b", 0),
+        (SCRIPT, "import sys\nsys.path.append('x')\nimport b", 0),
+        (SCRIPT, "try:\n    import b\nexcept ImportError:\n    pass", 0),
+        (BOTH, "import b", 0),
+        (SCRIPT + "install(FILES scripts/b.py DESTINATION lib/${PROJECT_NAME})\n", "import b", 0),
+        (SCRIPT + "install(DIRECTORY scripts/deep DESTINATION lib/${PROJECT_NAME})\n", "import deep.c", 0),
+        (SCRIPT + "ament_python_install_module(scripts/b.py)\n", "import b", 0),
+        (SCRIPT + "ament_environment_hooks(a.sh)\n", "import b", 0),
+        (SCRIPT + "install(CODE b)\n", "import b", 0),
+        (f"if(SOMETHING_ELSE)\n{SCRIPT}endif()\n", "import b", 0),
+    ],
+)
+def test_a_module_beside_a_script(lines: str, code: str, count: int) -> None:
+    modules = dict.fromkeys(("scripts/b.py", "scripts/json.py", "scripts/deep/__init__.py", "scripts/deep/c.py"), "")
+    script = f"#!/usr/bin/env python3\n{code}\n"
+    assert levels(lines, {"scripts/a.py": script, **modules}) == [Severity.WARNING] * count
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (PYTHON, [Severity.WARNING]),
+        ("", []),
+        (f"if(SOMETHING_ELSE)\n{PYTHON}endif()\n", []),
+        (f"{PYTHON}ament_python_install_package(my_pkg)\n", []),
+        (f"{PYTHON}install(PROGRAMS my_pkg/words.py DESTINATION lib/${{PROJECT_NAME}})\n", []),
+        (f"{PYTHON}install(CODE a)\n", []),
+        (f"{PYTHON}include(${{WHEREVER}})\n", []),
+        (f"{PYTHON}team_install(my_pkg)\n", []),
+        (f"{PYTHON}ament_environment_hooks(a.sh)\n", []),
+        (f"{PYTHON}pybind11_add_module(words a.cpp)\n", []),
+        (f'{PYTHON}rosidl_generate_interfaces(my_pkg "msg/A.msg")\n', []),
+        (f"{PYTHON}generate_parameter_module(words a.yaml)\n", []),
+    ],
+)
+def test_the_package_of_the_packages_own_name(lines: str, expected: list[Severity]) -> None:
+    assert levels(lines, OWN) == expected
+    assert levels(lines, {"my_pkg/__init__.py": ""}) == []
+    assert levels(lines, {path.replace("my_pkg", "other"): text for path, text in OWN.items()}) == []
+
+
+def test_what_is_imported_too_is_told_once() -> None:
+    files = {**OWN, "scripts/a.py": "#!/usr/bin/env python3\nimport my_pkg.words\n"}
+    assert levels(PYTHON + SCRIPT, files) == [Severity.ERROR]
