@@ -101,7 +101,11 @@ def split_dependency(manifest: Manifest, dependency: Dependency, names: Iterable
 
 def change_tag(manifest: Manifest, dependency: Dependency, tag: str) -> Edit:
     """Declare a dependency under another tag, with the attributes that it has."""
-    element = dependency.element
+    return rename_element(manifest, dependency.element, tag)
+
+
+def rename_element(manifest: Manifest, element: Element, tag: str) -> Edit:
+    """Write an element with another tag, with all that it has."""
     text = manifest.source.slice(element.span)
     old = f"<{element.tag}"
     return Edit(manifest.path, element.span, text.replace(old, f"<{tag}").replace(f"</{element.tag}", f"</{tag}"))

@@ -44,10 +44,13 @@ class ReferenceInstall:
     def is_said(self, missing: MissingReference) -> bool:
         """Return whether an install rule reports it.
 
-        CMK111 does for an absolute destination, CMK001 for the share directory of a project of another name.
+        CMK111 does for an absolute destination, CMK001 and SET401 for the share directory of another name that CMake
+        and setup.py give the package.
         """
         project = self.cmake.project_name if self.cmake is not None else self.name
-        misplaced = ("/", f"share/{project}/") if project != self.name else ("/",)
+        said = self.setup.setup_text("name") if self.setup is not None else None
+        others = {project, said.text if said is not None else self.name} - {self.name}
+        misplaced = ("/", *(f"share/{other}/" for other in others))
         if missing.state == "elsewhere" and (missing.better_path or "").startswith(misplaced):
             return True
         return self.faults.is_told(missing.package, missing.path)

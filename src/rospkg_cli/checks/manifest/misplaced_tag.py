@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER
-from ...suggest import did_you_mean
+from ...suggest import did_you_mean, nearest
+
+TAGS = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
+RENAMED = {"run_depend": "exec_depend"}
+"""What format 2 calls otherwise."""
+
+
+def meant_tag(manifest: Manifest, element: Element) -> str | None:
+    """Return the only tag of package.xml that an unknown one may stand for; None for one that is out of place."""
+    if element not in manifest.root.children or element.tag in (*INSIDE_EXPORT, *NEW_IN[2]):
+        return None
+    return RENAMED.get(element.tag) or nearest(element.tag, TAGS)
 
 
 def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
     """Return what is wrong with a tag that is not allowed where it is, and what to write instead."""
-    known = [each for place in ORDER for each in (place if isinstance(place, tuple) else (place,))]
     format = manifest.schema_format
     if not top:
         return f"`<{tag}>` is where only text is allowed; remove it"
@@ -19,4 +30,4 @@ def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
         return f"`<run_depend>` was removed in format 2, and this is format {format}; write `<exec_depend>`"
     if tag in NEW_IN[2]:
         return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
-    return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, known)}; tools' own tags belong inside `<export>`"
+    return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, TAGS)}; tools' own tags belong inside `<export>`"

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.misplaced_tag import misplaced_tag
+from ...checks.manifest.misplaced_tag import RENAMED, meant_tag, misplaced_tag
 from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_values import before, faulty_value
+from ...edits.manifest import rename_element
 from ...example import Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Fix, Hit, Safety, Severity
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.violation import Violation, ViolationKind
-from ...ros.manifest import NEW_IN, REQUIRED
+from ...ros.manifest import NEW_IN
 from ...rule import rule
 from ...source import Span
 
@@ -35,6 +37,12 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
         Example(
             bad={"package.xml": manifest("  «<run_depend>rclpy</run_depend>»\n")},
             good={"package.xml": GOOD},
+            fix=Safety.SAFE,
+        ),
+        Example(
+            bad={"package.xml": manifest("  «<exec_dependency>rclpy</exec_dependency>»\n")},
+            good={"package.xml": GOOD},
+            fix=Safety.UNSAFE,
         ),
         Example(
             bad={
@@ -65,6 +73,9 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     so that `colcon test` fails; else an info. Order, versions, addresses and features of format 3 are left to other
     rules.
 
+    ## Fix safety
+    The tag that is meant is written; where it is misspelt another one may be right.
+
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
       [REP-127](https://ros.org/reps/rep-0127.html)
@@ -79,7 +90,16 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
             mild = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
             harm = LOST if lost else "" if is_group(violation) else schema_harm(manifest)
             level = None if lost else mild
-            yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level)
+            fix = rename(manifest, violation.element) if violation.kind is ViolationKind.CHILD else None
+            yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level, fix=fix)
+
+
+def rename(manifest: Manifest, element: Element) -> Fix | None:
+    tag = meant_tag(manifest, element)
+    if tag is None:
+        return None
+    safety = Safety.SAFE if element.tag in RENAMED else Safety.UNSAFE
+    return Fix(f"write `<{tag}>`", (rename_element(manifest, element, tag),), safety)
 
 
 def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool] | None:
@@ -103,17 +123,9 @@ def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool]
                 False,
             )
         case ViolationKind.VALUE if not name and (element.tag, name) not in ELSEWHERE and not empty_group(element):
-            return manifest.span(element), *value(manifest, element.tag, element.text)
+            return manifest.span(element), *faulty_value(element.tag, element.text)
         case _:
             return None
-
-
-def value(manifest: Manifest, tag: str, text: str) -> tuple[str, bool]:
-    if tag == "license":
-        return "`<license>` is empty; name the license by its SPDX id, such as `Apache-2.0`", True
-    if tag == "url":
-        return f"`{text}` is no URL", False
-    return f"`{text}` is no name of a group: REP-149 wants `a-z`, digits and single `_`, as for packages", False
 
 
 def empty_group(element: Element) -> bool:
@@ -123,9 +135,3 @@ def empty_group(element: Element) -> bool:
 def is_group(violation: Violation) -> bool:
     """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
     return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]
-
-
-def before(tag: str) -> str:
-    """Return the required tag before one, in the schema's order."""
-    place = REQUIRED.index(tag)
-    return REQUIRED[place - 1] if place else "package"

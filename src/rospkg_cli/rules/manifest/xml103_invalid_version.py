@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
 from ...example import SETUP_PY, Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...ros.manifest import VERSION
 from ...rule import rule
@@ -31,7 +32,8 @@ CMAKE = manifest(build_type="ament_cmake")
                 "package.xml": GOOD.replace("1.0.0", "«1.0»"),
                 "setup.py": SETUP_PY.replace("1.0.0", "1.0"),
             },
-            good={"package.xml": GOOD, "setup.py": SETUP_PY},
+            good={"package.xml": GOOD},
+            fix=Safety.SAFE,
         ),
         Example(
             on="ament_cmake",
@@ -55,6 +57,9 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
     A version that colcon reads is left alone, however it compares with tags or changelogs: XML109 and the rules for
     setup.py do that.
 
+    ## Fix safety
+    A version of fewer numbers gets zeros; setup.py is changed by SET402.
+
     ## References
     - [REP-149, version](https://ros.org/reps/rep-0149.html)
     """
@@ -71,7 +76,7 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
             f"the version is `{version}`, and must be three numbers such as `1.0.0`: colcon refuses the manifest and "
             f"builds the folder as a plain package"
         )
-        yield Hit(manifest.path, manifest.span(element), message)
+        yield Hit(manifest.path, manifest.span(element), message, fix=completed(manifest, element))
     compatible = element.attributes.get("compatibility")
     if compatible is None or manifest.schema_format < 3:
         return
@@ -84,6 +89,15 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
             f"oldest version that this one can stand in for"
         )
         yield Hit(manifest.path, compatible.value_span, message)
+
+
+def completed(manifest: Manifest, element: Element) -> Fix | None:
+    """Return what writes a version of one or two numbers with zeros behind them, `1.0` as `1.0.0`."""
+    version, span = element.text, manifest.span(element)
+    whole = ".".join([*version.split("."), "0", "0"][:3])
+    if version.count(".") > 1 or not VERSION.fullmatch(whole) or manifest.source.slice(span) != version:
+        return None
+    return Fix(f"write `{whole}`", (Edit(manifest.path, span, whole),))
 
 
 def numbers(version: str) -> tuple[int, ...]:
