@@ -27,16 +27,21 @@ class Editor:
         self.client = LanguageClient("editor", "1")
         self.diagnostics: dict[Path, tuple[types.Diagnostic, ...]] = {}
         self.messages: list[str] = []
+        self.watched: list[types.Registration] = []
+        """What the server wants to be told of."""
         self.versions: dict[Path, int] = {}
         self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(lambda found: self.published(found))
         self.client.feature(types.WINDOW_SHOW_MESSAGE)(lambda found: self.shown(found))
         self.client.feature(types.WINDOW_LOG_MESSAGE)(lambda found: self.shown(found))
+        self.client.feature(types.CLIENT_REGISTER_CAPABILITY)(lambda asked: self.watched.extend(asked.registrations))
         self.run(self.start(folder, environment))
 
     async def start(self, folder: Path, environment: dict[str, str]) -> None:
         await self.client.start_io(sys.executable, "-m", "rospkg_cli", "server", env=environment)
         folders = [types.WorkspaceFolder(folder.as_uri(), folder.name)]
-        asked = types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri(), workspace_folders=folders)
+        watching = types.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
+        able = types.ClientCapabilities(types.WorkspaceClientCapabilities(did_change_watched_files=watching))
+        asked = types.InitializeParams(able, root_uri=folder.as_uri(), workspace_folders=folders)
         self.capabilities = (await self.client.initialize_async(asked)).capabilities
         self.client.initialized(types.InitializedParams())
 
@@ -84,6 +89,11 @@ class Editor:
         self.client.text_document_did_close(
             types.DidCloseTextDocumentParams(types.TextDocumentIdentifier(path.as_uri()))
         )
+
+    def wrote(self, *paths: Path) -> None:
+        """Say that files were written on disk, or made, or removed."""
+        changes = [types.FileEvent(path.as_uri(), types.FileChangeType.Changed) for path in paths]
+        self.client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams(changes))
 
     def actions(self, path: Path, line: int = 0, last: int = 10_000) -> list[types.CodeAction]:
         at = types.Range(types.Position(line, 0), types.Position(last, 0))

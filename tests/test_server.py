@@ -99,6 +99,24 @@ def test_closing_without_saving_gives_the_file_back(editor: Editor, package: Pat
     editor.until(lambda: editor.codes(path) == [])
 
 
+def test_what_changes_on_disk_counts(editor: Editor, package: Path) -> None:
+    assert [each.method for each in editor.watched] == ["workspace/didChangeWatchedFiles"]
+    path = package / "package.xml"
+    text = path.read_text()
+    path.write_text(text.replace("Drives my robot", "TODO"))
+    editor.wrote(path)
+    editor.until(lambda: editor.codes(path) == ["XML104"])
+    path.write_text(text)
+    editor.wrote(path)
+    editor.until(lambda: editor.codes(path) == [])
+
+
+def test_a_package_outside_of_the_folders_is_linted_too(editor: Editor, tmp_path: Path, write: Write) -> None:
+    write(tmp_path / "other/my_pkg", {"package.xml": "<package/>"})
+    editor.open(tmp_path / "other/my_pkg/package.xml")
+    editor.until(lambda: "XML001" in editor.codes(tmp_path / "other/my_pkg/package.xml"))
+
+
 def test_the_same_as_lint_of_the_saved_text(editor: Editor, package: Path) -> None:
     path = package / "package.xml"
     text = path.read_text().replace("Drives my robot", "TODO").replace("ada@example.org", "ada")

@@ -58,6 +58,15 @@ class PackageServer(LanguageServer):
         folder = workspace_of([package]) or package
         return self.workspaces.setdefault(folder, LiveWorkspace(folder))
 
+    def watch_files(self) -> None:
+        """Ask an editor that can do so to say what changes on disk."""
+        offered = self.client_capabilities.workspace
+        watching = offered.did_change_watched_files if offered else None
+        if watching and watching.dynamic_registration:
+            wanted = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher("**/*")])
+            each = types.Registration("files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, wanted)
+            self.client_register_capability(types.RegistrationParams([each]))
+
     def put(self, uri: str, text: str | None) -> None:
         """Take what is in the editor, None for what is on disk; a run follows soon."""
         path = path_of(uri)
@@ -142,6 +151,7 @@ def watch_texts(server: PackageServer) -> None:
         for folder in server.workspace.folders.values():
             if path := path_of(folder.uri):
                 server.workspaces[path] = LiveWorkspace(path)
+        server.watch_files()
         server.lint_soon()
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
