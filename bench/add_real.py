@@ -48,6 +48,8 @@ VERBS = {
     "test": (Wanted("test", ("added_thing",)), "added_thing"),
     "dependency": (Wanted("dependency", ("diagnostic_msgs",)), "diagnostic_msgs"),
 }
+DEPENDENCY = ("depend>", "find_package", "dependencies")
+"""What a line has that names a dependency."""
 INTERFACES = {"msg", "srv", "action"}
 
 
@@ -140,8 +142,9 @@ def not_back(place: Place, draft: Draft, wanted: Wanted, back: str) -> Iterator[
             old, new = (entry.data.decode("utf-8", "replace") if entry else "" for entry in (before, now))
             gone = Counter(old.split("\n")) - Counter(new.split("\n"))
             more = Counter(new.split("\n")) - Counter(old.split("\n"))
-            only = all("depend>" in line or "find_package" in line.lower() for line in [*gone, *more])
+            only = all(any(w in line.lower() for w in DEPENDENCY) for line in [*gone, *more])
             shown = f"-{[*gone]} +{[*more]}"[:300]
+            only = only or path.endswith("setup.cfg")
             yield f"{'~' if only else ''}not back {path}: {shown}"
 
 

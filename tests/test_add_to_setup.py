@@ -221,6 +221,36 @@ def test_two_nodes_share_what_needs_no_ros() -> None:
     assert text(last, "package.xml") == files["package.xml"]
 
 
+CFGS = {
+    "none": None,
+    "of something else": "[flake8]\nmax-line-length = 99\n",
+    "with a hole": "[develop]\nscript_dir=$base/lib/my_pkg\n",
+}
+
+
+@pytest.mark.parametrize("cfg", CFGS)
+def test_the_first_executable_brings_its_folder(cfg: str) -> None:
+    files = python_package(HEAD + ")\n")
+    del files["setup.cfg"]
+    files |= {"setup.cfg": given} if (given := CFGS[cfg]) else {}
+    draft = added(files, "node", "idler:empty")
+    assert "[install]\ninstall_scripts=$base/lib/my_pkg\n" in text(draft, "setup.cfg")
+    assert executables(draft) == {"idler"}
+    assert new_findings(files, draft) == []
+    after, is_all = taken(draft, "node", "idler")
+    assert is_all
+    assert text(after, "setup.py") == files["setup.py"]
+    assert text(after, "setup.cfg") == text(draft, "setup.cfg")  # it serves executables to come
+
+
+def test_other_executables_do_not_move_unasked() -> None:
+    files = python_package(HEAD + FORMATS["black"][0])
+    del files["setup.cfg"]
+    with pytest.raises(NotUnderstoodError, match="the executables of this package go to bin/") as refused:
+        added(files, "node", "idler:empty")
+    assert refused.value.details[:3] == ("setup.cfg:", "    [develop]", "    script_dir=$base/lib/my_pkg")
+
+
 def test_names_that_are_taken() -> None:
     files = python_package(HEAD + FORMATS["black"][0])
     with pytest.raises(ChangeError, match=r"`my_pkg/old.py` is there already, and is something else"):

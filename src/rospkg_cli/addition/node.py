@@ -28,6 +28,7 @@ from .new_file import InitFile, NewFile
 from .part import Part
 from .python_home import PythonHome, cmake_python_home, python_home
 from .rendered import identifier, rendered_files
+from .scripts_folder import ScriptsFolder
 
 ANOTHER_KIND = "choose a kind of node that does without it, such as NAME:empty"
 
@@ -117,6 +118,7 @@ def python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator
     yield from (Dependency(name, "exec") for name in python_needs(node) if name != place.manifest.name)
     yield from python_files(place, node, home, force)
     yield ExecutableEntry(node.name, f"{home.module}.{node.name}")
+    yield ScriptsFolder(node.name)
 
 
 def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Part]:
