@@ -42,23 +42,37 @@ class DiskTree:
 
     def read(self, path: str) -> TreeEntry:
         """Read one file; raises OSError, SkippedError where a link leads too far."""
-        if "_files" not in self.__dict__ or self._files.get(path) != "file":
+        is_plain = "_files" in self.__dict__ and self._files.get(path) == "file"
+        if not is_plain:
             self.fence.check(path)
-        return read_entry(self.root / path)
+        return read_entry(self.place(path), is_plain=is_plain)
+
+    def place(self, path: str) -> str:
+        """Return where a file of the tree lies: the root and the path, by which the trace knows it."""
+        return f"{self._base}{path}"
+
+    @cached_property
+    def _base(self) -> str:
+        return str(self.root / "x")[:-1]
 
     def sub(self, folder: str) -> DiskTree:
         return DiskTree(self.root / folder) if folder else self
 
 
-def read_entry(path: Path) -> TreeEntry:
-    """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes."""
+def read_entry(path: str | Path, *, is_plain: bool = False) -> TreeEntry:
+    """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes.
+
+    `is_plain` says that a listing of its folder has told that it is no link.
+    """
     found, data = read_limited(path)
-    kind: Kind = "file" if link_target(path) is None else "link"
+    kind: Kind = "file" if is_plain or link_target(path) is None else "link"
     mode = stat.S_IMODE(found.st_mode)
     if data is None:
         size = f"{found.st_size / 1_000_000:.1f} MB"
         limit = f"{MAX_BYTES // 1_000_000} MB"
-        return TreeEntry(kind, b"", mode, f"`{path.name}` is not read: it has {size}, more than the limit of {limit}")
+        return TreeEntry(
+            kind, b"", mode, f"`{Path(path).name}` is not read: it has {size}, more than the limit of {limit}"
+        )
     return TreeEntry(kind, data, mode)
 
 

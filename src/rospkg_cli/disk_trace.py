@@ -177,8 +177,7 @@ def read_noted(letter: str, path: AnyPath, limit: int | None) -> tuple[os.stat_r
             raise FileNotFoundError(2, os.strerror(2), os.fspath(path))
         data = None
         if limit is None or found.st_size <= limit:
-            with open(path, "rb") as stream:
-                data = stream.read()
+            data = bytes_of(path, found.st_size)
     except OSError as error:
         note(question, f"!{error.errno}")
         raise
@@ -186,6 +185,19 @@ def read_noted(letter: str, path: AnyPath, limit: int | None) -> tuple[os.stat_r
         _trace.note(question, f"{int(bool(found.st_mode & 0o111))}{found.st_size if data is None else digest(data)}")
         _trace.signatures[question] = signature(found)
     return found, data
+
+
+def bytes_of(path: AnyPath, size: int) -> bytes:
+    """Return the bytes of a file that may have grown; raises OSError. A stream would take as long as the reading."""
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+    try:
+        data = os.read(handle, size + 1)
+        while len(data) > size:
+            size = 2 * len(data)
+            data += os.read(handle, size + 1 - len(data))
+    finally:
+        os.close(handle)
+    return data
 
 
 def recall(path: AnyPath, answer: str, known: str) -> bool:

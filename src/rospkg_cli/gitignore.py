@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 
+from .lazy_regex import regex
 from .light_dataclasses import dataclass
 
+SPECIAL = regex(r"[*?\[]")
 MAX_PATTERNS = 5_000
 MAX_LENGTH = 500
 """In characters, of one pattern; a longer one is passed over, as is one with more than two `**`."""
@@ -55,8 +57,14 @@ def fits(pattern: Sequence[str], parts: Sequence[str]) -> bool:
         return not pattern and not parts
     if pattern[0] == "**":
         rest = pattern[1:]
+        if len(rest) == 1 and rest[0] != "**":
+            return is_match(parts[-1], rest[0])
         return not rest or any(fits(rest, parts[start:]) for start in range(len(parts)))
-    return fnmatchcase(parts[0], pattern[0]) and fits(pattern[1:], parts[1:])
+    return is_match(parts[0], pattern[0]) and fits(pattern[1:], parts[1:])
+
+
+def is_match(part: str, pattern: str) -> bool:
+    return fnmatchcase(part, pattern) if SPECIAL.search(pattern) else part == pattern
 
 
 def folders_above(path: str) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
@@ -93,9 +93,11 @@ class MistypedLinks:
 
 def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | None:
     """Return the nearest name with the same digits: `Eigen` may be there along with `Eigen3`."""
-    near = near_names(text, (name for name in names if digits(name) == digits(text)), limit)
+    own = digits(text)
+    near = near_names(text, (name for name in names if digits(name) == own), limit)
     return near[0] if near else None
 
 
+@lru_cache(maxsize=10_000)
 def digits(text: str) -> str:
     return "".join(filter(str.isdecimal, text))

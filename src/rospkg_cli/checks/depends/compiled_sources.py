@@ -73,8 +73,9 @@ def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str
             continue
         found.add(path)
         for each in files[path].includes:
-            wanted = "/" + posixpath.normpath(each.path).lstrip("./")
-            waiting += [p for p in by_name.get(each.path.rpartition("/")[2], ()) if f"/{p}".endswith(wanted)]
+            if (known := by_name.get(each.path.rpartition("/")[2])) is not None:
+                wanted = "/" + posixpath.normpath(each.path).lstrip("./")
+                waiting += [p for p in known if f"/{p}".endswith(wanted)]
     return found
 
 
@@ -83,11 +84,12 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe:
 
     Without `maybe`, commands under a condition that may not hold are left out.
     """
-    found: set[str] = set()
+    bases: set[str] = set()
     for target in cmake.targets:
         base = path_in_package(target.folder.text, target.call.folder) if target.folder is not None else None
         if base is not None and target.call.testing is testing and (maybe or not target.call.maybe):
-            found |= {path for path in files if path.startswith(f"{base}/")}
+            bases.add(f"{base}/")
+    found = {path for path in files if path.startswith(tuple(bases))} if bases else set()
     for call in cmake.calls:
         if call.testing is testing and (maybe or not call.maybe):
             paths = (path_in_package(word.text, call.folder) for word in call.words)

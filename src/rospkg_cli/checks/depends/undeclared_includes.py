@@ -64,8 +64,16 @@ class IncludeDependencies:
     def find_packages(self) -> FindPackageDependencies:
         return FindPackageDependencies(self.declared, self.cmake)
 
-    def packages(self) -> Iterator[IncludedPackage]:
-        """Yield the packages and libraries whose headers are included, those of tests after those of what is built."""
+    def packages(self) -> tuple[IncludedPackage, ...]:
+        """Return the packages and libraries whose headers are included, those of tests after those of what is built."""
+        return self._packages
+
+    @cached_property
+    def _packages(self) -> tuple[IncludedPackage, ...]:
+        return tuple(self.included())
+
+    def included(self) -> Iterator[IncludedPackage]:
+        """Yield what `packages` returns, found out anew."""
         if not self.declared.is_checked:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
@@ -85,8 +93,12 @@ class IncludeDependencies:
 
     def are_passed_on(self, each: IncludedPackage) -> bool:
         """Return whether only headers for others include it: the package itself compiles none of them."""
-        compiled = own_compiled(self.cmake, self.sources)
-        return compiled is not None and compiled.isdisjoint(use.path for use in each.uses)
+        return self.compiled is not None and self.compiled.isdisjoint(use.path for use in each.uses)
+
+    @cached_property
+    def compiled(self) -> set[str] | None:
+        """The files that the package's own build opens; None where unknown."""
+        return own_compiled(self.cmake, self.sources)
 
     def are_optional(self, each: IncludedPackage) -> bool:
         """Return whether only files include it that an option must ask for."""

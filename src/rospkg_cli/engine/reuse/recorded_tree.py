@@ -38,7 +38,7 @@ def found_at(tree: DiskTree, path: str) -> Read:
         entry = tree.entry(path)
     except (OSError, ValueError) as error:
         return path, f"{type(error).__name__} {error}", ""
-    trace, question = current_trace(), f"b{tree.root / path}"
+    trace, question = current_trace(), f"b{tree.place(path)}"
     answer = trace.answers[question] if trace is not None else ""
     return path, f"{entry.kind} {answer}", trace.signatures[question] if trace and entry.kind == "file" else ""
 
@@ -47,7 +47,7 @@ def found_again(tree: DiskTree, read: Read) -> Read:
     """Return what a tree has at a path of its listing now; a file that looks as it did is not read."""
     path, answer, signature = read
     is_file = tree.files().get(path) == "file"
-    if is_file and recall(tree.root / path, answer.partition(" ")[2], signature):
+    if is_file and recall(tree.place(path), answer.partition(" ")[2], signature):
         return read
     return found_at(tree, path)
 

@@ -28,7 +28,7 @@ class EvaluatedCommand:
     counts: tuple[int, ...] = ()
     """How many words each argument of the command evaluates to."""
 
-    @property
+    @cached_property
     def name(self) -> str:
         return self.command.name
 

@@ -132,7 +132,7 @@ class CMake:
         calls = self.named("ament_export_targets", "ament_export_interfaces")
         return tuple(call for call in calls if not call.folder)
 
-    @property
+    @cached_property
     def only_tests(self) -> bool:
         """Whether all that is built, installed or exported is for tests."""
         done = [call for call in self.calls if call.name == "install" or call.name in MAKERS or "export" in call.name]

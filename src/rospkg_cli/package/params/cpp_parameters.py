@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from typing import cast
 
 from ...languages.cpp.call import CppArgument, CppCall
 from ...languages.cpp.file import CppFile
@@ -30,6 +31,12 @@ VECTOR = regex(r"(?P<type>std::vector\s*<.*?>)\s*[({].*[)}]", re.DOTALL)
 NAMED_TYPE = regex(r"(?:rclcpp::)?(?:ParameterType::)?PARAMETER_(?P<type>[A-Z_]+)")
 VARIABLE = regex(r"(?:[A-Za-z_]\w*\s*(?:\.|->|::)\s*)*(?P<name>[A-Za-z_]\w*)")
 
+TYPE = (
+    r"b(?<!\wb)ool|d(?<!\wd)ouble|f(?<!\wf)loat|i(?<!\wi)nt\d*(?:_t)?|u(?<!\wu)int\d*(?:_t)?"
+    r"|s(?<!\ws)(?:ize_t|td::(?:string|size_t|u?int\d*(?:_t)?|vector\s*<[\w:\s]*>))"
+)
+"""The type of a variable, a word of its own; alternatives begin with a literal, so that `re` skips ahead."""
+
 TYPES = {"bool": "bool", "double": "double", "float": "double", "std::string": "string", "string": "string"}
 WHOLE_TYPES = regex(
     r"(?:std::)?(?:u?int(?:8|16|32|64)?(?:_t)?|size_t)|(?:unsigned |signed )?(?:long )*(?:int|long)|unsigned"
@@ -46,7 +53,7 @@ TypeOf = Callable[[str], str]
 
 def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
     """Yield what a file declares under a name of which at least the end is literal."""
-    certain = unconditional(file.source.text, [call.span.start for call in file.calls if call.template])
+    certain = unconditional_calls(file)
     for call in file.calls:
         arguments = call.arguments or ()
         if not NAMED.fullmatch(call.name) or call.variable:
@@ -62,6 +69,15 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
             required = bool(call.template) and not rest and not call.is_conditional
             required = required and call.span.start in certain
             yield DeclaredParameter(name[0], name[1], kind, required, file.path)
+
+
+def unconditional_calls(file: CppFile) -> set[int]:
+    """Return where calls with a template argument begin that every run of their function makes; found out once."""
+    known = vars(file)
+    if "unconditional_calls" not in known:
+        starts = [call.span.start for call in file.calls if call.template]
+        known["unconditional_calls"] = unconditional(file.source.text, starts) if starts else set()
+    return cast("set[int]", known["unconditional_calls"])
 
 
 def is_node(text: str) -> bool:
@@ -125,10 +141,7 @@ def variables_of(texts: Iterable[Source], names: Iterable[str]) -> dict[str, str
     wanted = "|".join(sorted(set(names)))
     if not wanted:
         return {}
-    pattern = re.compile(
-        rf"\b(bool|double|float|std::string|(?:std::)?u?int\d*(?:_t)?|(?:std::)?size_t|std::vector\s*<[\w:\s]*>)"
-        rf"[\s&]+({wanted})\b"
-    )
+    pattern = re.compile(rf"({TYPE})[\s&]+({wanted})\b")
     found: dict[str, set[str]] = {}
     for source in texts:
         for match in pattern.finditer(source.text):
