@@ -90,8 +90,17 @@ class Workspace:
 
     def is_built_against(self, name: str) -> bool:
         """Return whether another package needs one for its build: it may look for it with `find_package()`."""
-        others = (facts for facts in self.packages if facts.name != name)
-        return any(need.name == name and need.tag in BUILDS for facts in others for need in facts.dependencies)
+        return any(other != name for other in self._builders.get(name, ()))
+
+    @cached_property
+    def _builders(self) -> dict[str, set[str]]:
+        """By name, the packages that need one for their build."""
+        found: dict[str, set[str]] = {}
+        for facts in self.packages:
+            for need in facts.dependencies:
+                if need.tag in BUILDS:
+                    found.setdefault(need.name, set()).add(facts.name)
+        return found
 
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return the kind of a name in package.xml; unknown only where no other source can provide it."""

@@ -11,7 +11,6 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names
 from ..depends.compiled_sources import compiled_sources, own_compiled
@@ -19,6 +18,7 @@ from ..interfaces.known_interfaces import KnownInterfaces, base_name
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
+TYPE_END = regex(r"::(msg|srv|action)::([A-Z]\w*)")
 # Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
 WORD_START, WORD_END = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
 NAME = regex(r"[/:]")
@@ -73,8 +73,8 @@ class InterfacesInCpp:
                 yield self.hit(source, each.span, each.path, package, kind, meant)
 
     def types(self, source: CppFile) -> Iterator[WrongInterface]:
-        if not any(f"::{kind}::" in source.source.text for kind in KINDS):
-            return
+        if not any(self.may_lack(*each) for each in types_named(source.source.text)):
+            return  # before the comments are found, which takes longer
         for found in TYPE.finditer(code_text(source.source.text)):
             package, kind, name = found.groups()
             name = name.rstrip("_")
@@ -85,6 +85,10 @@ class InterfacesInCpp:
                 meant = (self.known.meant(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
                 yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, meant)
+
+    def may_lack(self, package: str, kind: str, name: str) -> bool:
+        names = self.names(package, kind)
+        return bool(names) and base_name(name.rstrip("_")) not in names
 
     def names(self, package: str, kind: str) -> Set[str]:
         """Return the interfaces of a kind that a package has; none where they are unknown."""
@@ -109,6 +113,17 @@ class InterfacesInCpp:
     @cached_property
     def compiled(self) -> set[str] | None:
         return own_compiled(self.cmake, self.sources)
+
+
+def types_named(text: str) -> set[tuple[str, str, str]]:
+    """Return the package, the kind and the name of all that looks like a generated type, also in comments."""
+    found = set()
+    for match in TYPE_END.finditer(text):
+        start = end = match.start()
+        while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
+            start -= 1
+        found.add((text[start:end], match[1], match[2]))
+    return found
 
 
 def lower(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -21,8 +22,9 @@ from .compiled_sources import compiled_on_demand, compiled_sources, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
-TYPE = regex(r"(?<![\w:])(?:::)?([a-z][a-z0-9_]*)::(?:msg|srv|action)::[A-Z]\w*")
-"""A type that rosidl generates, by its whole name."""
+TYPE = regex(r"::(?:msg|srv|action)::[A-Z]\w*")
+"""The end of a type that rosidl generates, behind the name of its package; it begins with what `re` skips ahead to."""
+PACKAGE, QUALIFIER = regex(r"[a-z][a-z0-9_]*"), regex(r"[\w:]")
 
 OF_CLIENT_LIBRARIES = frozenset(
     "action_msgs builtin_interfaces composition_interfaces lifecycle_msgs rcl_interfaces rosgraph_msgs service_msgs "
@@ -102,8 +104,12 @@ class IncludeDependencies:
 
     def are_optional(self, each: IncludedPackage) -> bool:
         """Return whether only files include it that an option must ask for."""
-        on_demand = compiled_on_demand(self.cmake, self.sources)
-        return all(use.path in on_demand for use in each.uses)
+        return all(use.path in self.on_demand for use in each.uses)
+
+    @cached_property
+    def on_demand(self) -> set[str]:
+        """The files that are compiled under a condition alone."""
+        return compiled_on_demand(self.cmake, self.sources)
 
     def providers(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return the providers of a header, and its name in CMake; no providers where they are unknown."""
@@ -149,10 +155,14 @@ class IncludeDependencies:
     def typed(self) -> Iterator[IncludedPackage]:
         """Yield the packages whose types are named, each by the first, those of tests after those of what is built."""
         found: dict[str, IncludedPackage] = {}
+        if not self.declared.is_checked:
+            return
         for source, role in sorted(compiled_sources(self.cmake, self.sources), key=lambda each: each[1] == "test"):
-            for package, span in named_types(source.source) if role != "aside" and self.declared.is_checked else ():
+            for package, span in named_types(source.source.text) if role != "aside" else ():
+                if package in found or package in OF_CLIENT_LIBRARIES:
+                    continue
                 known = self.declared.workspace.kind_of(package) is NameKind.PACKAGE
-                if known and package not in found and package not in OF_CLIENT_LIBRARIES:
+                if known and is_code(source.source, span.start):
                     use = IncludeUse(source.path, span, source.source.slice(span), is_type=True)
                     found[package] = IncludedPackage((package,), package, role, (use,))
         yield from found.values()
@@ -168,11 +178,23 @@ def always_included(source: CppFile) -> frozenset[str]:
     return common_includes(source.source.text, {each.span.start for each in source.includes})
 
 
-def named_types(source: Source) -> Iterator[tuple[str, Span]]:
-    """Yield the generated types that a C++ text names, each with its package; none in comments and strings."""
-    found = list(TYPE.finditer(source.text))
-    if found:
-        hidden = [match.span() for match in TOKEN.finditer(source.text)]
-        for match in found:
-            if not any(start <= match.start(1) < end for start, end in hidden):
-                yield match[1], Span(match.start(1), match.end())
+def named_types(text: str) -> Iterator[tuple[str, Span]]:
+    """Yield the generated types that a C++ text names, each with its package, also in comments and strings."""
+    for match in TYPE.finditer(text):
+        start = end = match.start()
+        while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
+            start -= 1
+        package, before = text[start:end], text[max(0, start - 3) : start]
+        is_whole = before[-1:] != ":" or (before[-2:] == "::" and not QUALIFIER.match(before[:-2]))
+        if is_whole and PACKAGE.fullmatch(package):
+            yield package, Span(start, match.end())
+
+
+def is_code(source: Source, offset: int) -> bool:
+    """Return whether an offset of a C++ text is in no comment and no string."""
+    known = vars(source)
+    if "hidden_spans" not in known:
+        known["hidden_spans"] = [match.span() for match in TOKEN.finditer(source.text)]
+    hidden: list[tuple[int, int]] = known["hidden_spans"]
+    at = bisect_right(hidden, (offset, len(source.text)))
+    return at == 0 or offset >= hidden[at - 1][1]

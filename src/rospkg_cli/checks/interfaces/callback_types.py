@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_below, nodes_of_kind
 from .message_classes import MessageClasses
 
 REGISTER: dict[str, tuple[int, str, tuple[str, ...]]] = {
@@ -24,9 +24,11 @@ Callbacks = dict[tuple[str, str], tuple[str, ...]]
 
 def callback_types(file: PythonFile, classes: MessageClasses) -> Callbacks:
     """Return what functions are called with that are registered, once or for one type, and named nowhere else."""
+    if not any(name in file.source.text for name in REGISTER):
+        return {}
     found: dict[tuple[str, str], list[tuple[str, ...]]] = {}
     for owner, scope in scopes(file.tree):
-        for node in nodes_of(scope):
+        for node in nodes_below(scope):
             if isinstance(node, ast.Call) and (registered := registration(node, classes)) is not None:
                 function, types = registered
                 if isinstance(function, ast.Attribute):
@@ -40,15 +42,12 @@ def callback_types(file: PythonFile, classes: MessageClasses) -> Callbacks:
 def scopes(tree: ast.Module) -> Iterator[tuple[str, ast.AST]]:
     """Yield the file itself, as "", and each of its classes."""
     yield "", tree
-    yield from ((node.name, node) for node in nodes_of(tree) if isinstance(node, ast.ClassDef))
+    yield from ((node.name, node) for node in nodes_of_kind(tree, ast.ClassDef))
 
 
 def mentions(tree: ast.Module) -> Iterator[str]:
-    for node in nodes_of(tree):
-        if isinstance(node, ast.Attribute):
-            yield node.attr
-        elif isinstance(node, ast.Name):
-            yield node.id
+    yield from (node.attr for node in nodes_of_kind(tree, ast.Attribute))
+    yield from (node.id for node in nodes_of_kind(tree, ast.Name))
 
 
 def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute | ast.Name, tuple[str, ...]] | None:

@@ -39,13 +39,16 @@ class InterfaceImports:
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
             package, _, rest = each.module.partition(".")
-            if each.level or self.has_module(each.module):
+            if each.level or not rest:
                 continue
             kind, _, deeper = rest.partition(".")
+            found: list[WrongInterfaceImport] = []
             if kind in KINDS and not deeper:
-                yield from self.of_kind(file, each, package, kind)
+                found += self.of_kind(file, each, package, kind)
             elif kind and (meant := self.meant_module(package, kind)):
-                yield self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}")
+                found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}"))
+            if found and not self.has_module(each.module):  # last, as it looks through all packages
+                yield from found
 
     def has_module(self, module: str) -> bool:
         """Return whether a package of the workspace installs a module of that name itself, or may do so."""

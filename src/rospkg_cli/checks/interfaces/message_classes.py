@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...ros.interfaces import KINDS
 
 PARTS = {
@@ -20,6 +20,7 @@ class MessageClasses:
     """By local name what a file imports of interfaces: `package/kind/Name`, or the module `package/kind`."""
 
     def __init__(self, file: PythonFile) -> None:
+        self.file = file
         self.names: dict[str, str] = {}
         self.modules: set[str] = set()
         others: set[str] = set()
@@ -28,9 +29,8 @@ class MessageClasses:
                 others.add(name)
         for name in others:
             self.names.pop(name, None)
-        for node in nodes_of(file.tree):
-            if isinstance(node, ast.Import):
-                self.modules |= {alias.name for alias in node.names if not alias.asname}
+        for node in nodes_of_kind(file.tree, ast.Import):
+            self.modules |= {alias.name for alias in node.names if not alias.asname}
 
     def named(self, node: ast.expr) -> str:
         """Return the interface, the message or the module of interfaces that an expression names; "" for others."""
@@ -58,6 +58,17 @@ def is_message(name: str) -> bool:
         return False
     suffixes = tuple(PARTS.get(name.split("/")[1], {}).values())
     return "/msg/" in name or (bool(suffixes) and name.endswith(suffixes))
+
+
+def names_interfaces(file: PythonFile) -> bool:
+    """Return whether a file imports interfaces, or a module of them, anywhere: without that it has no such class."""
+    return any(
+        kind in KINDS or (not kind and any(alias.name in KINDS for alias in node.names))
+        for node in nodes_of_kind(file.tree, ast.ImportFrom)
+        for kind in ((node.module or "").partition(".")[2],)
+    ) or any(
+        alias.name.partition(".")[2] in KINDS for node in nodes_of_kind(file.tree, ast.Import) for alias in node.names
+    )
 
 
 def bound_names(file: PythonFile) -> Iterator[tuple[str, str]]:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from .callback_types import callback_types
 from .message_classes import MessageClasses
 from .message_variables import Environment, Fields, FunctionNode, asked_names, attributes_of, variables_of
@@ -19,19 +19,18 @@ def bodies_with_variables(
     yield file.tree.body, variables_of(file.tree.body, {}, classes, fields)
     signatures = Signatures(file, classes)
     owned: set[int] = set()
-    for owner in nodes_of(file.tree):
-        if isinstance(owner, ast.ClassDef):
-            methods = [each for each in owner.body if isinstance(each, FunctionNode)]
-            owned |= {id(each) for each in methods}
-            named: list[tuple[FunctionNode, Environment]] = [
-                (each, variables_of(each.body, signatures.parameters(each, owner.name), classes, fields))
-                for each in methods
-            ]
-            shared = attributes_of(owner, named, classes, fields)
-            for each, variables in named:
-                asked = set(asked_names(each.body))
-                attributes = {name: kind for name, kind in shared.items() if name not in asked}
-                yield each.body, {**attributes, **local(variables)}
+    for owner in nodes_of_kind(file.tree, ast.ClassDef):
+        methods = [each for each in owner.body if isinstance(each, FunctionNode)]
+        owned |= {id(each) for each in methods}
+        named: list[tuple[FunctionNode, Environment]] = [
+            (each, variables_of(each.body, signatures.parameters(each, owner.name), classes, fields))
+            for each in methods
+        ]
+        shared = attributes_of(owner, named, classes, fields)
+        for each, variables in named:
+            asked = set(asked_names(each.body)) if shared else ()
+            attributes = {name: kind for name, kind in shared.items() if name not in asked}
+            yield each.body, {**attributes, **local(variables)}
     for function in nodes_of(file.tree):
         if isinstance(function, FunctionNode) and id(function) not in owned:
             given = signatures.parameters(function, "")
@@ -46,8 +45,7 @@ class Signatures:
         self.callbacks = callback_types(file, classes)
         self.called = {
             node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-            for node in nodes_of(file.tree)
-            if isinstance(node, ast.Call)
+            for node in nodes_of_kind(file.tree, ast.Call)
         }
 
     def parameters(self, function: FunctionNode, owner: str) -> dict[str, str]:

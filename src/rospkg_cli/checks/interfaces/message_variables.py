@@ -5,13 +5,19 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator, Mapping
 
-from ...languages.python.nodes import children_of, nodes_of
+from ...languages.python.nodes import CHILDLESS, children_of, nodes_of
 from .message_classes import MessageClasses
 
 Fields = Callable[[str], Mapping[str, str] | None]
 """Returns the fields of a message with the messages that they hold."""
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
-SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
+ENDS = CHILDLESS | {ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda}
+"""The classes of nodes that are not looked into: new scopes, and what holds nothing."""
+BINDERS = frozenset({
+    ast.Assign, ast.AnnAssign, ast.Name, ast.Attribute, ast.ExceptHandler, ast.MatchAs, ast.MatchStar, ast.Global,
+    ast.Nonlocal, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef,
+})  # fmt: skip
+"""The classes of nodes that may bind a variable."""
 ASKS = frozenset({"isinstance", "hasattr", "getattr", "setattr", "type"})
 PASSES = 3
 """How often assignments are followed, for variables made of others."""
@@ -26,7 +32,7 @@ def own_nodes(body: list[ast.stmt] | list[ast.AST]) -> Iterator[ast.AST]:
     while waiting:
         node = waiting.pop()
         yield node
-        if not isinstance(node, SCOPES):
+        if node.__class__ not in ENDS:
             waiting += children_of(node)
 
 
@@ -58,13 +64,19 @@ def variables_of(
 ) -> dict[str, str]:
     """Return the variables that hold the same message wherever a body binds them; `given` are its parameters."""
     found: dict[str, str] = dict(given)
+    values = list(bound_values(body))
     for _ in range(PASSES):
         bound: dict[str, set[str]] = {name: {kind} for name, kind in given.items()}
-        for name, value, annotation in bound_values(body):
+        for name, value, annotation in values:
             kind = classes.message(annotation) if annotation is not None else ""
             bound.setdefault(name, set()).add(kind or held_by(value, found, classes, fields))
-        found = {name: next(iter(kinds)) for name, kinds in bound.items() if len(kinds) == 1 and "" not in kinds}
-    asked = set(asked_names(body))
+        before, found = (
+            found,
+            {n: next(iter(kinds)) for n, kinds in bound.items() if len(kinds) == 1 and "" not in kinds},
+        )
+        if found == before:
+            break
+    asked = set(asked_names(body)) if found else ()
     return {name: kind for name, kind in found.items() if name not in asked}
 
 
@@ -74,7 +86,8 @@ def bound_values(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr | None, a
     None as a value is left out: what is done with it fails anyway.
     """
     plain: set[int] = set()
-    for node in own_nodes(list(body)):
+    nodes = [node for node in own_nodes(list(body)) if node.__class__ in BINDERS]
+    for node in nodes:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and name_of(node.targets[0]):
             plain.add(id(node.targets[0]))
             if not (isinstance(node.value, ast.Constant) and node.value.value is None):
@@ -82,7 +95,7 @@ def bound_values(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr | None, a
         elif isinstance(node, ast.AnnAssign) and name_of(node.target):
             plain.add(id(node.target))
             yield name_of(node.target), node.value, node.annotation
-    for node in own_nodes(list(body)):
+    for node in nodes:
         if isinstance(node, ast.Name | ast.Attribute) and not isinstance(node.ctx, ast.Load) and id(node) not in plain:
             yield name_of(node), None, None
         elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:

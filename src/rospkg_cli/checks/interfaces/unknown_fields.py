@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import Import, PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import KINDS
@@ -14,7 +14,7 @@ from ...source import Span
 from ...suggest import near_names, nearest
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
-from .message_classes import MessageClasses
+from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import bodies_with_variables
 from .message_variables import Environment, held_by, own_nodes
 
@@ -44,7 +44,7 @@ class FieldUses:
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
         for file in self.run.running:
-            if any(imports_interfaces(each) for each in file.imports):
+            if names_interfaces(file) and any(imports_interfaces(each) for each in file.imports):
                 classes = MessageClasses(file)
                 found = {each.span: each for each in self.in_file(file, classes)}
                 yield from (found[span] for span in sorted(found))
@@ -56,17 +56,18 @@ class FieldUses:
     def in_body(
         self, file: PythonFile, body: list[ast.stmt], variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        caught = set(guarded(body))
+        caught = set(guarded(body)) if nodes_of_kind(file.tree, ast.Try) else ()
         for node in own_nodes(list(body)):
             if id(node) in caught:
                 continue
             if isinstance(node, ast.Attribute):
                 message = held_by(node.value, variables, classes, self.known.fields)
-                end = file.span(node).end
-                span = Span(end - len(node.attr), end)
-                yield from self.judged(file.path, span, message, node.attr, is_keyword=False)
                 if node.attr.isupper() and not message:
-                    yield from self.judged(file.path, span, classes.message(node.value), node.attr, is_keyword=False)
+                    message = classes.message(node.value)
+                if message:
+                    end = file.span(node).end
+                    span = Span(end - len(node.attr), end)
+                    yield from self.judged(file.path, span, message, node.attr, is_keyword=False)
             elif isinstance(node, ast.Call) and (message := classes.message(node.func)):
                 for keyword in node.keywords:
                     if keyword.arg is not None:
