@@ -5,14 +5,15 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.engine.reuse.recorded_workspace import METHODS, AnswerDigests, Question, RecordedWorkspace
-from rospkg_cli.package.package_facts import PackageFacts, Plugin
+from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts, Plugin
 from rospkg_cli.package.workspace import Workspace
 
 ARM = PackageFacts("arm", "src/arm", loaders=frozenset({("arm", "arm::Tool")}))
 TOOL = Plugin("hand::Grip", "hand::Grip", "arm::Tool", frozenset({"arm"}), "plugins.xml")
 HAND = PackageFacts(
-    "hand", "src/hand", "ament_cmake", modules=frozenset({"gripping"}), headers=frozenset({"hand"}), plugins=(TOOL,)
-)
+    "hand", "src/hand", "ament_cmake", modules=frozenset({"gripping"}), headers=frozenset({"hand"}), plugins=(TOOL,),
+    dependencies=(ActiveDependency("depend", "arm"),),
+)  # fmt: skip
 REAL = Workspace((ARM, HAND), frozenset({"src/arm"}))
 
 
@@ -37,6 +38,7 @@ def asked(ask: str) -> set[Question]:
         ("w.package_at('src/hand/x')", {("package_at", "src/hand/x")}),
         ("w.kind_of('hand')", {("is_name", "hand")}),
         ("w.is_available('hand')", {("is_name", "hand")}),
+        ("w.is_built_against('arm')", {("is_built_against", "arm")}),
         ("w.loaders_of('arm::Tool')", {("loaders_of", "arm::Tool")}),
         ("w.bases_loaded_from('arm')", {("bases_loaded_from", "arm")}),
         ("w.plugins_of('arm::Tool')", {("plugins_of", "arm::Tool")}),
@@ -52,7 +54,7 @@ def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
     "ask",
     [
         "w.named('hand').name", "w.named('leg')", "w.package_at('src/hand/x')", "w.kind_of('hand')",
-        "w.is_available('hand')", "w.loaders_of('arm::Tool')", "w.bases_loaded_from('arm')",
+        "w.is_available('hand')", "w.is_built_against('arm')", "w.loaders_of('arm::Tool')", "w.bases_loaded_from('arm')",
         "w.plugins_of('arm::Tool')", "w.with_header('hand/x.hpp')", "w.providers_of('gripping')",
         "w.selected", "w.names", "w.at('src/hand').plugins", "[each.folder for each in w.packages]",
     ],
@@ -67,7 +69,7 @@ OTHER = Workspace((PackageFacts("hand", "src/arm", "cmake"), PackageFacts("leg",
 QUESTIONS: list[Question] = [
     ("folders",), ("all", "build_type"), ("field", "src/arm", "build_type"), ("named", "hand"), ("is_name", "arm"),
     ("selected",), ("names",), ("package_at", "src/hand/x"), ("loaders_of", "arm::Tool"),
-    ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"), ("with_header", "hand/x.hpp"),
+    ("is_built_against", "arm"), ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"), ("with_header", "hand/x.hpp"),
     ("providers_of", "gripping"),
 ]  # fmt: skip
 
@@ -112,3 +114,10 @@ def test_facts_are_recorded_once_and_computed_once() -> None:
     assert seen.at("src/hand") is seen.at("src/hand")
     assert digests.digest(("names",)) is digests.digest(("names",))
     assert digests.known.keys() == {("names",)}
+
+
+def test_a_package_is_not_built_against_by_itself_nor_to_run() -> None:
+    needs = (ActiveDependency("depend", "arm"), ActiveDependency("exec_depend", "hand"))
+    assert REAL.is_built_against("arm") and not REAL.is_built_against("hand")
+    assert not Workspace((PackageFacts("arm", "src/arm", dependencies=needs),)).is_built_against("arm")
+    assert not Workspace((PackageFacts("arm", "src/arm", dependencies=needs),)).is_built_against("hand")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
+from functools import cache
 
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
@@ -104,7 +105,14 @@ def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, s
 
 
 def needs_of(name: str, workspace: Workspace) -> Iterable[str]:
-    """Return what a package passes on for certain."""
+    """Return what a package passes on for certain; found out once for each name that a workspace is asked for."""
+    known: dict[str, Iterable[str]] = vars(workspace).setdefault("needs_of", {})
+    if name not in known:
+        known[name] = found_needs(name, workspace)
+    return known[name]
+
+
+def found_needs(name: str, workspace: Workspace) -> Iterable[str]:
     facts = workspace.named(name)
     if facts is not None:
         return [need.name for need in facts.dependencies if need.certain and need.tag in PASSED_ON]
@@ -130,6 +138,7 @@ def is_key(name: str, workspace: Workspace, *, is_named: bool) -> bool:
     return workspace.index.is_key(name) or not (is_named or workspace.index.is_package(name))
 
 
+@cache
 def table_needs(name: str) -> tuple[str, ...]:
     """Return the row of the first table that knows a name."""
     return next((rows(table)[name] for table in (RUNTIME, EXPORTS, DEBIAN) if name in rows(table)), ())

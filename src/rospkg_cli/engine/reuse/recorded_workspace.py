@@ -100,6 +100,10 @@ class RecordedWorkspace(Workspace):
         self.noted.add(("is_name", name))
         return self.real.is_available(name)
 
+    def is_built_against(self, name: str) -> bool:
+        self.noted.add(("is_built_against", name))
+        return self.real.is_built_against(name)
+
     def loaders_of(self, base: str) -> frozenset[str]:
         self.noted.add(("loaders_of", base))
         return self.real.loaders_of(base)
@@ -170,5 +174,5 @@ class AnswerDigests:
 
 
 METHODS = frozenset(
-    "package_at loaders_of bases_loaded_from plugins_of with_header providers_of".split()
+    "package_at is_built_against loaders_of bases_loaded_from plugins_of with_header providers_of".split()
 )  # fmt: skip
