@@ -64,9 +64,19 @@ def started(*modules: str) -> Example:
     return python({"setup.py": setup_py(scripts(*entries)), "my_pkg/follow_display.py": MAIN})
 
 
+STARTS_IT: dict[str, str | None] = {"launch/a.launch.xml": '<launch><node pkg="my_pkg" exec="talker"/></launch>\n'}
+
 CASES = {
     "SET001": (python({**set001.missing_setup_cfg.examples[0].bad, "setup.py": WITH_OPTIONS}),),
-    "SET002": (python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": WITH_OPTIONS}),),
+    "SET002": (
+        python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": WITH_OPTIONS}),
+        *(
+            python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("lib/your_pkg", folder)})
+            for folder in ("lib", "scripts", "bin", "lib/my_pkg/tools", "$x", "lib/my_pkg/")
+        ),
+        python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("lib/your_pkg", "bin"), **STARTS_IT}),
+        python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("$base/lib/your_pkg", "/usr/bin"), **STARTS_IT}),
+    ),
     "SET003": (python({"setup.cfg": "[tool:pytest]\njunit-family=xunit2\n[develop]\nscript-dir=$base/lib/my_pkg\n"}),),
     "SET101": (
         started("display"),

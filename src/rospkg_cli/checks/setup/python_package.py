@@ -15,7 +15,6 @@ from ...package.setup.setup_py import SetupPy
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.imports import STANDARD
-from ...source import Span
 from ...suggest import nearest
 from ..ros1_import import ros1_import
 from .module_exports import offers
@@ -151,30 +150,6 @@ class PythonPackage:
             return ()
         found = (entry for entry in self.executables if entry.module and "-" not in entry.name)
         return tuple(entry for entry in found if self.is_node(entry.module))
-
-    @cached_property
-    def unregistered_nodes(self) -> tuple[tuple[str, str, Span, EntryPoint], ...]:
-        """Nodes with a `main` and no entry point: the only module without one in their folder.
-
-        Each as dotted name, file, the span of `main`, and the entry point of a neighbour.
-        """
-        started = {entry.module: entry for entry in self.nodes if entry.list_value is not None}
-        if not started or not self.setup.knows("entry_points") or any(e.fault for e in self.setup.entry_points):
-            return ()
-        known = {entry.module for entry in self.setup.entry_points}
-        found: list[tuple[str, str, Span, EntryPoint]] = []
-        for folder, like in {module.rpartition(".")[0]: entry for module, entry in started.items()}.items():
-            inside = [m for m in self.setup.modules if m.rpartition(".")[0] == folder and m not in known]
-            unregistered = [(m, main) for m in inside if (main := self.main_of_node(m)) is not None]
-            if len(unregistered) == 1:
-                module, main = unregistered[0]
-                found.append((module, self.setup.modules[module], main, like))
-        return tuple(found)
-
-    def main_of_node(self, module: str) -> Span | None:
-        """Return where a module that is a node defines `main`."""
-        file = self.modules.at(self.setup.modules[module])
-        return file.functions.get("main") if file is not None and self.is_node(module) else None
 
     @property
     def knows_installed_modules(self) -> bool:

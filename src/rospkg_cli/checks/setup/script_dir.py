@@ -13,7 +13,8 @@ from ...package.workspace import Workspace
 from .python_package import PythonPackage
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
-ELSEWHERE = regex(r"\$(?:base|\{base\})/lib/(?P<name>[^/$]+)/*")
+BELOW_BASE = regex(r"\$(?:base|\{base\})/(?P<folder>[^/$%]+|lib/[^/$%]+)/*")
+TOOLS = "bin"
 
 
 @dataclass(frozen=True)
@@ -41,15 +42,31 @@ class ScriptDir:
     def wrong(self) -> tuple[tuple[str, str, SetupText | None], ...]:
         """The options that install nodes outside of lib/<package>: section, key, value; None where it is missing.
 
-        A value that is no folder below lib/ is taken to be intended; so is the package name of setup.py.
+        A value outside of `$base`, or deeper in it, is taken to be intended, so is the package name of setup.py, and
+        `bin` for tools that are no nodes.
         """
         found: list[tuple[str, str, SetupText | None]] = []
-        own = {self.package.name, name.text if (name := self.package.setup.setup_text("name")) else ""}
+        name = self.package.setup.setup_text("name")
+        right = {f"lib/{self.package.name}", f"lib/{name.text}" if name else ""}
+        values = {key: self.folder(section, key) for section, key in SCRIPT_OPTIONS}
+        right |= set() if self.has_nodes_in_lib or right & set(values.values()) else {TOOLS}
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
-            match = ELSEWHERE.fullmatch(option.value.text) if option else None
+            folder = values[key]
             if option is None and self.nodes and self.package.setup.argument("options") is None:
                 found.append((section, key, None))
-            elif option is not None and match is not None and match["name"] not in own:
+            elif option is not None and folder is not None and folder not in right:
                 found.append((section, key, option.value))
         return tuple(found)
+
+    def folder(self, section: str, key: str) -> str | None:
+        """Return the folder below the prefix that an option names; None where it is none, or is unknown."""
+        option = self.cfg.get(section, key) if self.cfg else None
+        match = BELOW_BASE.fullmatch(option.value.text) if option else None
+        return match["folder"] if match else None
+
+    @cached_property
+    def has_nodes_in_lib(self) -> bool:
+        """Whether a launch file of the workspace looks in lib/<package> for one of the executables."""
+        started = {pair for facts in self.workspace.packages for pair in facts.started_nodes}
+        return any((self.package.name, each.name) in started for each in self.package.executables)

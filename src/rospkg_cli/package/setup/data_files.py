@@ -16,7 +16,7 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .setup_text import SetupText
 
-Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "length"]
+Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "nested-list", "length"]
 
 
 @dataclass(frozen=True)
@@ -88,10 +88,12 @@ def entry(path: str, item: Sequence, place: Span, index: int, folder: SandboxFil
     if isinstance(sources, Text):
         texts, places, shape = [sources], [sources.span], "text-sources"
     elif isinstance(sources, Sequence):
-        texts = [each for each in sources.items if isinstance(each, Text)]
-        places = [p for each, p in zip(sources.items, sources.places, strict=True) if isinstance(each, Text)]
-        unknown += tuple(unknown_value(each) for each in sources.items if not isinstance(each, Text))
-        shape = shape or ("tuple-sources" if sources.kind == "tuple" else "")
+        listed = list(flat(sources))
+        texts = [each for each, _ in listed if isinstance(each, Text)]
+        places = [where for each, where in listed if isinstance(each, Text)]
+        unknown += tuple(unknown_value(each) for each, _ in listed if not isinstance(each, Text))
+        nested = any(isinstance(each, Sequence) for each in sources.items)
+        shape = shape or ("nested-list" if nested else "tuple-sources" if sources.kind == "tuple" else "")
     else:
         texts, places, unknown = [], [], (*unknown, unknown_value(sources))
     files = [
@@ -110,6 +112,15 @@ def file(
     own = inside(source.text, folder, cwd)
     absolute = source.text.startswith("/") and own is None
     return DataFile(SetupText.of(path, source), place, own, target, index, absolute)
+
+
+def flat(sources: Sequence) -> Iterator[tuple[Value, Span]]:
+    """Yield the items of a list of sources with their positions, those of a list in it in its place."""
+    for item, place in zip(sources.items, sources.places, strict=True):
+        if isinstance(item, Sequence):
+            yield from zip(item.items, item.places, strict=True)
+        else:
+            yield item, place
 
 
 def unknown_value(value: Value) -> Unknown:

@@ -27,6 +27,14 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
     severity=Severity.ERROR,
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
+        Example(
+            bad={
+                **PACKAGE,
+                "setup.cfg": SETUP_CFG.replace("install_scripts=$base/lib/my_pkg", "install_scripts=«$base/bin»"),
+            },
+            good={"setup.cfg": SETUP_CFG},
+            fix=Safety.SAFE,
+        ),
         Example(bad={**PACKAGE, "setup.cfg": HALF}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
     ),
 )
@@ -34,7 +42,7 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     """
     ## What it does
     Finds a setup.cfg that does not install executables to `lib/<package>`.
-    `[install] install_scripts` or `[develop] script_dir` is missing, or names another package.
+    `[install] install_scripts` or `[develop] script_dir` is missing, or names another folder of the prefix.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone. The build is green, and then there is "No executable
@@ -42,8 +50,9 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     `colcon build --symlink-install`, `[install]` by every other build.
 
     ## When it is quiet
-    Where the value is no folder below `lib/`: it is taken to be intended, as `$base/bin` for command line tools. Where
-    no executable runs a node, a missing option is none.
+    Where the value is no folder below `$base`, and for `$base/bin`, which is for command line tools, unless a launch
+    file starts one of them or the other option says `lib/<package>`. Where no executable runs a node, a missing option
+    is none.
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"

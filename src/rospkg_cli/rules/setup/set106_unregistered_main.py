@@ -4,26 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.python_package import PythonPackage
-from ...edits.entry_points import add_entry
+from ...checks.setup.unregistered_nodes import UnregisteredNodes
+from ...edits.setup_py import add_item, quoted
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...rule import Profile, rule
+from ...rule import rule
 
-NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n"
+NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n\n\nif __name__ == '__main__':\n    main()\n"
 FILES = {
     "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
     "my_pkg/talker.py": NODE,
-    "my_pkg/listener.py": NODE.replace("main", "«main»"),
+    "my_pkg/listener.py": NODE.replace("def main", "def «main»"),
 }
 
 
 @rule(
     "SET106",
     "unregistered-main",
-    over=PythonPackage,
-    severity=Severity.INFO,
-    profile=Profile.PEDANTIC,
+    over=UnregisteredNodes,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "it does not call its `main` where it is run as a script"},
     examples=(
         Example(
             bad={**FILES, "setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
@@ -32,26 +32,28 @@ FILES = {
         ),
     ),
 )
-def unregistered_main(package: PythonPackage) -> Iterator[Hit]:
+def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
     """
     ## What it does
-    Finds a node with a `main` and no entry point, where all others in its folder have one.
+    Finds nodes with a `main` and no entry point, in a package that starts others, or none at all.
 
     ## Why is this bad?
     `ros2 run` and launch files can't start it. A new node whose entry point was forgotten looks just so.
 
     ## When it is quiet
-    Where several modules of the folder lack an entry point: then it is the custom of the package.
+    Where entry points can't be evaluated or are misspelt (SET103, SET310), in packages that extend a command line tool,
+    where another module imports it, or a README or another file names it, and where a launch file starts an executable
+    of its name (LCH002 tells that it is not there).
 
     ## Fix safety
     It makes an executable of a module that may be there for import only.
     """
-    for module, path, main, like in package.unregistered_nodes:
-        name = module.rpartition(".")[2]
-        edits = add_entry(package.setup, like, f"{name} = {module}:main")
-        fix = Fix(f"add `{name} = {module}:main`", edits, Safety.UNSAFE) if edits else None
-        message = (
-            f"`{path}` has a node and a `main`, but no entry point, unlike the others in its folder: `ros2 run` can't "
-            f"start it; add `{name} = {module}:main`"
-        )
-        yield Hit(path, main, message, fix=fix)
+    for node in nodes.found():
+        name = node.module.rpartition(".")[2]
+        entry = f"{name} = {node.module}:main"
+        setup = nodes.package.setup
+        edits = add_item(setup, nodes.scripts, quoted(setup, entry)) if nodes.scripts is not None else ()
+        fix = Fix(f"add `{entry}`", edits, Safety.UNSAFE) if edits else None
+        message = f"`{node.path}` has a node and a `main`, but no entry point: `ros2 run` can't start it; add `{entry}`"
+        if node.starts_itself or node.is_alone:
+            yield Hit(node.path, node.main, message, None if node.starts_itself else Severity.INFO, fix=fix)

@@ -25,6 +25,7 @@ SHAPES = {
     "list-entry": "is a list; colcon stops at it: write a tuple `(destination, [files])`",
     "text-sources": "has a string where the list of files belongs; colcon stops at it: write `[…]` around it",
     "tuple-sources": "has a tuple where the list of files belongs; colcon stops at it: write `[…]`",
+    "nested-list": "has a list inside of the list of files; colcon stops at it: take one pair of brackets away",
     "length": "is no pair of a destination and a list of files",
 }
 
@@ -53,6 +54,10 @@ SHAPES = {
         ),
         Example(
             bad={**YAML, "setup.py": config("«['share/' + package_name + '/config', ['config/nav.yaml']]»")},
+            good={"setup.py": GOOD},
+        ),
+        Example(
+            bad={**YAML, "setup.py": config("«('share/' + package_name + '/config', [['config/nav.yaml']])»")},
             good={"setup.py": GOOD},
         ),
         Example(

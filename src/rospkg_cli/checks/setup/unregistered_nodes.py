@@ -1,0 +1,116 @@
+"""Rule input: nodes with a `main` that no entry point starts (SET106)."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...languages.python.evaluate.values import Mapping, Sequence
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
+from ...source import Span
+from .module_exports import absolute
+from .python_package import PythonPackage
+
+SCRIPTS = "console_scripts"
+ASIDE = regex(r"(?:^|_)(?:tests?|demos?|examples?|utils?|tools?|old|backup|bak|copy)(?:_|\d*$)|^_")
+"""What modules are called that are there for import, or for their developers."""
+
+RUNS = tuple(".md .rst .txt .sh .bash .py .xml .yaml .yml .cfg .toml .service Makefile Dockerfile".split())
+
+
+@dataclass(frozen=True, slots=True)
+class UnregisteredNode:
+    """A node without an entry point."""
+
+    module: str
+    path: str
+    main: Span
+    """Of the name `main` in its definition."""
+    is_alone: bool
+    """Whether every other node of its folder has an entry point."""
+    starts_itself: bool
+    """Whether it calls its `main` when it is run as a script."""
+
+
+@dataclass(frozen=True)
+class UnregisteredNodes:
+    package: PythonPackage
+    files: PackageFiles
+
+    @cached_property
+    def scripts(self) -> Sequence | None:
+        """The list of console scripts, as it is written out in setup.py."""
+        value = self.package.setup.value("entry_points")
+        found = value.get(SCRIPTS) if isinstance(value, Mapping) else None
+        return found if isinstance(found, Sequence) else None
+
+    def found(self) -> Iterator[UnregisteredNode]:
+        setup = self.package.setup
+        if self.scripts is None or not setup.knows("entry_points") or self.package.extends_command_line:
+            return
+        if any(each.fault or each.meant_group for each in setup.entry_points):
+            return
+        known = {entry.module for entry in setup.entry_points}
+        nodes = {m: main for m in setup.modules if m not in known and (main := self.main_of(m)) is not None}
+        folders = [module.rpartition(".")[0] for module in nodes]
+        for module, main in nodes.items():
+            folder = module.rpartition(".")[0]
+            if (self.package.name, module.rpartition(".")[2]) in self.started:
+                continue
+            has_others = any(each.module.rpartition(".")[0] == folder for each in self.package.nodes)
+            file = self.package.modules.at(setup.modules[module])
+            if file is not None and (has_others or not known) and not self.is_used(module):
+                alone = has_others and folders.count(folder) == 1
+                yield UnregisteredNode(module, file.path, main, alone, starts_itself(file))
+
+    @cached_property
+    def started(self) -> frozenset[tuple[str, str]]:
+        """What the launch files of the workspace start: LCH002 tells what of it is not there."""
+        return frozenset(pair for facts in self.package.workspace.packages for pair in facts.started_nodes)
+
+    def main_of(self, module: str) -> Span | None:
+        """Return where a module that is a node defines `main`."""
+        file = self.package.modules.at(self.package.setup.modules[module])
+        return file.functions.get("main") if file is not None and self.package.is_node(module) else None
+
+    def is_used(self, module: str) -> bool:
+        """Return whether a module is there for import or for its developers, or a file names its file."""
+        name = posixpath.basename(self.package.setup.modules[module])
+        if ASIDE.search(module.rpartition(".")[2]) or module in self.imported:
+            return True
+        return any(name in text for text in self.texts)
+
+    @cached_property
+    def imported(self) -> frozenset[str]:
+        """The modules that others of the package import."""
+        found: set[str] = set()
+        for path in self.package.on_disk.values():
+            file = self.package.modules.at(path)
+            for each in file.imports if file is not None else ():
+                module = absolute(each, path, self.package.setup)
+                found |= {module, *(f"{module}.{name}" for name in each.names)}
+        return frozenset(found)
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        """The texts that may start a file by its name."""
+        paths = (path for path in self.files.paths if path.endswith(RUNS) and role_of(path) != "test")
+        return tuple(map(self.files.readable_text, paths))
+
+
+def starts_itself(file: PythonFile) -> bool:
+    """Return whether a file calls `main` where it is run as a script."""
+    for node in file.tree.body:
+        if isinstance(node, ast.If) and any(
+            isinstance(e, ast.Name) and e.id == "__name__" for e in nodes_of(node.test)
+        ):
+            calls = (each.func for each in nodes_of(node) if isinstance(each, ast.Call))
+            return any(isinstance(each, ast.Name) and each.id == "main" for each in calls)
+    return False

@@ -1,0 +1,85 @@
+"""SET108 broken-cmake-entry-point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.own_imports import OwnImports
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...package.install_table import InstalledFile
+from ...rule import rule
+from ...suggest import did_you_mean
+
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+find_package(ament_cmake_python REQUIRED)
+ament_python_install_package(my_pkg SCRIPTS_DESTINATION lib/my_pkg)
+ament_package()
+"""
+CFG = "[options.entry_points]\nconsole_scripts =\n    {}\n"
+FILES = {
+    "package.xml": manifest("  <buildtool_depend>ament_cmake_python</buildtool_depend>\n", "ament_cmake"),
+    "CMakeLists.txt": CMAKE,
+    "my_pkg/__init__.py": "",
+    "my_pkg/talker.py": "def main():\n    print('hello')\n",
+}
+
+
+@rule(
+    "SET108",
+    "broken-cmake-entry-point",
+    over=OwnImports,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "setup.cfg": CFG.format("«talker = my_pkg.taker:main»")},
+            good={"setup.cfg": CFG.format("talker = my_pkg.talker:main")},
+        ),
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "setup.cfg": CFG.format("«talker = my_pkg.talker:mian»")},
+            good={"setup.cfg": CFG.format("talker = my_pkg.talker:main")},
+        ),
+    ),
+)
+def broken_cmake_entry_point(imports: OwnImports) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds entry points of a package of CMake whose module or function does not exist.
+    `ament_python_install_package(… SCRIPTS_DESTINATION …)` makes executables of those in setup.cfg.
+
+    ## Why is this bad?
+    The build is green, and `ros2 run` raises ModuleNotFoundError or AttributeError.
+
+    ## When it is quiet
+    Where the installed modules are not all known, for modules of other packages and those that may be compiled or
+    generated, and where the module has a `__getattr__` or an unknown star import. SET101 and SET102 tell it of packages
+    that setup.py builds.
+    """
+    if imports.facts.build_type == "ament_python" or not imports.table.knows("module"):
+        return
+    for row in imports.table.of("executable"):
+        message = wrong(imports, row) if row.entry else ""
+        if message:
+            yield Hit(row.path, row.span, message)
+
+
+def wrong(imports: OwnImports, row: InstalledFile) -> str:
+    """Return what an executable of an entry point ends with; "" where it may start."""
+    module, _, attribute = row.entry.partition(":")
+    installed, name = imports.installed, row.destination.rpartition("/")[2]
+    start = f"the build is green, and `ros2 run {imports.facts.name} {name}` raises"
+    if module.partition(".")[0] not in installed.tops:
+        return ""
+    if missing := installed.missing(module):
+        package, last = missing
+        hint = did_you_mean(last, installed.below(package))
+        return f"there is no module `{package}.{last}`{hint}: {start} ModuleNotFoundError"
+    first = attribute.partition(".")[0]
+    if module not in installed.sources or installed.offers(module, first):
+        return ""
+    return f"`{module}` has no `{first}`{did_you_mean(first, imports.offered(module))}: {start} AttributeError"
