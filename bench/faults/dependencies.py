@@ -13,7 +13,7 @@ XML = r"^package\.xml$"
 CMAKE = r"^CMakeLists\.txt$"
 DEPEND = r"<(?:build_|exec_|test_|build_export_|buildtool_)?depend[^>]*>\s*([\w-]+)\s*</\w+>"
 OWN_PYTHON = r"^(?!test/|tests/|setup\.py|launch/|.*\.launch\.py|doc|conf\.py|.*test_).*\.py$"
-LAUNCH = r"launch/.*\.(py|xml|yaml|launch)$|\.launch(\.py|\.xml)?$"
+LAUNCH = r"(^|/)launch/.*\.(py|xml|yaml|launch)$|\.launch(\.py|\.xml)?$"
 SOURCES = r"^(?!test/|tests/).*\.(cpp|hpp|h|cc)$"
 
 

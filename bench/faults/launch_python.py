@@ -10,7 +10,7 @@ from bench.faults.kinds import kind
 from bench.faults.known import WELL_KNOWN, is_in_repository
 from bench.faults.source_package import SourcePackage
 
-FILES = r"(launch/.*|\.launch|_launch)\.py$"
+FILES = r"((^|/)launch/.*|\.launch|_launch)\.py$"
 NODE = r"\b(?:Node|LifecycleNode|ComposableNodeContainer)\("
 
 

@@ -10,8 +10,8 @@ from bench.faults.kinds import kind
 from bench.faults.known import WELL_KNOWN, is_in_repository
 from bench.faults.source_package import SourcePackage
 
-XML = r"(launch/.*\.xml|\.launch\.xml|launch/.*\.launch)$"
-YAML = r"(launch/.*\.ya?ml|\.launch\.ya?ml)$"
+XML = r"((^|/)launch/.*\.xml|\.launch\.xml|launch/.*\.launch)$"
+YAML = r"((^|/)launch/.*\.ya?ml|\.launch\.ya?ml)$"
 
 
 def frontend(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
