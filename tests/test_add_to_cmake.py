@@ -134,6 +134,15 @@ def test_every_kind_of_node_can_be_added_and_removed() -> None:
         comes_back(files, draft, "node", "idler")
 
 
+def test_many_nodes_leave_nothing_in_whatever_order() -> None:
+    from rospkg_cli.scaffold.node_kinds import offered_kinds
+
+    files = cmake_package(FORMS["a list in a variable"][0])
+    names = [f"n_{kind.replace('-', '_')}:{kind}" for kind in offered_kinds(["cpp"])]
+    draft = added(files, "node", *names)
+    comes_back(files, draft, "node", *(name.partition(":")[0] for name in names))
+
+
 def test_a_component_is_a_library_and_an_executable() -> None:
     files = cmake_package(AUTO)
     draft = added(files, "node", "part:component")
@@ -196,6 +205,11 @@ def test_what_is_python_already_stays_so() -> None:
     draft = added(cmake_package(cmake, **{"robot/__init__.py": ""}), "node", "idler:empty")
     assert "from robot.idler import main" in text(draft, "scripts/idler")
     assert draft.entry("robot/idler.py")
+    made = cmake.replace("\nament_package", "pybind11_add_module(fast src/old.cpp)\n\nament_package")
+    files = cmake_package(made, **{"robot/__init__.py": ""})
+    after, _ = taken(added(files, "node", "idler:empty:python"), "node", "idler")
+    assert text(after, "CMakeLists.txt") == made
+    assert after.entry("robot/__init__.py")
 
 
 def test_what_can_not_be_there_is_refused() -> None:

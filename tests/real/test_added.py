@@ -124,7 +124,7 @@ def test_nodes_in_cpp(debian_colcon: Shell, tmp_path: Path, form: str) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert all(installed(tmp_path, name) for name in [*names(CPP_KINDS), "script"])
     assert (tmp_path / "install/robot/share/robot/launch/up.launch.xml").is_file()
-    for name in [*names(CPP_KINDS), "script"]:
+    for name in ["script", *names(CPP_KINDS)]:
         rospkg(package, "remove", "node", name)
     rospkg(package, "remove", "launch", "up:xml")
     rospkg(package, "remove", "test", "thing")

@@ -7,11 +7,34 @@ from collections.abc import Iterator
 from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_script
 from ..edits.cmake_python import FINDER, install_python_package
+from ..finding import Create, Delete
 from ..light_dataclasses import dataclass
 from ..package.package import Package
 from .cmake_block import argument_removals, block_removals
 from .cmake_find import cmake_of
 from .part import Operations
+
+
+@dataclass(frozen=True)
+class InitFile:
+    """The empty `__init__.py` of a folder of modules."""
+
+    folder: str
+    module: str
+
+    def add(self, package: Package) -> Operations:
+        """Return the file, nothing where it is there."""
+        path = f"{self.folder}/__init__.py"
+        return () if package.files.is_there(path) else (Create(path, ""),)
+
+    def remove(self, package: Package) -> Iterator[Operations]:
+        """Yield its deletion, nothing where it holds code, the folder has other files, or CMake still installs it."""
+        calls = cmake_of(package).named("ament_python_install_package")
+        if any(self.module in call.texts for call in calls):
+            return
+        path = f"{self.folder}/__init__.py"
+        if package.files.below(self.folder) == (path,) and not package.files.readable_text(path):
+            yield (Delete(path),)
 
 
 @dataclass(frozen=True)
@@ -29,8 +52,10 @@ class InstalledPythonPackage:
         return install_python_package(cmake, self.module)
 
     def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield the removal, nothing where the folder still has modules."""
+        """Yield the removal, nothing where the folder still has modules, or the build makes some."""
         cmake = cmake_of(package)
+        if any("PYTHON_INSTALL_DIR" in file.source.text or "pybind11" in file.source.text for file in cmake.files):
+            return
         modules = [path for path in package.files.below(self.module) if not path.endswith("__init__.py")]
         if modules:
             return

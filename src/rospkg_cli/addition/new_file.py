@@ -64,24 +64,6 @@ class NewFile:
         )
 
 
-@dataclass(frozen=True)
-class InitFile:
-    """The empty `__init__.py` of a folder of modules."""
-
-    folder: str
-
-    def add(self, package: Package) -> Operations:
-        """Return the file, nothing where it is there."""
-        path = f"{self.folder}/__init__.py"
-        return () if package.files.is_there(path) else (Create(path, ""),)
-
-    def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield its deletion, nothing where it holds code or the folder has other files."""
-        path = f"{self.folder}/__init__.py"
-        if package.files.below(self.folder) == (path,) and not package.files.readable_text(path):
-            yield (Delete(path),)
-
-
 def body(text: str) -> str:
     """Return a text without what differs from author to author: the header."""
     found = HEADER.match(text)

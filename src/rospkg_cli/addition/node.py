@@ -20,11 +20,11 @@ from ..scaffold.template import Template, TemplateFile, load_template
 from ..scaffold.workspace import WorkspacePackages
 from .cmake_find import FoundInCMake
 from .cmake_node import NodeTarget, TargetInstalled
-from .cmake_python import InstalledProgram, InstalledPythonPackage
+from .cmake_python import InitFile, InstalledProgram, InstalledPythonPackage
 from .dependency import Dependency, manifest_of
 from .entry_point import ExecutableEntry
 from .included import included
-from .new_file import InitFile, NewFile
+from .new_file import NewFile
 from .part import Part
 from .python_home import PythonHome, cmake_python_home, python_home
 from .rendered import identifier, rendered_files
@@ -133,8 +133,8 @@ def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> It
     for name in python_needs(node):
         if name != place.manifest.name:
             yield Dependency(name, "all" if name in compiled else "exec")
+    yield InitFile(home.folder, home.module)
     yield InstalledPythonPackage(home.module)
-    yield InitFile(home.folder)
     yield from python_files(place, node, home, force)
     [script] = [file for file in node_files(place, node, home.module) if file.path == f"scripts/{node.name}"]
     yield new_file(script.path, script, "", force)
@@ -153,7 +153,9 @@ def cpp_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Pa
     for file in sorted(node_files(place, node, namespace), key=lambda each: each.path == f"src/{node.name}.cpp"):
         path = file.path if library else re.sub(r"^include/", "src/", file.path)
         name = path.rpartition("/")[2]
-        yield new_file(path, file, "" if path == f"src/{node.name}.cpp" else rf'include\s*"[\w/]*\b{name}"', force)
+        yield new_file(
+            path, file, "" if path == f"src/{node.name}.cpp" else rf'include\s*"(?:{namespace}/)?{name}"', force
+        )
     linked = library if node.kind.logic else ""
     yield NodeTarget(node, namespace, linked)
     yield TargetInstalled(f"{node.name}_component" if node.kind.name == "component" else node.name)

@@ -9,6 +9,7 @@ from ..change import ChangeError, NotUnderstoodError
 from ..change.draft import Draft, same
 from ..finding import Operation
 from ..package.package import Package
+from ..tree import TreeEntry
 
 Operations = Sequence[Operation]
 
@@ -85,5 +86,9 @@ def loss_of(taken: Draft, draft: Draft, folder: str, part: Part) -> int:
     pairs = [(again.entry(path), draft.entry(path)) for path in again.changes.keys() | draft.changes.keys()]
     if all(same(one, other) for one, other in pairs):
         return NOTHING
-    is_same_text = all(one and other and sorted(one.data) == sorted(other.data) for one, other in pairs)
+    is_same_text = all(same(one, other) or sorted(data_of(one)) == sorted(data_of(other)) for one, other in pairs)
     return ORDER if is_same_text else SOME
+
+
+def data_of(entry: TreeEntry | None) -> bytes:
+    return entry.data if entry else b""

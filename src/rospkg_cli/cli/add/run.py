@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ...addition.dependency import Dependency, manifest_of
+from ...addition.named import is_needed
 from ...addition.node import names_message
 from ...addition.part import Part, put_in, take_out
 from ...addition.wanted import Wanted, parts_to_add, parts_to_remove
@@ -71,8 +72,10 @@ def staying(draft: Draft, place: Place, parts: Iterable[Part]) -> Iterator[str]:
     gone = [name for name in names if name not in stay]
     if gone:
         yield f"{enumerated(gone)} {'goes' if len(gone) == 1 else 'go'} from package.xml: nothing else names it"
-    if stay:
-        yield f"{enumerated(stay)} {'stays' if len(stay) == 1 else 'stay'} in package.xml: other files need it"
+    used = [name for name in stay if is_needed(draft.package(place.folder), name)]
+    for some, why in ((used, "other files need it"), ([n for n in stay if n not in used], "under another tag")):
+        if some:
+            yield f"{enumerated(some)} {'stays' if len(some) == 1 else 'stay'} in package.xml: {why}"
 
 
 def enumerated(names: Sequence[str]) -> str:
