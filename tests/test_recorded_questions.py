@@ -54,7 +54,8 @@ def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
     "ask",
     [
         "w.named('hand').name", "w.named('leg')", "w.package_at('src/hand/x')", "w.kind_of('hand')",
-        "w.is_available('hand')", "w.is_built_against('arm')", "w.loaders_of('arm::Tool')", "w.bases_loaded_from('arm')",
+        "w.is_available('hand')", "w.is_built_against('arm')", "w.loaders_of('arm::Tool')",
+        "w.bases_loaded_from('arm')",
         "w.plugins_of('arm::Tool')", "w.with_header('hand/x.hpp')", "w.providers_of('gripping')",
         "w.selected", "w.names", "w.at('src/hand').plugins", "[each.folder for each in w.packages]",
     ],
@@ -69,7 +70,8 @@ OTHER = Workspace((PackageFacts("hand", "src/arm", "cmake"), PackageFacts("leg",
 QUESTIONS: list[Question] = [
     ("folders",), ("all", "build_type"), ("field", "src/arm", "build_type"), ("named", "hand"), ("is_name", "arm"),
     ("selected",), ("names",), ("package_at", "src/hand/x"), ("loaders_of", "arm::Tool"),
-    ("is_built_against", "arm"), ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"), ("with_header", "hand/x.hpp"),
+    ("is_built_against", "arm"), ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"),
+    ("with_header", "hand/x.hpp"),
     ("providers_of", "gripping"),
 ]  # fmt: skip
 
@@ -118,6 +120,7 @@ def test_facts_are_recorded_once_and_computed_once() -> None:
 
 def test_a_package_is_not_built_against_by_itself_nor_to_run() -> None:
     needs = (ActiveDependency("depend", "arm"), ActiveDependency("exec_depend", "hand"))
-    assert REAL.is_built_against("arm") and not REAL.is_built_against("hand")
+    assert REAL.is_built_against("arm")
+    assert not REAL.is_built_against("hand")
     assert not Workspace((PackageFacts("arm", "src/arm", dependencies=needs),)).is_built_against("arm")
     assert not Workspace((PackageFacts("arm", "src/arm", dependencies=needs),)).is_built_against("hand")
