@@ -483,3 +483,21 @@ def test_an_unset_variable_says_what_is_left() -> None:
         path = "${PROJECTNAME}/".ljust(length, "a")
         (message,) = said(package(f"include_directories({path})"), "CMK115")
         assert message.count("becomes") == count
+
+
+@pytest.mark.parametrize(
+    ("path", "count"),
+    [
+        *((f"config/a.{end}", 1) for end in ("json5", "toml", "ini", "cfg", "conf", "xml", "txt", "TOML")),
+        *(
+            (f"config/{name}", 0)
+            for name in ("CMakeLists.txt", "requirements.txt", "README.txt", "license.txt", "a.md")
+        ),
+        *((f"description/a.{end}", 1) for end in ("urdf", "xacro", "srdf", "sdf", "world", "stl", "dae", "glb")),
+        *((f"{name}/a.sdf", 1) for name in ("robot_description", "robot", "gazebo", "sdf", "simulation", "scenes")),
+        ("description/a.txt", 0),
+        ("anything/a.sdf", 0),
+    ],
+)
+def test_files_that_are_for_run_time(path: str, count: int) -> None:
+    assert len(said({**package(""), path: "a\n"}, "CMK101")) == count

@@ -95,6 +95,7 @@ CASES = {
     ),
     "CMK006": (cmake("add_executable(talker src/a.cpp)\nadd_library(talker src/a.cpp)\n", src__a_DOT_cpp=MAIN),),
     "CMK101": (
+        cmake("", config__words_DOT_toml="a = 1\n", robot_description__base_DOT_xacro="<robot name='a'/>\n"),
         cmake("install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME}/more)\n"
               "install(FILES LICENSE DESTINATION share/${PROJECT_NAME})\n",
               LICENSE="Apache License\n", **cmk101.MESHES),

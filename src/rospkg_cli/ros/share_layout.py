@@ -14,13 +14,21 @@ LAUNCH = regex(r"(?:.*[._-])?launch\.(?:py|xml|ya?ml)")
 MODELS = regex(r".*\.(?:stl|dae|obj|glb|gltf|ply|mtl|sdf|urdf|xacro|config|png|jpe?g|tga|material)", re.IGNORECASE)
 ROBOTS, WORLDS = regex(r".*\.(?:urdf|xacro|srdf|xml)"), regex(r".*\.(?:world|sdf|wbt|xacro|usda?|proto)")
 
+CONFIGS = regex(
+    r"(?!CMakeLists|requirements|readme|license)(?:.*\.(?:ya?ml|rviz|lua|json5?|toml|ini|cfg|conf|xml|txt))",
+    re.IGNORECASE,
+)
+SCENES = regex(r".*\.(?:urdf|xacro|srdf|sdf|world|stl|dae|glb)", re.IGNORECASE)
+"""Robots, worlds and meshes, in folders of many names."""
+
 FOLDERS: dict[str, re.Pattern[str]] = {
     "launch": LAUNCH,
-    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), regex(r".*\.(?:ya?ml|rviz|lua|json)")),
+    **dict.fromkeys(("config", "configs", "params", "param", "parameters"), CONFIGS),
     "rviz": regex(r".*\.rviz"),
     **dict.fromkeys(("urdf", "xacro", "robots", "srdf"), ROBOTS),
     **dict.fromkeys(("meshes", "mesh", "models"), MODELS),
     **dict.fromkeys(("worlds", "world"), WORLDS),
+    **dict.fromkeys(("description", "robot_description", "robot", "gazebo", "sdf", "simulation", "scenes"), SCENES),
     **dict.fromkeys(("maps", "map"), regex(r".*\.(?:ya?ml|pgm|png|pbstream)")),
     **dict.fromkeys(("behavior_trees", "behavior_tree", "bt_xml"), regex(r".*\.xml")),
 }
