@@ -129,6 +129,11 @@ def test_what_to_do_where_a_repository_may_have_it() -> None:
     )
 
 
+def test_what_to_do_with_a_name_that_nobody_has() -> None:
+    (found,) = lint(need("my_companys_driver"), fetched=True)
+    assert found.message.endswith("; is it a package that the workspace lacks?")
+
+
 @pytest.mark.parametrize(
     "name, missing, level",
     [

@@ -8,7 +8,6 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.file import read_file
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.macro_installs import handed_on
@@ -17,8 +16,6 @@ from ...source import Span
 from ...unreadable import UnreadableError
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
-
-NAME = regex(r"[A-Za-z][\w-]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,5 +72,5 @@ class HandedOnPackages:
             return
         for command in file.top:
             words = [argument.text for argument in command.arguments]
-            if command.name == "find_package" and "REQUIRED" in words[1:] and NAME.fullmatch(words[0]):
+            if command.name == "find_package" and "REQUIRED" in words[1:]:
                 yield words[0], command.arguments[0].span
