@@ -254,6 +254,8 @@ CASES = {
         xacro(TWO, joint(parent="x"), "<xacro:more/>"),
         xacro(TWO, joint(parent="${x}")),
         xacro(TWO, '<link name="${c}"/>', joint(parent="x")),
+        *(Example(bad={"web/public/robot.urdf": '<robot name="r"/>\n', path: "{}\n"}, good={}, on="config")
+          for path in ("web/package.json", "web/other.json", "package.json")),
     ),
     "URD002": (
         resources(*(f'<link name="l{number}"><visual><geometry><mesh filename="{each}"/></geometry></visual></link>'

@@ -125,12 +125,14 @@ class ElementCheck:
                     yield Fault(found.value_span, f"`{name}` of `<{element.tag}>` can't be read: {fault}")
 
     def numbers(self, element: Element, needed: tuple[str, ...], possible: tuple[str, ...]) -> Iterator[Fault]:
+        missing = [f"`{name}`" for name in needed if name not in element.attributes]
+        if missing and not fills(element):
+            yield Fault(element.open, f"`<{element.tag}>` has no {', '.join(missing)}")
         for name in (*needed, *possible):
             found = element.attributes.get(name)
             if found is None:
-                if name in needed and not fills(element):
-                    yield Fault(element.open, f"`<{element.tag}>` has no `{name}`")
-            elif (text := self.raw(found)) is not None and not is_number(text):
+                continue
+            if (text := self.raw(found)) is not None and not is_number(text):
                 yield Fault(found.value_span, f"`{name}` of `<{element.tag}>` is no number: `{text}`")
 
     def raw(self, attribute: Attribute) -> str | None:

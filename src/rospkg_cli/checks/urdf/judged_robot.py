@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from ...light_dataclasses import dataclass
+from collections.abc import Iterable
+
+from ...light_dataclasses import dataclass, replace
 from ...package.urdf.robot_file import RobotFile
-from ..fault import Fault
+from ..fault import Fault, Level
 from .expanded_robots import ExpandedRobots
 from .validation import robot_faults
 from .xacro_calls import XacroCalls
@@ -21,4 +23,15 @@ class JudgedRobot:
         written = robot_faults(self.robot, self.calls)
         told = {fault.span for fault in written}
         made = [fault for fault in self.expanded.faults_of(self.robot.path) if fault.span not in told]
-        return sorted([*written, *made], key=lambda fault: fault.span)
+        return once_each(sorted([*written, *made], key=lambda fault: fault.span))
+
+
+def once_each(faults: Iterable[Fault]) -> list[Fault]:
+    """Return the faults of each kind as one: the same sentence, with the other places beside it."""
+    found: dict[tuple[str, Level | None], Fault] = {}
+    for fault in faults:
+        key = (fault.message, fault.level)
+        first = found.get(key)
+        also = (*first.related, (fault.span, "here too")) if first else ()
+        found[key] = replace(first, related=also) if first else fault
+    return list(found.values())

@@ -22,7 +22,7 @@ DECLARATION = regex(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
 def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:
     """Read urdf, xacro, sdf and world files; of the latter two only what they refer to."""
     for path in reading.files.paths:
-        if not path.endswith(ROBOTS + WORLDS) or role_of(path) in ("test", "aside"):
+        if not path.endswith(ROBOTS + WORLDS) or role_of(path) in ("test", "aside") or is_of_web(reading, path):
             continue
         try:
             source = reading.files.source(path)
@@ -31,6 +31,14 @@ def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:
         except UnreadableError as error:
             if path.endswith(ROBOTS):
                 yield error.unreadable
+
+
+def is_of_web(reading: ReaderInput, path: str) -> bool:
+    """Return whether a file belongs to a web page: npm's package.json lies in a folder above it, in the package."""
+    folders = path.split("/")[:-1]
+    return any(
+        "/".join([*folders[:depth], "package.json"]) in reading.files.paths for depth in range(1, len(folders) + 1)
+    )
 
 
 def robot_file(source: Source) -> RobotFile:
