@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, existing_files, manifest, setup_py
+from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, XMLLINT, existing_files, manifest, setup_py
 from rospkg_cli.finding import Finding, Safety
 from rospkg_cli.rules.cmake import cmk112_script_not_installed as cmk112
 from rospkg_cli.rules.cmake import cmk113_missing_export_dependency as cmk113
@@ -79,7 +79,8 @@ XSD = 'schematypens="http://www.w3.org/2001/XMLSchema"?>'
 def test_an_order_that_ament_xmllint_has_no_schema_for(model: str, level: str) -> None:
     text = xml002.BAD.replace("«", "").replace("»", "")
     assert MODEL + XSD in text
-    (finding,) = found("XML002", PYTHON, {"package.xml": text.replace(MODEL + XSD, model)})
+    files = {"package.xml": text.replace(MODEL + XSD, model), "test/test_xmllint.py": XMLLINT}
+    (finding,) = found("XML002", PYTHON, files)
     assert finding.severity.value == level
     assert ("names no schema" in finding.message) is (level == "info")
 

@@ -158,6 +158,10 @@ def manifest(body: str = "", build_type: str = "ament_python", name: str = "my_p
     return text.replace("my_pkg", name).replace("\n\n", "\n")
 
 
+XMLLINT = "from ament_xmllint.main import main\n\n\ndef test_xmllint():\n    assert main(argv=[]) == 0\n"
+"""A test of an ament_python package that compares its XML files with their schemas."""
+
+
 def setup_py(*lines: str) -> str:
     """A faultless setup.py that passes more arguments (lines of code, each with its comma) to setup()."""
     return SETUP_PY.replace("    zip_safe=True,\n", "    zip_safe=True,\n" + "".join(f"    {line}\n" for line in lines))

@@ -123,6 +123,7 @@ CASES = {
         cmake(TALKER + INCLUDE, files=HEADER),
         in_workspace(cmake(TALKER + INCLUDE, files=HEADER)),
         cmake(f"add_library(core src/a.cpp)\nament_export_libraries(core)\n{INCLUDE}", files=HEADER),
+        cmake("add_executable(core src/a.cpp)\nament_export_libraries(core)\n" + INCLUDE, files=HEADER),
         cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"}),
         in_workspace(cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"})),
     ),

@@ -21,6 +21,7 @@ def python(text: str) -> Example:
     return Example(bad={"package.xml": lch013.NEEDED, LAUNCH: text.replace("«", "").replace("»", "")}, good={})
 
 
+IN_COMMENTS = "# def generate_launch_description():\n#     return None\n"
 NOT_ADDED = lch008.BAD_PYTHON.replace("import LogInfo", "import DeclareLaunchArgument, LogInfo").replace(
     "    return", "    rate = DeclareLaunchArgument('rate')\n    return"
 )
@@ -52,10 +53,31 @@ def elsewhere(package: str, plugin: str) -> Example:
     return Example(bad={**other, **user}, good={}, on="")
 
 
+NOTE = "<!-- as follows: a -->\n"
+MAIN = (
+    '{}<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n'
+    '  <xacro:include filename="part.xacro"/>\n</robot>\n'
+)
+PART = '<?xml version="1.0"?>\n{}<robot name="part">\n  {}<link name="base"/>\n</robot>\n'
+
+
 CASES = {
     "LCH003": (Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: NO_SLASH}, good={}),),
+    "LCH001": (python(IN_COMMENTS),),
     "LCH008": (python(NOT_ADDED),),
     "LCH009": (
+        *(
+            Example(
+                bad={
+                    "package.xml": manifest(lch009.NEEDED),
+                    "urdf/robot.urdf.xacro": MAIN.format(main),
+                    "urdf/part.xacro": PART.format(head, inside),
+                    LAUNCH: lch009.BAD.replace("«", "").replace("»", ""),
+                },
+                good={},
+            )
+            for main, head, inside in (("", NOTE, ""), ("", "", NOTE), (NOTE, "", ""))
+        ),
         Example(
             bad={
                 "package.xml": manifest(lch009.NEEDED),

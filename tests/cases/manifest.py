@@ -62,6 +62,10 @@ def generating(*dependencies: str) -> Example:
     return Example(bad={"package.xml": manifest(body + group, "ament_cmake"), **files}, good={}, on="ament_cmake")
 
 
+SETUP_OF_FILES = "from setuptools import setup\n\nsetup(data_files=[('share/my_pkg', ['a.launch.py'])])\n"
+NATIVE = CMAKE
+INSTALLS = NATIVE.replace("ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package")
+
 CASES = {
     "XML001": (
         with_line("<version>1.0.1</version>"),
@@ -107,6 +111,8 @@ CASES = {
         depend('condition="$ROS_VERSION == 10"'),
         depend('condition="ROS_DISTRO == humble"'),
         depend('condition="$ROS_DISTR == humble"'),
+        depend('condition="$ROS_DITSRO == humble"'),
+        depend('condition="$GZ_VERSION == jetty"'),
         Example(bad={"package.xml": manifest(2 * OWN_VARIABLE)}, good={}),
         depend('condition=""'),
         depend('condition="$ROS_DISTRO &amp;&amp; humble"'),
@@ -126,5 +132,11 @@ CASES = {
         Example(bad={"package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake").replace(
             "  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")}, good={}, on="ament_cmake"),
     ),
-    "XML307": (Example(bad={"package.xml": PLAIN, "CMakeLists.txt": CMAKE}, good={}),),
+    "XML307": (
+        Example(bad={"package.xml": PLAIN, "CMakeLists.txt": CMAKE}, good={}),
+        *(
+            Example(bad={"setup.py": SETUP_OF_FILES + more, "CMakeLists.txt": cmake}, good={}, on="ament_cmake")
+            for more, cmake in (("", INSTALLS), ("", NATIVE), ("SCRIPTS = dict(scripts=[])\n", INSTALLS))
+        ),
+    ),
 }  # fmt: skip

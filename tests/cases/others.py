@@ -102,7 +102,9 @@ CASES = {
     ),
     "PRM004": tuple(
         Example(bad={"config/robot.yaml": YAML + lines}, good={}, on="config")
-        for lines in ("    b: [*x]\n", "    b:\n    - 1\n    -\n", "    b: [[1]]\n", "    b: [1, {c: 2}]\n")
+        for lines in (
+            "    b: [*x]\n", "    b:\n    - 1\n    -\n", "    b: [[1]]\n",
+            "    b: {1.0, 1.0}\n", "    b: {1.0, x}\n", "    b: [1, {c: 2}]\n")
     ),
     "PRM008": tuple(
         Example(

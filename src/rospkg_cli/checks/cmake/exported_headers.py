@@ -19,7 +19,9 @@ class ExportedHeaders:
     def may_be_used(self) -> bool:
         """Whether the headers are for others: with a library, with nothing else at all, or for a known package."""
         package = self.headers.package
-        if package.cmake.named(*LIBRARIES) or not any(target.is_built for target in package.cmake.targets):
+        built = [target for target in package.cmake.targets if target.is_built]
+        has_library = any(target.is_library for target in built) or not built
+        if has_library and (package.cmake.named(*LIBRARIES) or not built):
             return True
         return self.is_built_against
 

@@ -32,6 +32,8 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
     """Return whether a dependency is missing on purpose: package.xml has it in a comment, or it may come otherwise.
 
     A package that no distribution has may lie in a repository that a `.repos` file lists, or in an empty submodule.
+    What only PyPI has is left to pip, since a key of pip keeps a package from being released.
     """
-    is_elsewhere = not declared.workspace.is_complete and source_of(declared, name) == "unknown"
+    source = source_of(declared, name)
+    is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
     return is_elsewhere or name in declared.commented_out

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 from ...files import PackageFiles
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
@@ -16,13 +14,9 @@ from ..ros1_import import ROS1, ros1_import
 from .brought_dependencies import COLCON, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
-from .name_source import source_of
 
 RUNNERS = frozenset({"python3-pytest", "launch_testing", "ament_index_python"})
 """What runs the tests, and finds files for them: it is fine if it comes with a declared dependency."""
-
-REQUIREMENTS = regex(r"setup\.(?:py|cfg)|pyproject\.toml|(?:.*[_-])?requirements[\w.-]*\.txt")
-"""Files that pip installs by."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
@@ -54,15 +48,6 @@ class ImportDependencies:
     declared: DeclaredDependencies
     python: PackageImports
     files: PackageFiles
-
-    def is_left_to_pip(self, key: str) -> bool:
-        """Return whether only PyPI has what a key stands for, and the package asks pip for it."""
-        if source_of(self.declared, key) != "pip":
-            return False
-        name = key.removeprefix("python3-").removesuffix("-pip")
-        word = re.compile(rf"(?<![\w-]){re.escape(name).replace('-', '[-_.]')}(?![\w-])", re.IGNORECASE)
-        asking = [path for path in self.files.paths if REQUIREMENTS.fullmatch(path)]
-        return any(word.search(self.files.source(path).text) for path in asking)
 
     def ros1_leftovers(self) -> Iterator[ImportUse]:
         """Yield the first import in each installed file that only ROS 1 can serve: nothing behind it runs."""

@@ -143,12 +143,18 @@ class LaunchDependencies:
                 yield from with_conditions(file)
                 yield from () if tests else self.import_uses(file)
 
+    def is_imported(self, file: LaunchFile) -> bool:
+        """Return whether another launch file imports a helper that is no launch file itself."""
+        stem = file.path.rpartition("/")[2].removesuffix(".py")
+        others = (each for other in self.launch_files if other is not file for each in other.imports)
+        return any(stem in (each.module.rpartition(".")[2], *each.names) for each in others)
+
     def import_uses(self, file: LaunchFile) -> Iterator[PackageReference]:
         """Yield what a Python launch file imports, by the declared provider or by the one to declare.
 
         The imports of a launch file among the Python modules are DEP101's.
         """
-        if role_of(file.path) == "run":
+        if role_of(file.path) == "run" or (not file.has_entry_point and not self.is_imported(file)):
             return
         own = own_modules(self.files)
         for each in file.imports:

@@ -85,7 +85,8 @@ class DependencyNames:
                     yield from () if self.is_of_ros1(each.name) else self.unavailable(each)
                 else:
                     what = (found.suggestion, found.reason, found.rosdep_error, found.advice)
-                    yield UnknownDependency(each, *what, parts=found.parts)
+                    same = [each, *self.repeated(each)]
+                    yield UnknownDependency(each, *what, parts=found.parts, is_uncertain=not self.is_certain(same))
 
     def wrong(self, dependency: Dependency) -> WrongName | None:
         """Return what is wrong with a name in any case; of one that ROS 1 had, no more than its name elsewhere."""

@@ -106,9 +106,14 @@ def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongNa
 
 def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
     meant = SimilarNames(declared.workspace).meant(dependency.name)
-    if meant is None:
+    if meant is None or without_version(meant) == without_version(dependency.name):
         return None
     return WrongName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
+
+
+def without_version(name: str) -> str:
+    """Return a name without the digits at its end: `gz-plugin3` is no slip of `gz-plugin2`."""
+    return name.rstrip("0123456789.-_")
 
 
 ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongName | None], ...] = (

@@ -93,10 +93,12 @@ class NodeExecutables:
     def renamed(self) -> Iterator[WellKnownUse]:
         """Yield the nodes of well-known packages that are not here, under a name that these do not have."""
         file, workspace = self.scope.file, self.scope.workspace
+        seen: set[Span] = set()  # a loop starts one node several times
         for package, executable, node in file.programs() if not self.scope.is_unused_test else ():
             name = executable.literal or ""
             wrong = wrong_name("programs", package, name) if workspace.named(package) is None else None
-            if wrong is not None:
+            if wrong is not None and executable.span not in seen:
+                seen.add(executable.span)
                 yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:

@@ -33,6 +33,9 @@ DROPPED = regex(rf"(?:{COMMENT}){{1,20}}(?=<xacro:)|<xacro:[^<>]*>", re.DOTALL)
 NO_PLAIN_SCALAR = regex(r":[ \t\r\n]|[ \t]#")
 """What ends a plain scalar of YAML: a colon with a blank behind it, a hash with a blank before it."""
 
+HEADER = regex(rf"\s*(?:<\?xml[^>]*>\s*)?(?:{COMMENT})*", re.DOTALL)
+"""What stands before the root element."""
+
 INCLUDED = regex(r"filename\s*=\s*[\"'][^\"']*?([\w.-]+\.(?:xacro|urdf|xml))[\"']")
 
 
@@ -70,11 +73,17 @@ class RobotDescriptions:
             for path in self.files.paths:
                 if path.rpartition("/")[2] == current:
                     text = self.files.readable_text(path)
-                    if NO_PLAIN_SCALAR.search(printed(text)):
+                    if NO_PLAIN_SCALAR.search(printed(text if current == name else root_of(text))):
                         yield path
                     found = [each for each in INCLUDED.findall(text) if each not in seen]
                     seen.update(found)
                     queue += found
+
+
+def root_of(text: str) -> str:
+    """Return a file from its root element on: xacro includes nothing of what stands before it (process_include)."""
+    header = HEADER.match(text)
+    return text[header.end() :] if header else text
 
 
 def printed(text: str) -> str:

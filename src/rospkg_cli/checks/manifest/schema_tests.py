@@ -2,25 +2,59 @@
 
 from __future__ import annotations
 
+import re
+
+from ...files import PackageFiles
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
+from ...ros.distros import Targets
 
 CHECKERS = ("ament_lint_common", "ament_cmake_xmllint", "ament_xmllint")
 """What brings ament_xmllint into a package's tests."""
 
+RUNS_LINTERS = regex(
+    r"^[^#\n]*\b(?:ament_lint_auto_find_test_dependencies|ament_xmllint|(?!ament_|find_)\w+_package)[ \t]*\(",
+    re.MULTILINE,
+)
+"""A call that runs the linters which are declared: of ament, or of a wrapper such as autoware_package."""
 
-def is_schema_tested(manifest: Manifest) -> bool:
-    """Return whether the package's tests compare package.xml with its schema.
-
-    ament_xmllint checks the schema that an `<?xml-model …?>` line names, and without one only that the file is
-    well-formed (ament_xmllint/main.py).
-    """
-    return manifest.names_schema and any(manifest.depends_on(name) for name in CHECKERS)
+LEFT_OUT = regex(r"^[^#\n]*\bament_cmake_xmllint(?:_FOUND\b|\W)", re.MULTILINE)
+"""A line that switches it off: `set(ament_cmake_xmllint_FOUND TRUE)`, or AMENT_LINT_AUTO_EXCLUDE."""
 
 
-def schema_harm(manifest: Manifest) -> str:
-    """Return what happens because the schema refuses something that colcon takes, as a clause."""
-    if is_schema_tested(manifest):
-        return "`colcon test` fails, since it runs ament_xmllint"
-    if manifest.names_schema:
-        return "ament_xmllint and editors that know the schema refuse it"
-    return "no tool checks it while no `<?xml-model?>` line names the schema"
+@dataclass(frozen=True)
+class SchemaTests:
+    """A manifest, and whether the package's tests compare it with its schema."""
+
+    manifest: Manifest
+    files: PackageFiles
+    targets: Targets
+
+    @property
+    def is_tested(self) -> bool:
+        """Whether `colcon test` fails on what the schema refuses.
+
+        ament_xmllint checks the schema that an `<?xml-model …?>` line names, and without one only that the file is
+        well-formed (ament_xmllint/main.py).
+        """
+        manifest = self.manifest
+        return manifest.names_schema and any(manifest.depends_on(name) for name in CHECKERS) and self.runs_linters
+
+    @property
+    def runs_linters(self) -> bool:
+        """Whether CMakeLists.txt calls the linters, or a test of Python names this one."""
+        if self.manifest.build_type(self.targets) == "ament_python":
+            tests = (path for path in self.files.paths if path.startswith("test") and path.endswith(".py"))
+            return any("xmllint" in path or "xmllint" in self.files.readable_text(path) for path in tests)
+        text = self.files.readable_text("CMakeLists.txt") if self.files.exists("CMakeLists.txt") else ""
+        return RUNS_LINTERS.search(text) is not None and LEFT_OUT.search(text) is None
+
+    @property
+    def harm(self) -> str:
+        """What happens because the schema refuses something that colcon takes, as a clause."""
+        if self.is_tested:
+            return "`colcon test` fails, since it runs ament_xmllint"
+        if self.manifest.names_schema:
+            return "ament_xmllint and editors that know the schema refuse it"
+        return "no tool checks it while no `<?xml-model?>` line names the schema"

@@ -24,7 +24,7 @@ BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, and "
-        "where only PyPI has it and setup.py or requirements.txt names it"
+        "where only PyPI has it"
     },
     examples=(
         Example(
@@ -100,6 +100,6 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
         f"{advice(declared, kind, missing.name)}"
     )
     places = related((place.path, place.span) for place in missing.places)
-    mild = is_left_out(declared, missing.name) or imports.is_left_to_pip(missing.name)
+    mild = is_left_out(declared, missing.name)
     fix = declaration(declared, kind, missing.name)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

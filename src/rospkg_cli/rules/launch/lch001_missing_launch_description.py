@@ -29,6 +29,7 @@ def generate_launch_description():
     "missing-launch-description",
     over=LaunchFile,
     severity=Severity.ERROR,
+    levels={Severity.INFO: "the file holds no statement, only comments"},
     examples=(
         Example(
             bad={
@@ -51,7 +52,8 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files whose name does not end in `launch.py`, tests, files that are programs of their own, and files that import
-    `*`, are left alone. A function that is imported or assigned counts.
+    `*`, are left alone. A function that is imported or assigned counts. A file whose every line is a
+    comment is an info.
     """
     name = file.path.rpartition("/")[2]
     installed = role_of(file.path) == "launch"
@@ -60,4 +62,5 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
             f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define the function, "
             f"or give the file a name that does not end in `launch.py` if others import it"
         )
-        yield Hit(file.path, Span(0, 0), message)
+        is_empty = file.python is not None and not file.python.tree.body
+        yield Hit(file.path, Span(0, 0), message, Severity.INFO if is_empty else None)

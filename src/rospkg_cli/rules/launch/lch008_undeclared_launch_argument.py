@@ -62,18 +62,19 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
 
     ## When it is quiet
     Nothing is said of files that can't be evaluated to the end, or that set configurations of unknown names. One that
-    others include may get the argument from them: an info, as where it uses many, or several and declares none at all.
-    Where it includes a file that is not here, it is an info, if it declares others and no file of the workspace has
-    that name.
+    others include may get the argument from them: an info, as where it uses many, or declares none at all: then it is
+    the user, or the file that includes it, who must set it. Where it includes a file that is not here, it is an info,
+    if it declares others and no file of the workspace has that name.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
     many = len(found) > FEW
-    is_for_others = len(found) > 1 and not any(each.declared for each in found)
-    level = Severity.INFO if many or is_for_others or configurations.is_included else None
+    is_for_others = not any(each.declared for each in found)
+    level = Severity.INFO if many or configurations.is_included else None
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
+        mild = Severity.INFO if each.may_be_included or (is_for_others and each.state == "undeclared") else level
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
             better = "add it"
@@ -84,5 +85,4 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
         ends = f'unless given, the launch stops ("{raised}")'
         if each.may_be_included:
             ends += ", unless a file that it includes sets it"
-        mild = Severity.INFO if each.may_be_included else level
         yield Hit(file.path, each.span, f"{message}: {ends}; {better}", mild)

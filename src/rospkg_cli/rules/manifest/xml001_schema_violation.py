@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.misplaced_tag import RENAMED, meant_tag, misplaced_tag
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...checks.manifest.schema_values import before, faulty_value
 from ...edits.manifest import rename_element
 from ...example import Example, manifest
@@ -27,7 +27,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
 @rule(
     "XML001",
     "schema-violation",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "only the schema forbids it, while colcon ignores it, and tests compare package.xml with it",
@@ -58,7 +58,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
         ),
     ),
 )
-def schema_violation(manifest: Manifest) -> Iterator[Hit]:
+def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds what the schema of the manifest's own format (1, 2 or 3) forbids.
@@ -80,6 +80,7 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),
       [REP-127](https://ros.org/reps/rep-0127.html)
     """
+    manifest = tests.manifest
     newer = {each for each, _ in manifest.features_of_3} if manifest.schema_format < 3 else set()
     for violation in manifest.verdict.violations:
         described = describe(manifest, violation)
@@ -87,8 +88,8 @@ def schema_violation(manifest: Manifest) -> Iterator[Hit]:
             violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
         ):
             span, what, lost = described
-            mild = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
-            harm = LOST if lost else "" if is_group(violation) else schema_harm(manifest)
+            mild = Severity.WARNING if tests.is_tested else Severity.INFO
+            harm = LOST if lost else "" if is_group(violation) else tests.harm
             level = None if lost else mild
             fix = rename(manifest, violation.element) if violation.kind is ViolationKind.CHILD else None
             yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level, fix=fix)

@@ -6,12 +6,11 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from ...checks.manifest.schema_tests import is_schema_tested
+from ...checks.manifest.schema_tests import SchemaTests
 from ...edits.reorder import reorder, schema_order
-from ...example import Example, manifest
+from ...example import XMLLINT, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.xml.elements import Element
-from ...package.manifest import Manifest
 from ...package.schema.schema import misplaced
 from ...ros.manifest import place_of
 from ...rule import rule
@@ -22,7 +21,7 @@ MAX_OFFERS = 100
 
 MAX_RELATED = 3
 
-CHECKED = manifest("  <test_depend>ament_lint_common</test_depend>\n")
+CHECKED = manifest("  <test_depend>ament_xmllint</test_depend>\n")
 GOOD = CHECKED.replace(
     "</license>\n", "</license>\n  <url>https://example.org</url>\n  <!-- she began it -->\n  <author>Bob</author>\n"
 )
@@ -34,12 +33,14 @@ BAD = CHECKED.replace("  <license>", "  <!-- she began it -->\n  «<author>Bob</
 @rule(
     "XML002",
     "element-order",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where no test checks it: the package declares no ament_xmllint, or names no schema"},
-    examples=(Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}, fix=Safety.SAFE),),
+    levels={Severity.INFO: "where no test checks it: none runs ament_xmllint, or package.xml names no schema"},
+    examples=(
+        Example(bad={"package.xml": BAD, "test/test_xmllint.py": XMLLINT}, good={"package.xml": GOOD}, fix=Safety.SAFE),
+    ),
 )
-def element_order(manifest: Manifest) -> Iterator[Hit]:
+def element_order(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds children of `<package>` that are not in the schema's order.
@@ -58,6 +59,7 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
     """
+    manifest = tests.manifest
     if manifest.verdict.is_ordered or manifest.xml_model is None:
         return
     edits = tuple(reorder(manifest, schema_order(manifest)))
@@ -68,7 +70,7 @@ def element_order(manifest: Manifest) -> Iterator[Hit]:
     places = [place_of(child.tag) for child in staying]
     if not manifest.names_schema:
         level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema"
-    elif not is_schema_tested(manifest):
+    elif not tests.is_tested:
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
     else:
         level, ends = None, "`colcon test` fails on it, since the tests run ament_xmllint"

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...edits.manifest_format import to_format_3
 from ...edits.manifest_tags import set_attribute
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.manifest import Manifest
 from ...ros.manifest import FORMATS, NEW_IN
 from ...rule import rule
 
@@ -19,7 +18,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
 @rule(
     "XML003",
     "unsupported-format",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no format is named and tags of format 2 or 3 are used, or spaces are around it and tests "
@@ -39,7 +38,7 @@ GOOD = manifest("  <exec_depend>rclpy</exec_depend>\n")
         ),
     ),
 )
-def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
+def unsupported_format(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds a `format` other than 1, 2 and 3, and tags of format 2 or 3 without a `format`.
@@ -55,6 +54,7 @@ def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, package](https://ros.org/reps/rep-0149.html#package-format-3)
     """
+    manifest = tests.manifest
     fix = Fix('Write format="3"', to_format_3(manifest))
     declared = manifest.declared_format
     if declared is not None and manifest.format not in FORMATS:
@@ -64,10 +64,8 @@ def unsupported_format(manifest: Manifest) -> Iterator[Hit]:
         )
         yield Hit(manifest.path, declared.value_span if declared.value else declared.span, message, fix=fix)
     elif declared is not None and declared.value != str(manifest.format):
-        message = (
-            f'the format is written `{declared.value}`: {schema_harm(manifest)}; write `format="{manifest.format}"`'
-        )
-        level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+        message = f'the format is written `{declared.value}`: {tests.harm}; write `format="{manifest.format}"`'
+        level = Severity.WARNING if tests.is_tested else Severity.INFO
         edit = set_attribute(manifest, manifest.root, "format", str(manifest.format))
         yield Hit(manifest.path, declared.value_span, message, level, fix=Fix("Write it plainly", (edit,)))
     newer = manifest.all(*(tag for tags in NEW_IN.values() for tag in tags))

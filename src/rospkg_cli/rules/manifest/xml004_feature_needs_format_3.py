@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.manifest import Manifest
 from ...rule import rule
 
 GOOD = manifest('  <exec_depend condition="$ROS_VERSION == 2">rclpy</exec_depend>\n')
@@ -18,7 +17,7 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
 @rule(
     "XML004",
     "feature-needs-format-3",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is `compatibility`, which colcon ignores, and tests compare package.xml with its schema",
@@ -32,7 +31,7 @@ BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.x
         ),
     ),
 )
-def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
+def feature_needs_format_3(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds features of format 3 in a manifest of format 1 or 2.
@@ -53,14 +52,15 @@ def feature_needs_format_3(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html)
     """
+    manifest = tests.manifest
     if manifest.schema_format == 3:
         return
     fix = Fix('Write format="3"', to_format_3(manifest))
     for element, attribute in manifest.features_of_3:
         what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
         mild = attribute is not None and attribute.name == "compatibility"
-        lost = schema_harm(manifest) if mild else "colcon refuses the manifest and builds the folder as a plain package"
+        lost = tests.harm if mild else "colcon refuses the manifest and builds the folder as a plain package"
         message = f"{what} came with format 3, and this is format {manifest.schema_format}: {lost}"
         place = attribute.span if attribute else element.span
-        level = (Severity.WARNING if is_schema_tested(manifest) else Severity.INFO) if mild else None
+        level = (Severity.WARNING if tests.is_tested else Severity.INFO) if mild else None
         yield Hit(manifest.path, place, f'{message}; write `<package format="3">`', level, fix=fix)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.xml.elements import Element
@@ -20,7 +20,7 @@ CMAKE = manifest(build_type="ament_cmake")
 @rule(
     "XML103",
     "invalid-version",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a leading zero, where tests compare package.xml with its schema",
@@ -42,7 +42,7 @@ CMAKE = manifest(build_type="ament_cmake")
         ),
     ),
 )
-def invalid_version(manifest: Manifest) -> Iterator[Hit]:
+def invalid_version(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds versions that are not MAJOR.MINOR.PATCH.
@@ -63,13 +63,14 @@ def invalid_version(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, version](https://ros.org/reps/rep-0149.html)
     """
+    manifest = tests.manifest
     element = manifest.first("version")
     if element is None:
         return
     version = element.text
     if re.fullmatch(r"\d+\.\d+\.\d+", version, re.ASCII) and not VERSION.fullmatch(version):
-        message = f"the version `{version}` has a leading zero: {schema_harm(manifest)}; write it without"
-        level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+        message = f"the version `{version}` has a leading zero: {tests.harm}; write it without"
+        level = Severity.WARNING if tests.is_tested else Severity.INFO
         yield Hit(manifest.path, manifest.span(element), message, level)
     elif not VERSION.fullmatch(version):
         message = (

@@ -4,29 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...edits.manifest_tags import remove_attribute, set_attribute
-from ...example import Example, manifest
+from ...example import XMLLINT, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.manifest import Manifest
 from ...ros.manifest import URL_MEANT, URL_TYPES
 from ...rule import rule
 from ...suggest import nearest
 
 URL = '</license>\n  <url type="{0}">https://example.org</url>'
-GOOD = manifest("  <test_depend>ament_lint_common</test_depend>\n").replace("</license>", URL.format("bugtracker"))
+GOOD = manifest("  <test_depend>ament_xmllint</test_depend>\n").replace("</license>", URL.format("bugtracker"))
 UNTESTED = manifest().replace("</license>", URL.format("bugtracker"))
 
 
 @rule(
     "XML108",
     "invalid-url-type",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where no test compares package.xml with its schema"},
     examples=(
         Example(
-            bad={"package.xml": GOOD.replace("bugtracker", "«issues»")},
+            bad={"package.xml": GOOD.replace("bugtracker", "«issues»"), "test/test_xmllint.py": XMLLINT},
             good={"package.xml": GOOD},
             fix=Safety.SAFE,
         ),
@@ -37,7 +36,7 @@ UNTESTED = manifest().replace("</license>", URL.format("bugtracker"))
         ),
     ),
 )
-def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
+def invalid_url_type(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds a `type` of a `<url>` that is none of website, bugtracker and repository.
@@ -53,6 +52,7 @@ def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, url](https://ros.org/reps/rep-0149.html)
     """
+    manifest = tests.manifest
     for element in manifest.all("url"):
         attribute = element.attributes.get("type")
         if attribute is None or attribute.value.strip() in URL_TYPES:
@@ -64,6 +64,6 @@ def invalid_url_type(manifest: Manifest) -> Iterator[Hit]:
         else:
             fix = Fix("Remove the type", (remove_attribute(manifest, element, "type"),))
         hint = f"write `{meant}`" if meant else "remove the attribute"
-        message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): {schema_harm(manifest)}; {hint}"
-        level = None if is_schema_tested(manifest) else Severity.INFO
+        message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): {tests.harm}; {hint}"
+        level = None if tests.is_tested else Severity.INFO
         yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, message, level, fix=fix)

@@ -14,8 +14,9 @@ from ...package.manifest import Manifest
 from ...ros.manifest import ENVIRONMENT
 from ...rule import rule
 from ...source import Span
-from ...suggest import did_you_mean
+from ...suggest import did_you_mean, near_names
 
+PREFIX = "ROS_"
 GOOD = manifest('  <exec_depend condition="$ROS_DISTRO == jazzy">tf2_ros</exec_depend>\n')
 
 
@@ -107,7 +108,8 @@ def own_variables(comparison: Comparison) -> Iterator[Operand]:
 def is_near_miss(operand: Operand) -> bool:
     """Return whether a variable is written nearly like one of a ROS environment."""
     is_other = operand.is_variable and operand.text not in ENVIRONMENT
-    return is_other and bool(did_you_mean(operand.text, ENVIRONMENT))
+    edits = 2 if operand.text.startswith(PREFIX) else 1  # GZ_VERSION is another one than ROS_VERSION
+    return is_other and bool(near_names(operand.text, ENVIRONMENT, edits))
 
 
 def misleading_part(comparison: Comparison) -> tuple[int, int, str] | None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import is_schema_tested, schema_harm
+from ...checks.manifest.schema_tests import SchemaTests
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.version_range import is_empty
-from ...package.manifest import Dependency, Manifest
+from ...package.manifest import Dependency
 from ...ros.manifest import VERSION_LIMIT
 from ...rule import rule
 
@@ -18,7 +18,7 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
 @rule(
     "XML205",
     "impossible-version-limit",
-    over=Manifest,
+    over=SchemaTests,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "more limits than a range has, or an invalid one that tests of package.xml refuse",
@@ -48,7 +48,7 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
         ),
     ),
 )
-def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
+def impossible_version_limit(tests: SchemaTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds version limits that are invalid, contradictory or redundant.
@@ -66,13 +66,12 @@ def impossible_version_limit(manifest: Manifest) -> Iterator[Hit]:
     - [REP-149, build_depend](https://ros.org/reps/rep-0149.html): "Two of these attributes can be used together to
       describe a version range."
     """
+    manifest = tests.manifest
     for each in manifest.dependencies:
         wrong = [limit for limit in each.limits.values() if not VERSION_LIMIT.fullmatch(limit.value.strip())]
         for limit in wrong:
-            message = (
-                f"`{limit.name}` is `{limit.value}`, not one to three numbers such as `1.2`: {schema_harm(manifest)}"
-            )
-            level = Severity.WARNING if is_schema_tested(manifest) else Severity.INFO
+            message = f"`{limit.name}` is `{limit.value}`, not one to three numbers such as `1.2`: {tests.harm}"
+            level = Severity.WARNING if tests.is_tested else Severity.INFO
             yield Hit(manifest.path, limit.value_span if limit.value else limit.span, message, level)
         if wrong or len(each.limits) < 2:
             continue

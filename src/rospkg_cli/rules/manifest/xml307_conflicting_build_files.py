@@ -45,10 +45,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     package seems to install it.
 
     ## When it is quiet
-    A CMakeLists.txt without an install rule is an info, and so is a setup.py without packages, modules, scripts and
-    data files: left from ROS 1 often, nothing of them is missed. Packages for ROS 1 and ROS 2 (catkin, conditions) are
-    left alone, those without the file of their own build type to XML304, and a setup.py that CMake installs by
-    `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
+    A CMakeLists.txt without an install rule is an info, and so is a setup.py without packages, modules and scripts,
+    whose data files CMake installs: left from ROS 1 often, nothing of them is missed. Packages for ROS 1 and ROS 2
+    (catkin, conditions) are left alone, those without the file of their own build type to XML304, and a setup.py that
+    CMake installs by `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
@@ -58,6 +58,7 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     if len(types) != 1 or manifest.depends_on("catkin") or any("condition" in each.attributes for each in types):
         return
     used, other, level = types[0].text, "", None
+    harmless = "which installs nothing"
     if not files.exists(BUILD_FILES.get(used, "package.xml")):
         return
     if used == "ament_python" and files.exists("CMakeLists.txt"):
@@ -66,8 +67,11 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
         texts = (files.source(path).text for path in ("setup.py", "setup.cfg") if files.exists(path))
-        level = None if any(INSTALLED.search(text) for text in texts) else Severity.INFO
+        words = {word for text in texts for word in INSTALLED.findall(text)}
+        same = package.cmake.installs and words <= {"data_files"}
+        level = Severity.INFO if same or not words else None
+        harmless = "whose files CMake installs" if words else harmless
     if other:
-        ends = ", which installs nothing" if level else ": what it installs is missing"
+        ends = f", {harmless}" if level else ": what it installs is missing"
         message = f"the build type is `{used}`, so colcon ignores `{other}`{ends}; {advice}"
         yield Hit(manifest.path, manifest.span(types[0]), message, level)

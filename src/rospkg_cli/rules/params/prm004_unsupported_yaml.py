@@ -57,4 +57,9 @@ def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
     """
-    yield from hits(file.path, rcl_faults(file))
+    seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
+    for fault in rcl_faults(file):
+        place = file.source.position(fault.span.start)[0], fault.message
+        if place not in seen:
+            seen.add(place)
+            yield from hits(file.path, [fault])
