@@ -318,6 +318,10 @@ TESTS = {
         "  find_package(ament_lint_auto REQUIRED)\n  find_package(ament_cmake_gtest REQUIRED)\n"
         "  ament_add_gtest(test_planner test/test_planner.cpp)\nendif()\n",
     ),
+    "looked for above": (
+        CMAKE.replace("\nadd_exec", "find_package(ament_cmake_gtest REQUIRED)\n\nadd_exec"),
+        "if(BUILD_TESTING)\n  ament_add_gtest(test_planner test/test_planner.cpp)\nendif()\n\nament_package()\n",
+    ),
     "other tests": (
         CMAKE.replace(
             "ament_package",
@@ -340,6 +344,10 @@ def test_a_test_in_cpp(form: str) -> None:
     assert expected in text(draft, "CMakeLists.txt")
     assert "TEST(planner, does_what_it_should)" in text(draft, "test/test_planner.cpp")
     assert new_findings(files, draft) == []
+    if form == "looked for above":  # a dependency that nothing else names goes
+        after, _ = taken(draft, "test", "planner")
+        assert text(after, "CMakeLists.txt") == cmake
+        return
     comes_back(files, draft, "test", "planner")
 
 

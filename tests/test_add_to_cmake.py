@@ -111,6 +111,12 @@ def test_target_and_rule_look_like_the_others(form: str) -> None:
     comes_back(files, draft, "node", "idler")
 
 
+def test_a_package_that_is_looked_for_below_an_early_return() -> None:
+    early = "if(NOT WANTED)\n  return()\nendif()\nfind_package(rclcpp REQUIRED)\n\nament_package"
+    draft = added(cmake_package(BARE.replace("\nament_package", early)), "node", "idler:empty")
+    assert "find_package(rclcpp REQUIRED)\n\n" + BLOCK in text(draft, "CMakeLists.txt")
+
+
 def test_lint_has_nothing_new_to_say() -> None:
     files = cmake_package(LOWER)
     assert new_findings(files, added(files, "node", "idler:empty")) == []

@@ -31,11 +31,11 @@ class FoundInCMake:
         found = [each for each in cmake.packages if each.name == self.name]
         if any(not (each.call.testing or each.call.maybe) for each in found):
             return ()
-        if cmake.named(*FINDERS):
-            return ()
-        line = f"find_package({self.name} REQUIRED)"
         root = cmake.root
         finders = [each for each in root.top if each.name == "find_package"]
+        if cmake.named(*FINDERS) or any(each.arguments and each.arguments[0].text == self.name for each in finders):
+            return ()
+        line = f"find_package({self.name} REQUIRED)"
         if finders:
             return (add_after(root, finders[-1], line),)
         first = first_after_project(cmake)

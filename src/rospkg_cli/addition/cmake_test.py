@@ -40,19 +40,15 @@ class CMakeTest:
             line = root.source.line_span(root.source.position(tests.end.span.start)[0])
             lines = indented(match_case(root, self.lines(root, cmake)), root.indent)
             return (Edit(root.path, Span(line.start, line.start), lines + "\n"),)
-        whole = self.whole(root, cmake)
+        lines = whole(root, self.lines(root, cmake))
         if root.end is None:
             raise NotUnderstoodError(
                 "CMakeLists.txt has no ament_package() at its end: put the lines where the tests are, and run the "
                 "command again",
-                Paste("CMakeLists.txt", whole),
+                Paste("CMakeLists.txt", lines),
             )
         at = root.source.line_span(root.source.position(root.end.span.start)[0]).start
-        return (Edit(root.path, Span(at, at), f"{match_case(root, whole)}\n\n"),)
-
-    def whole(self, root: CMakeFile, cmake: CMake) -> str:
-        """Return a block of its own."""
-        return f"if(BUILD_TESTING)\n{indented(self.lines(root, cmake), root.indent)}\nendif()"
+        return (Edit(root.path, Span(at, at), f"{match_case(root, lines)}\n\n"),)
 
     def lines(self, root: CMakeFile, cmake: CMake) -> str:
         """Return the commands, with the search for what defines them where nothing does that yet."""
@@ -75,10 +71,17 @@ class CMakeTest:
         """Yield the removal of a block of its own, else of the lines in a block of several tests."""
         cmake = cmake_of(package)
         root = cmake.root
-        yield from block_removals(root, self.whole(root, cmake))
-        yield from block_removals(root, indented(self.lines(root, cmake), root.indent))
-        shorter = "\n".join(line for line in self.lines(root, cmake).split("\n") if not line.startswith("find_package"))
-        yield from block_removals(root, indented(shorter, root.indent))
+        lines = self.lines(root, cmake)
+        shorter = "\n".join(line for line in lines.split("\n") if not line.startswith("find_package"))
+        for each in (lines, shorter):
+            yield from block_removals(root, whole(root, each))
+        for each in (lines, shorter):
+            yield from block_removals(root, indented(each, root.indent))
+
+
+def whole(root: CMakeFile, lines: str) -> str:
+    """Return a block of tests of its own."""
+    return f"if(BUILD_TESTING)\n{indented(lines, root.indent)}\nendif()"
 
 
 def block_of_tests(file: CMakeFile) -> Block | None:
