@@ -7,12 +7,12 @@ from functools import cached_property
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import BINARY, UNKNOWN
+from ...languages.cmake.values import BINARY, UNKNOWN, Word
 from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.components import Component
+from ...package.cmake.components import OF_ONE_NODE, Component
 from ...package.cmake.target_links import TargetLinks
 from ...source import Span
 from ...suggest import nearest
@@ -66,6 +66,11 @@ class ComponentRegistration:
             words = (component.target, component.plugin)
             if all(word.is_known and not word.maybe for word in words) and not component.call.maybe:
                 yield component
+
+    def misread_keywords(self) -> Iterator[Word]:
+        """Yield the first keyword of one node in each command that takes classes alone."""
+        for call in self.package.cmake.named("rclcpp_components_register_nodes"):
+            yield from [word for word in call.words if word.text in OF_ONE_NODE][:1]
 
     def without_target(self) -> Iterator[Component]:
         """Yield the components of a target that does not exist."""

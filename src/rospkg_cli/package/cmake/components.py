@@ -8,6 +8,9 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_val
 from ...languages.cmake.values import Word, as_value
 from ...light_dataclasses import dataclass
 
+OF_ONE_NODE = ("PLUGIN", "EXECUTABLE", "EXECUTOR")
+"""Keywords of `rclcpp_components_register_node`, which `…_nodes` takes for names of classes."""
+
 
 @dataclass(frozen=True)
 class Component:
@@ -50,7 +53,7 @@ def components_of(calls: Iterable[EvaluatedCommand]) -> Iterator[Component]:
             for plugin in values.get("PLUGIN", []):
                 yield Component(call.words[0], plugin, executable, call)
         elif call.name == "rclcpp_components_register_nodes" and call.words:
-            _, _, plugins = flags_and_values(call.words[1:], (), ("RESOURCE_INDEX",), ())
+            _, _, plugins = flags_and_values(call.words[1:], ("PLUGIN",), ("RESOURCE_INDEX", *OF_ONE_NODE[1:]), ())
             for plugin in plugins:
                 yield Component(call.words[0], plugin, None, call)
 

@@ -33,11 +33,7 @@ find_package(rclcpp REQUIRED)
 find_package(rclcpp_components REQUIRED)
 add_library(talker SHARED src/talker.cpp)
 target_link_libraries(talker PUBLIC rclcpp::rclcpp rclcpp_components::component)
-install(TARGETS talker
-  ARCHIVE DESTINATION lib
-  LIBRARY DESTINATION lib
-  RUNTIME DESTINATION bin
-)
+install(TARGETS talker DESTINATION lib)
 rclcpp_components_register_node(talker PLUGIN "my_pkg::Talker" EXECUTABLE talker_node)
 """
 
@@ -54,7 +50,10 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     "unregistered-component",
     over=ComponentRegistration,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it"},
+    levels={
+        Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
+        "the keywords of one node are taken for classes"
+    },
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": cmake(LINES.replace('"my_pkg::Talker"', '«"my_package::Talker"»'))},
@@ -63,6 +62,11 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
         ),
         Example(
             bad={**FILES, "CMakeLists.txt": cmake(LINES.replace("node(talker", "node(«talkr»"))},
+            good={"CMakeLists.txt": cmake(LINES)},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={**FILES, "CMakeLists.txt": cmake(LINES.replace("node(talker PLUGIN", "nodes(talker «PLUGIN»"))},
             good={"CMakeLists.txt": cmake(LINES)},
             on="ament_cmake",
         ),
@@ -107,6 +111,10 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
         word, made = each.target, [target.name for target in cmake.targets]
         message = f"nothing makes the target {cmake.quoted(word)}{did_you_mean(word.text, made)}: CMake stops"
         yield Hit(word.path, word.span, f"{message}; name the library that holds `{each.plugin.text}`")
+    for word in components.misread_keywords():
+        why = f"`{word.text}` is no class: `rclcpp_components_register_nodes` takes classes alone"
+        message = f"{why}, and makes no executable; write `rclcpp_components_register_node`"
+        yield Hit(word.path, word.span, message, Severity.WARNING)
     for each in components.without_source():
         yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))
     for source in components.without_cmake():
