@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import SETUP_CFG, SETUP_PY, setup_py
+from rospkg_cli.example import SETUP_CFG, SETUP_PY, manifest, setup_py
 
 from .setups import python
 
@@ -12,6 +12,8 @@ entry_points={
         'console_scripts': ['talker = my_pkg.talker:main'],
         'console-scripts': ['listener = my_pkg.listener:main'],
     },"""
+TOOL = "['setuptools']"
+NUMPY = manifest("  <depend>python3-numpy</depend>\n")
 NAME = "from setuptools import find_packages, setup\n"
 
 CASES = {
@@ -36,6 +38,18 @@ CASES = {
         python({"setup.py": SETUP_PY.replace("license='Apache-2.0'", "licence='Apache-2.0', licens='x'")}),
         python({"setup.py": setup_py("scripts=['my_pkg/' 'talker'],"), "my_pkg/talker": ""}),
         python({"setup.py": setup_py("scripts=['my_pkg/' '+'],")}),
+    ),
+    "SET311": (
+        python(
+            {
+                "setup.py": SETUP_PY.replace(
+                    TOOL, "['setuptools', 'numpy>=1.2', 'opencv-python', 'unknown-of-all', 'pip']"
+                )
+            }
+        ),
+        python({"setup.py": SETUP_PY.replace(TOOL, "['numpy; python_version < \"3\"']")}),
+        python({"setup.py": SETUP_PY.replace(TOOL, "['numpy']"), "my_pkg/a.py": "import numpy\n"}),
+        python({"setup.py": SETUP_PY.replace(TOOL, "['numpy']"), "package.xml": NUMPY}),
     ),
     "SET310": (
         python({"setup.py": setup_py("test_require=['pytest'],")}),
