@@ -112,3 +112,15 @@ def test_what_the_package_does_not_compile_is_milder() -> None:
     header = '#include "my_pkg/wodrs.hpp"\n'
     assert findings("", my_pkg__include__my_pkg__b=header) == [(WARNING, "my_pkg/words.hpp")]
     assert findings('#include "my_pkg/b.hpp"', my_pkg__include__my_pkg__b=header) == [(ERROR, "my_pkg/words.hpp")]
+
+
+def test_a_header_that_git_ignores_is_made_by_somebody() -> None:
+    source = '#include "my_pkg/renamed_long_ago.hpp"'
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(talker src/a.cpp)\nament_package"),
+        "src/a.cpp": f"{source}\nint main() {{return 0;}}\n",
+        "include/my_pkg/words.hpp": "",
+    }
+    assert len(lint_files(files, ["CMK201"]).findings) == 1
+    assert lint_files({**files, ".gitignore": "renamed_*.hpp\n"}, ["CMK201"]).findings == ()

@@ -75,3 +75,10 @@ def test_the_package_of_the_packages_own_name(lines: str, expected: list[Severit
 def test_what_is_imported_too_is_told_once() -> None:
     files = {**OWN, "scripts/a.py": "#!/usr/bin/env python3\nimport my_pkg.words\n"}
     assert levels(PYTHON + SCRIPT, files) == [Severity.ERROR]
+
+
+def test_a_module_beside_a_script_in_the_packages_own_folder() -> None:
+    install = "install(PROGRAMS a.py DESTINATION lib/${PROJECT_NAME})\n"
+    files = {"a.py": "#!/usr/bin/env python3\nimport b\n"}
+    assert levels(install, {**files, "b.py": ""}) == [Severity.WARNING]
+    assert levels(install, files) == []
