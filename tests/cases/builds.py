@@ -115,6 +115,10 @@ CASES = {
         cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\nif __name__ == '__main__':\n    os.abort()\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['python3', share + '/hello.py']\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['bash', share + '/hello.py']\n"}),
+        *(
+            cmake(cmk105.PROGRAMS.replace("hello.py", "hello"), files={"scripts/hello": text})
+            for text in ("import os\n\nprint(os.name)\n", "import -window root a.png\nprint (a)\n")
+        ),
         cmake(BOTH, files=IMPORTS),
         cmake(BOTH, files={**IMPORTS, "scripts/other.py": "#!/usr/bin/env python3\nimport hello_world\n"}),
     ),

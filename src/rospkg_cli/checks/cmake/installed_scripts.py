@@ -24,6 +24,8 @@ IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
 STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try|raise)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
 DEFINES = regex(r"^(?:class|def|async def)\b", re.MULTILINE)
+IMPORTS = regex(r"^(?:from[ \t]+[\w.]+[ \t]+import[ \t(]|import[ \t]+[\w.]+[ \t]*$)", re.MULTILINE)
+"""A line that is of Python and of no shell."""
 USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
@@ -72,7 +74,7 @@ class InstalledScripts:
             return None
         if copy.rule.kind == "PROGRAMS":
             if not shebang:
-                return "no shebang" if copy.source.endswith(".py") and self.does_something(copy.source) else None
+                return "no shebang" if self.is_python(copy.source) and self.does_something(copy.source) else None
             return None if bit else "no bit"
         if not shebang or not self.is_runnable(copy.source):
             return None
@@ -96,6 +98,12 @@ class InstalledScripts:
         """Return whether a file is a Python module to import: definitions, and nothing that does something."""
         text = self.package.cmake.package_files.readable_text(path)
         return path.endswith(".py") and DEFINES.search(text) is not None and not self.does_something(path)
+
+    def is_python(self, path: str) -> bool:
+        """Return whether a file is Python by its name, or by its imports where its name has no suffix."""
+        if "." in posixpath.basename(path):
+            return path.endswith(".py")
+        return IMPORTS.search(self.package.cmake.package_files.readable_text(path)) is not None
 
     def does_something(self, path: str) -> bool:
         """Return whether a Python file is more than definitions, which are there to be imported."""
