@@ -61,5 +61,5 @@ def test_several_executables() -> None:
 def test_a_library_from_outside_by_its_rosdep_key(capsys: pytest.CaptureFixture[str]) -> None:
     package = written("my_robot_nav", "--depends", "python3-numpy,python3-opencv") / "my_robot_nav"
     assert "<exec_depend>python3-numpy</exec_depend>" in (package / "package.xml").read_text()
-    assert rospkg("new", "other_pkg", "--depends", "opencv-python", *WHO) == 0
-    assert "write `python3-opencv`" in capsys.readouterr().err
+    assert rospkg("new", "other_pkg", "--depends", "opencv-python,python3-yaml", *WHO) == 2
+    assert "write `--depends python3-opencv,python3-yaml`" in capsys.readouterr().err

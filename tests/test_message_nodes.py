@@ -65,6 +65,8 @@ def test_the_header_has_the_name_that_rosidl_gives_it(name: str, header: str) ->
 
 REFUSED = {
     "a_node:timer:RobotStatus": "that of a publisher or subscriber",
+    "a_node:std_msgs/Strng": r"`std_msgs` has no message `Strng` \(did you mean `String`\?\)",
+    "a_node:nav_msgs/GoalPoze": "no message `GoalPoze`",
     "a_node:Twist": "Write `geometry_msgs/Twist`",
     "a_node:Waypoint": "rospkg new my_robot_nav_interfaces --type interfaces --msg Waypoint",
     "a_node:my_robot_nav_interfaces/RobotState": "did you mean `RobotStatus`",

@@ -159,6 +159,21 @@ def test_a_dependency_that_makes_no_sense_is_refused(key: str, reason: str) -> N
         new(Request("my_robot_nav", depends=(key,), **ADA))
 
 
+WRONG = {
+    ("std_msgs", "opencv-python"): "is its name on PyPI.* write `--depends std_msgs,python3-opencv`",
+    ("nav2_utill",): "no known ROS package .* write `--depends nav2_util`",
+    ("json", "numpy"): "write `--depends python3-numpy`",
+    ("json",): "comes with Python itself: .*; leave --depends out",
+}
+
+
+@pytest.mark.parametrize("depends", WRONG)
+def test_a_key_that_is_certainly_wrong_is_refused_with_the_right_option(depends: tuple[str, ...]) -> None:
+    with pytest.raises(UsageError, match=WRONG[depends]):
+        new(Request("my_robot_nav", depends=depends, **ADA))
+    assert everything(Path()) == set()
+
+
 @pytest.mark.parametrize(
     "make", [Path.touch, lambda path: path.symlink_to("nowhere"), lambda path: path.symlink_to(".")]
 )

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from ..light_dataclasses import dataclass
 from ..package.interfaces.interface_file import InterfaceFile, Member
 from ..ros.core_messages import CORE_MESSAGES
+from ..ros.interface_fields import known_interfaces
 from ..ros.interfaces import CPP_KEYWORDS, INTERFACE_NAME
 from ..ros.manifest import PACKAGE_NAME
 from ..suggest import did_you_mean
@@ -78,11 +79,19 @@ def message_of(word: str, package: str, there: WorkspacePackages) -> Message:
         raise ScaffoldError(f"`{owner}/{name}` {reason}; give the message another name")
     neighbour = there.named(owner)
     if neighbour is None:
+        check_well_known(owner, name)
         return Message(owner, name)
     known = messages_of(neighbour)
     if name not in known:
         raise ScaffoldError(f"`{owner}` has no message `{name}`{did_you_mean(name, sorted(known))}")
     return Message(owner, name, tuple(field for part in known[name].sections[:1] for field in fields(part.fields)))
+
+
+def check_well_known(owner: str, name: str) -> None:
+    """Raise ScaffoldError for a message that a package of our table, which holds those of all distributions, lacks."""
+    known = known_interfaces().get(owner, {}).get("msg")
+    if known is not None and name not in known:
+        raise ScaffoldError(f"`{owner}` has no message `{name}`{did_you_mean(name, sorted(known))}")
 
 
 def messages_of(neighbour: Neighbour) -> dict[str, InterfaceFile]:

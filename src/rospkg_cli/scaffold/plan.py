@@ -26,6 +26,7 @@ from .template import Template, load_template, template_names
 from .test_level import test_level
 from .user_text import UserText, user_text
 from .workspace import WorkspacePackages, workspace_packages
+from .wrong_depends import refuse_wrong_depends
 
 LAUNCH = "py"
 LICENSE = "Apache-2.0"
@@ -78,6 +79,7 @@ def plan_with(
     files = render(template, answers)
     findings = lint_written(answers, files, there).findings
     refuse_errors(template, findings)
+    refuse_wrong_depends(request.depends, findings)
     if maintainer.guessed:
         notes.append(where_guessed(maintainer, files))
     commands = tuple(render_line(template, line, answers) for line in template.commands)
