@@ -154,6 +154,7 @@ def test_a_component_is_a_library_and_an_executable() -> None:
     draft = added(files, "node", "part:component")
     cmake = text(draft, "CMakeLists.txt")
     assert "ament_auto_add_library(part_component SHARED src/part.cpp)\n" in cmake
+    assert "set_target_properties(part_component PROPERTIES OUTPUT_NAME ${PROJECT_NAME}_part)\n" in cmake
     assert 'rclcpp_components_register_node(part_component\n  PLUGIN "my_pkg::PartNode"\n  EXECUTABLE part)\n' in cmake
     assert "install(" not in cmake
     comes_back(files, draft, "node", "part")

@@ -403,8 +403,20 @@ def test_each_cpp_node_is_built_and_installed() -> None:
         assert f"add_executable({name} src/{name}.cpp)\n" in lists
     assert "install(TARGETS\n  talker\n  listener\n  DESTINATION lib/${PROJECT_NAME})\n" in lists
     assert "add_library(loaded_component SHARED src/loaded.cpp)\n" in lists
+    assert "loaded_component PROPERTIES OUTPUT_NAME ${PROJECT_NAME}_loaded)\n" in lists  # lib/ is everybody's
     assert 'PLUGIN "my_robot_nav::LoadedNode"\n  EXECUTABLE loaded)\n' in lists
     assert "ament_target_dependencies" not in lists
+
+
+def test_an_action_server_survives_a_stop_with_a_goal_at_work() -> None:
+    files = cmake(nodes=("worker:action-server", "talker"))
+    guard = "} catch (const rclcpp::exceptions::RCLError &) {\n    if (rclcpp::ok()) {\n      throw;"
+    assert guard in files["src/worker.cpp"]
+    assert "catch" not in files["src/talker.cpp"]
+
+
+def test_a_launch_file_in_python_hands_the_log_level_to_ros() -> None:
+    assert "ros_arguments=['--log-level', " in texts(plan())["launch/my_robot_nav.launch.py"]
 
 
 def test_cpp_is_of_its_distributions_standard() -> None:

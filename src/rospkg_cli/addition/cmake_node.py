@@ -65,6 +65,10 @@ class NodeTarget:
             targets = "".join(f"\n{cmake.root.indent}{each}" for each in [*linked, *targets_of(self.node)])
             lines.append(f"target_link_libraries({self.name} PRIVATE{targets}\n)")
         if is_component:
+            # lib/ is everybody's: two packages may have a node of one name
+            lines.append(
+                f"set_target_properties({self.name} PROPERTIES OUTPUT_NAME ${{PROJECT_NAME}}_{self.node.name})"
+            )
             plugin = f'PLUGIN "{self.namespace}::{self.node.class_name}"'
             indent = f"\n{cmake.root.indent}"
             executable = f"EXECUTABLE {self.node.name}"

@@ -81,4 +81,5 @@ class LifecycleNode(Node):
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        assert not self._managed, "what on_configure made is still there"
         return self._all(False)

@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,15 @@ namespace rclcpp
 inline void init(int, char const * const *) {}
 inline bool shutdown() {return true;}
 inline bool ok() {return true;}
+
+namespace exceptions
+{
+class RCLError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+}  // namespace exceptions
 
 class Logger {};
 
