@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Literal
+from collections.abc import Callable, Iterator
+from typing import Literal, TypeVar
 
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
 from ..package.interfaces.interface_file import InterfaceFile
 from ..package.launch.launch_file import LaunchFile
 from ..package.manifest import Manifest
@@ -17,6 +18,8 @@ from ..package.urdf.robot_file import RobotFile
 from ..source import Span
 
 MentionKind = Literal["package", "executable", "component", "file", "interface", "function", "parameter", "rule"]
+
+M = TypeVar("M", InterfaceFile, RobotFile, LaunchFile, ParameterFile)
 
 IGNORES = regex(r"rospkg: ignore\[([^\]\n]*)\]")
 CODE = regex(r"[A-Z]{3}[0-9]{3}")
@@ -41,22 +44,26 @@ def mention_at(package: Package, path: str, offset: int) -> Mention | None:
 def mentions(package: Package, path: str) -> Iterator[Mention]:
     """Yield what a file of a package names, in no order."""
     yield from ignored_rules(package, path)
+    name = path.rpartition("/")[2]
     if path == "package.xml":
         yield from in_manifest(package)
     elif path in ("setup.py", "setup.cfg"):
         yield from in_setup(package, path)
-    for file in package.parts(LaunchFile).good:
+    elif name.endswith((".msg", ".srv", ".action")):
+        yield from in_file(package, path, InterfaceFile, in_interface)
+    elif name.endswith((".urdf", ".xacro", ".sdf", ".world")):
+        yield from in_file(package, path, RobotFile, in_robot)
+    elif role_of(path) == "launch":
+        yield from in_file(package, path, LaunchFile, in_launch_file)
+    elif name.endswith((".yaml", ".yml")):
+        yield from in_file(package, path, ParameterFile, in_parameters)
+
+
+def in_file(package: Package, path: str, kind: type[M], read: Callable[[M], Iterator[Mention]]) -> Iterator[Mention]:
+    """Yield what the models of a kind mention that were made of one file."""
+    for file in package.parts(kind).good:
         if file.path == path:
-            yield from in_launch_file(file)
-    for interface in package.parts(InterfaceFile).good:
-        if interface.path == path:
-            yield from in_interface(interface)
-    for robot in package.parts(RobotFile).good:
-        if robot.path == path:
-            yield from in_robot(robot)
-    for parameters in package.parts(ParameterFile).good:
-        if parameters.path == path:
-            yield from in_parameters(parameters)
+            yield from read(file)
 
 
 def ignored_rules(package: Package, path: str) -> Iterator[Mention]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 from ..files import PackageFiles
 from ..light_dataclasses import dataclass, field
 from ..package.install_table import InstalledFile, InstallTable
@@ -31,6 +33,10 @@ class LookupWorld:
         if folder not in self._packages:
             self._packages[folder] = Package(PackageFiles(self.tree.sub(folder), folder, self.tree))
         return self._packages[folder]
+
+    def keep(self, other: LookupWorld, changed: Set[str | None]) -> None:
+        """Take over what another world of the same packages has read, but for those in some folders."""
+        self._packages |= {folder: package for folder, package in other._packages.items() if folder not in changed}
 
     def facts(self, name: str, folder: str) -> PackageFacts | None:
         """Return the facts of a named package; of the one in a folder where no name is given."""

@@ -44,7 +44,11 @@ class LiveWorkspace:
     facts: dict[str, PackageFacts] = field(default_factory=dict)
     """The last known facts of each package, by folder."""
     _world: LookupWorld | None = None
-    _known: object = None
+    _world_of: Session | None = None
+    _world_folders: tuple[str, ...] = ()
+    _known: dict[Path, int] = field(default_factory=dict)
+    stale: set[Path] = field(default_factory=set)
+    """The paths that have changed on disk since something was looked up."""
 
     def put(self, path: Path, text: bytes | None) -> None:
         """Take the text of an editor for that of a file; None gives the file back."""
@@ -74,6 +78,7 @@ class LiveWorkspace:
         """Return the run over what is known already and the next packages."""
         session = make_session(LintOptions(), configs, located, no_progress)
         changed, self.changed = self.changed, set()
+        self.stale |= changed
         if located.root != self.root:
             self.memory = LivePackages()
         self.memory.forget(relative_to(changed, located.root), located.scope.folders)
@@ -98,11 +103,17 @@ class LiveWorkspace:
         session = self.session
         if session is None:
             return None
-        known = (session, {path: id(text) for path, text in list(self.texts.items())})
-        if self._world is None or known != self._known:
-            tree = DiskTree(self.root, session.scope.folders)
+        known = {path: id(text) for path, text in list(self.texts.items())}
+        if self._world is None or session is not self._world_of or known != self._known:
+            changed = {path for path in {*known, *self._known} if known.get(path) != self._known.get(path)}
             workspace = session.link(sorted(self.facts.values(), key=lambda each: each.folder))
-            self._world, self._known = LookupWorld(self.overlay(tree, self.root), workspace), known
+            world = LookupWorld(self.overlay(DiskTree(self.root, session.scope.folders), self.root), workspace)
+            if self._world is not None and session.scope.folders == self._world_folders:
+                world.keep(
+                    self._world, {package_of(path, self.root, session.scope.folders) for path in changed | self.stale}
+                )
+            self._world, self._world_of, self._known = world, session, known
+            self._world_folders, self.stale = session.scope.folders, set()
         return self._world
 
     def overlay(self, tree: DiskTree, root: Path) -> Overlay:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib.util import find_spec
 
 from .. import UsageError
@@ -16,6 +17,7 @@ def serve() -> int:
     from .answers import offer_lookups
     from .language_server import PackageServer, offer_actions, watch_texts
 
+    gc.set_threshold(10_000, 10, 10)  # unlike a run that ends soon, a server has to give back what it read
     server = PackageServer()
     for let in (watch_texts, offer_actions, offer_lookups):
         let(server)
