@@ -17,7 +17,7 @@ from rospkg_cli.scaffold.template import load_template
 
 pytestmark = pytest.mark.network
 KINDS = tuple(f"n_{kind.replace('-', '_')}:{kind}" for kind in load_template("ament_python").kinds)
-CPP_KINDS = tuple(f"c_{kind.replace('-', '_')}:{kind}:cpp" for kind in load_template("ament_cmake").kinds)
+CPP_KINDS = ("c_talker:publisher:cpp", "c_part:component:cpp", "c_idler:empty:cpp")
 
 SETUP = """\
 from setuptools import find_packages, setup
@@ -124,10 +124,10 @@ def test_nodes_in_cpp(debian_colcon: Shell, tmp_path: Path, form: str) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert all(installed(tmp_path, name) for name in [*names(CPP_KINDS), "script"])
     assert (tmp_path / "install/robot/share/robot/launch/up.launch.xml").is_file()
-    for name in ["script", *names(CPP_KINDS)]:
-        rospkg(package, "remove", "node", name)
-    rospkg(package, "remove", "launch", "up:xml")
+    rospkg(package, "remove", "launch", "up:xml")  # it starts the nodes
     rospkg(package, "remove", "test", "thing")
+    rospkg(package, "remove", "node", "script")
+    rospkg(package, "remove", "node", *names(CPP_KINDS))
     assert {
         path.relative_to(package).as_posix(): path.read_text() for path in package.rglob("*") if path.is_file()
     } == (files)
