@@ -166,3 +166,69 @@ def test_headers_in_a_shared_folder_are_those_of_one_package() -> None:
 def test_python_that_cannot_be_read_may_use_anything(clean) -> None:
     assert names(clean, "<depend>nav_msgs</depend>", **{"my_pkg__broken.py": "import nav_msgs.msg\ndef (\n"}) == []
     assert names(clean, "<depend>nav_msgs</depend>", **{"my_pkg__broken.py": "def (\n"}) == []
+
+
+@pytest.mark.parametrize("tag", ["exec_depend", "test_depend"])
+@pytest.mark.parametrize(
+    "name, path, text",
+    [
+        ("position_controllers", "config__a.yaml", "type: position_controllers/JointGroupPositionController\n"),
+        ("joint_state_broadcaster", "launch__a.py", "SPAWN = 'joint_state_broadcaster'\n"),
+        ("ros2param", "README.md", "Then run ros2 param list.\n"),
+        ("ros2topic", "test__a.py", "CMD = ['ros2', 'topic', 'echo']\n"),
+        ("ros2bag", "scripts__a.sh", "ros2 \\\n  bag play\n".replace("\\\n", "")),
+        ("ros2service", "launch__a.launch.xml", "<launch>\n  <executable cmd='ros2service call'/>\n</launch>\n"),
+    ],
+)
+def test_what_is_always_named_where_it_is_used(tag: str, name: str, path: str, text: str) -> None:
+    line = f"<{tag}>{name}</{tag}>"
+    assert of_cmake(line) == [name]
+    assert of_cmake(line, **{path: text}) == []
+    assert gathered(line) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["nav2_mppi_controller", "rqt_joint_trajectory_controller", "ros2run", "ros2launch", "ros2cli"]
+)
+def test_what_is_used_without_its_name(name: str) -> None:
+    assert of_cmake(f"<exec_depend>{name}</exec_depend>") == []
+
+
+def test_another_command_is_no_use() -> None:
+    assert of_cmake("<exec_depend>ros2topic</exec_depend>", **{"README.md": "ros2 topics, ros2 node, topic\n"}) == [
+        "ros2topic"
+    ]
+
+
+@pytest.mark.parametrize(
+    "plugin, unused", [("position_controllers/Group", []), ("other/Group", ["position_controllers"])]
+)
+def test_parameters_of_another_package_name_controllers(plugin: str, unused: list[str]) -> None:
+    text = CMAKE.replace("ament_package()", NODE_TARGET + "\nament_package()")
+    files = {f"a/{path}": text for path, text in CPP.items()} | {"a/CMakeLists.txt": text}
+    files["a/package.xml"] = manifest("  <exec_depend>position_controllers</exec_depend>\n", "ament_cmake")
+    files |= {"b/package.xml": manifest("", "ament_cmake", "b"), "b/CMakeLists.txt": CMAKE}
+    files["b/config/a.yaml"] = f"arm:\n  type: {plugin}\n"
+    assert [f.message.split("`")[1] for f in lint_files(files, ["DEP202"]).findings] == unused
+
+
+PLUGIN = '<library path="x">\n  <class type="b::X" base_class_type="{}"/>\n</library>\n'
+
+
+@pytest.mark.parametrize(
+    "base, program, unused",
+    [
+        ("controller_interface::ControllerInterface", "", ["b"]),
+        ("controller_interface::ControllerInterface", "node", []),
+        ("rviz_common::Display", "", []),
+    ],
+)
+def test_a_package_of_the_workspace_that_holds_controllers_alone(base: str, program: str, unused: list[str]) -> None:
+    text = CMAKE.replace("ament_package()", NODE_TARGET + "\nament_package()")
+    files = {f"a/{path}": text for path, text in CPP.items()} | {"a/CMakeLists.txt": text}
+    files["a/package.xml"] = manifest("  <exec_depend>b</exec_depend>\n", "ament_cmake")
+    lines = "pluginlib_export_plugin_description_file(controller_interface plugins.xml)\n"
+    lines += "add_executable(node a.cpp)\ninstall(TARGETS node DESTINATION lib/b)\n" if program else ""
+    files |= {"b/package.xml": manifest("", "ament_cmake").replace("my_pkg", "b"), "b/plugins.xml": PLUGIN.format(base)}
+    files["b/CMakeLists.txt"] = CMAKE.replace("my_pkg", "b").replace("ament_package()", lines + "ament_package()")
+    assert [f.message.split("`")[1] for f in lint_files(files, ["DEP202"]).findings] == unused

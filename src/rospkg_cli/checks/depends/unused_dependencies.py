@@ -19,6 +19,7 @@ from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .missing_find_package import AUTOMATIC
+from .named_uses import NamedUses
 from .word_index import WordIndex
 
 BUILT_IN = frozenset({"depend", "build_depend"})
@@ -98,8 +99,14 @@ class UnusedDependencies:
                 yield from self.for_the_build(dependency)
             elif tag == "test_depend" and name in TOOLS:
                 yield from () if self.is_tool_used(name) or self.words.has(name) else (UnusedDependency(dependency),)
-            elif tag in LATER and interfaces and self.has_code and name not in BY_GENERATORS and not self.may_use(name):
+            elif tag in LATER and self.has_code and self.leaves_no_trace(name):
                 yield UnusedDependency(dependency)
+
+    def leaves_no_trace(self, name: str) -> bool:
+        """Return whether a package is of a kind that is always named where it is used, and nothing names it."""
+        if IMPORTED_ONLY.fullmatch(name):
+            return name not in BY_GENERATORS and not self.may_use(name)
+        return NamedUses(self.words, self.declared.workspace).is_unused(name)
 
     def for_the_build(self, dependency: Dependency) -> Iterator[UnusedDependency]:
         """Yield a dependency that is declared for the build, where nothing that is built uses it."""

@@ -51,19 +51,19 @@ def unused_dependency(unused: UnusedDependencies) -> Iterator[Hit]:
     Finds dependencies that nothing in the package uses.
     No import, launch file, parameter file or robot names them. In a Python package `<depend>`, `<build_depend>`, and
     `<exec_depend>` of interfaces and Python libraries are checked; in a CMake package `<depend>` and `<build_depend>`
-    on ROS packages, all tags on interfaces, and tools for launch tests. Any other `<exec_depend>` may be a node that is
-    started by name, or a plugin, and is left alone. Where nothing that is built uses a package, and a launch file, a
-    document or nothing at all in a package that builds nothing does, `<exec_depend>` is enough.
+    on ROS packages, all tags on interfaces, on ros2_control's controllers and on commands of ros2cli, and tools for
+    launch tests. Any other `<exec_depend>` may be a node that is started by name, or a plugin, and is left alone. Where
+    nothing that is built uses a package, and a launch file, a document or nothing at all in a package that builds
+    nothing does, `<exec_depend>` is enough.
 
     ## Why is this bad?
     All users of the package install it too, and `colcon build` waits for it.
 
     ## When it is quiet
-    Whatever names the package anywhere, in code, launch files, parameters, robots or documents, counts as a use.
-    Packages without code gather dependencies on purpose, for which `<exec_depend>` will do; a command that reads
-    package.xml (`ament_auto_find_build_dependencies()`) counts as a use for the build. Where a part can't be read
-    nothing is said. `<exec_depend>` is left alone, but for interfaces and Python libraries of ament_python packages: it
-    may be a node that is started by name.
+    Whatever names the package anywhere, in code, launch files, parameters, robots or documents, counts as a use, and so
+    does a controller that parameters of another package name. Packages without code gather dependencies on purpose, for
+    which `<exec_depend>` will do; a command that reads package.xml (`ament_auto_find_build_dependencies()`) counts as a
+    use for the build. Where a part can't be read nothing is said.
 
     ## Fix safety
     Something outside of the package may rely on the dependency being installed.
