@@ -268,3 +268,10 @@ LINK = "add_executable(main src/main.cpp)\ntarget_link_libraries(main part)\n"
 def test_a_component_of_a_library_that_is_only_loaded(lines: str, expected: list[Severity]) -> None:
     files = {**package(lines), "src/part.cpp": PART, "src/main.cpp": "int main() {return 0;}\n"}
     assert levels(files, "CMK108") == expected
+
+
+@pytest.mark.parametrize("name", ["rclcpp", "std_msgs", "launch_testing_ament_cmake", "ament_cmake_ros", "my_tools"])
+def test_a_command_for_tests_is_told_by_one_rule(name: str) -> None:
+    """Also where a dependency installs its package, which is not to find it."""
+    files = package(GTEST.format("ament_add_gtest(test_a test/a.cpp)"), f"  <depend>{name}</depend>\n")
+    assert len(lint_files({**files, "test/a.cpp": "int main() {return 0;}\n"}, ["CMK114", "DEP104"]).findings) == 1

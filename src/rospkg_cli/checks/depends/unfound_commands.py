@@ -14,6 +14,7 @@ from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
 from .missing_find_package import MissingFindPackages
+from .undeclared_test_commands import CommandsForTests
 
 TABLE = "command_packages.txt"
 FINDS_FOR_TESTS = "ament_lint_auto_find_test_dependencies"
@@ -86,9 +87,15 @@ class UnfoundCommands:
         if near_names(package, self.found):
             return True
         if call.name in rows(TABLE, "tests"):
-            return not self.missing.declared.has([package])
+            return package in self.undeclared
         return package in self.missing_names
 
     @cached_property
     def missing_names(self) -> frozenset[str]:
         return frozenset(each.name for each in self.missing.packages())
+
+    @cached_property
+    def undeclared(self) -> frozenset[str]:
+        """The packages of commands for tests that DEP104 tells."""
+        commands = CommandsForTests(self.missing.declared, self.package.cmake)
+        return frozenset(each.package for each in commands.undeclared())
