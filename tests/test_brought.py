@@ -131,7 +131,7 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     )
     assert finding.fix is not None
     assert finding.fix.safety is Safety.UNSAFE
-    assert finding.message.endswith("no distribution has it: clone it, or list it in a .repos file")
+    assert finding.message.endswith("no distribution has it: clone it")
 
 
 @pytest.mark.parametrize(("name", "meant"), [("turtlesym", True), ("urtlesim", False)])

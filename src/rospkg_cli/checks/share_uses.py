@@ -67,5 +67,5 @@ class ShareUses:
         if self.level(folder) != "info":
             return "what opens it in the share directory does not find it"
         if self.opens_in_source(folder):
-            return "the README opens it in the source folder, which is not there once the package is installed"
+            return "only the README opens it, in the source folder, which an installed package lacks"
         return "no other package can open it, and nothing in this one does"

@@ -44,7 +44,7 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"
         case "unknown":
-            return "no distribution has it: clone it, or list it in a .repos file"
+            return "no distribution has it: clone it"
 
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:

@@ -20,7 +20,7 @@ from ..fault import Level
 from .python_expressions import filled, parsed
 
 NEVER_ADDED = "but the action is built and never added to the launch description"
-OFF = "only where its condition holds, which it does not by default"
+OFF = "but only where its condition holds (not by default)"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
 

@@ -20,7 +20,7 @@ from ...package.params.parameter_file import (
 from ...package.params.scalar_types import type_of
 from ..fault import Fault
 
-REFUSES = "rcl refuses the whole file, and the node does not start"
+REFUSES = "rcl refuses the file, and the node does not start"
 NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 WILDCARDS = ("*", "**")
 MAX_NAME = 255

@@ -84,8 +84,8 @@ def removed_command(linked: AmentTargetDependencies) -> Iterator[Hit]:
     related = tuple(Related(each.file.path, each.command.name_span, "and this call") for each, _ in others)
     counted = f" ({len(found)} calls)" if others else ""
     message = (
-        f"`ament_target_dependencies`{counted} is deprecated in Kilted and removed in Lyrical, where CMake stops with "
-        f'"Unknown CMake command"; {advice([replacement for _, replacement in found])}'
+        f"`ament_target_dependencies`{counted} is deprecated in Kilted and gone in Lyrical: CMake stops there; "
+        f"{advice([replacement for _, replacement in found])}"
     )
     level = level_for(linked.targets)
     yield Hit(first.file.path, first.command.name_span, message, level, related=related, fix=fix(found))

@@ -44,7 +44,7 @@ def pip_key(names: DependencyNames) -> Iterator[Hit]:
         if workspace.named(each.name) or not workspace.index.is_pip(each.name, names.targets):
             continue
         message = (
-            f"`{each.name}` is installed from PyPI: a package that depends on it can't be released; depend on a key "
-            f"that Ubuntu serves, or have the library packaged"
+            f"`{each.name}` is installed from PyPI: a package that depends on it can't be released; use a key of "
+            f"Ubuntu, or have it packaged"
         )
         yield Hit(names.declared.manifest.path, each.span, message)

@@ -103,9 +103,7 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
 
 
 def unknown_command(each: UndeclaredTestCommand) -> str:
-    start = (
-        f"`{each.call.name}` comes with `{each.package}`, which CMake does not find and package.xml does not declare"
-    )
+    start = f"`{each.call.name}` comes with `{each.package}`, which is neither found nor declared"
     if each.may_be_brought:
         stops = "it is known only if another package finds it"
     else:

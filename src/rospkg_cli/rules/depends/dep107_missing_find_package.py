@@ -66,11 +66,7 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     cmake = missing.includes.cmake
     for each in missing.packages():
         line = f"find_package({each.name} REQUIRED)"
-        ends = (
-            "it builds only as long as another package that is found brings it"
-            if each.may_be_transitive
-            else "the build stops"
-        )
+        ends = "it builds only while another package brings it" if each.may_be_transitive else "the build stops"
         tag = "test_depend" if each.testing else "depend"
         lines = f"`{line}`" if each.is_declared else f"`{line}`, and <{tag}>{each.name}</{tag}> to package.xml"
         message = f"CMake never looks for `{each.name}`, but {each.usage}: {ends}; add {lines}"

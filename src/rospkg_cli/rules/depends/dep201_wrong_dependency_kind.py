@@ -93,7 +93,7 @@ def consequence(each: WrongKind) -> str:
             ends = f"\"package '{each.dependency.name}' not found\""
             return f"where only a release is installed, the launch stops with {ends}"
         case "include":
-            return 'where it is not installed for building, the build ends with "No such file or directory"'
+            return 'on the build farm the build ends with "No such file or directory"'
         case "find":
             return 'on the build farm the build stops with "Could not find a package configuration file"'
 

@@ -59,8 +59,8 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
     installed = role_of(file.path) == "launch"
     if file.frontend == "python" and not file.has_entry_point and installed and STARTABLE.fullmatch(name):
         message = (
-            f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define the function, "
-            f"or give the file a name that does not end in `launch.py` if others import it"
+            f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define it, "
+            f"or give a file that others import another ending"
         )
         is_empty = file.python is not None and not file.python.tree.body
         yield Hit(file.path, Span(0, 0), message, Severity.INFO if is_empty else None)

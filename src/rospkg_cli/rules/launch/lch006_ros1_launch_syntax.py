@@ -78,6 +78,6 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     if scope.is_ros1_leftover:
         message = (
             "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "
-            "refuses it; port it, or install it no longer"
+            "refuses it; port it, or do not install it"
         )
         yield Hit(file.path, first_sign(file), message, Severity.WARNING)

@@ -90,9 +90,7 @@ def unquoted_robot_description(robots: RobotDescriptions) -> Iterator[Hit]:
         yield Hit(file.path, each.span, message, fix=wrapped(width, (file, each)))
     if works:
         (file, each), *others = works
-        message = (
-            f"launch_ros reads `{each.parameter}` as YAML: as soon as the robot holds a `: `, {ends(each)}; {BETTER}"
-        )
+        message = f"launch_ros reads `{each.parameter}` as YAML: at a `: ` in the robot {ends(each)}; {BETTER}"
         again = tuple(Related(other.path, at.span, "here too") for other, at in others)
         yield Hit(file.path, each.span, message, Severity.INFO, again, wrapped(width, *works))
 

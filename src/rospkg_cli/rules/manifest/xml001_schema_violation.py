@@ -17,7 +17,7 @@ from ...ros.manifest import NEW_IN
 from ...rule import rule
 from ...source import Span
 
-LOST = "colcon does not stop: it builds the folder as a plain package, which ROS does not find"
+LOST = "colcon builds the folder as a plain package, which ROS does not find"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
 """Values that other rules judge; an attribute of any other tag is theirs as well."""
 

@@ -59,8 +59,8 @@ def unsupported_format(tests: SchemaTests) -> Iterator[Hit]:
     declared = manifest.declared_format
     if declared is not None and manifest.format not in FORMATS:
         message = (
-            f"there is no format `{declared.value}` of package.xml: colcon can't read it and builds the folder as a "
-            f'plain package; write `format="3"`'
+            f"there is no format `{declared.value}` of package.xml: colcon builds the folder as a plain "
+            f'package; write `format="3"`'
         )
         yield Hit(manifest.path, declared.value_span if declared.value else declared.span, message, fix=fix)
     elif declared is not None and declared.value != str(manifest.format):
@@ -71,7 +71,7 @@ def unsupported_format(tests: SchemaTests) -> Iterator[Hit]:
     newer = manifest.all(*(tag for tags in NEW_IN.values() for tag in tags))
     if declared is None and newer:
         message = (
-            f"`<package>` names no format, so it is format 1, which has no `<{newer[0].tag}>`: colcon refuses the "
-            f'manifest and builds the folder as a plain package; write `<package format="3">`'
+            f"`<package>` names no format, so it is format 1, which has no `<{newer[0].tag}>`: colcon builds "
+            f'the folder as a plain package; write `<package format="3">`'
         )
         yield Hit(manifest.path, manifest.root.open, message, Severity.WARNING, fix=fix)

@@ -59,7 +59,7 @@ def feature_needs_format_3(tests: SchemaTests) -> Iterator[Hit]:
     for element, attribute in manifest.features_of_3:
         what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
         mild = attribute is not None and attribute.name == "compatibility"
-        lost = tests.harm if mild else "colcon refuses the manifest and builds the folder as a plain package"
+        lost = tests.harm if mild else "colcon builds the folder as a plain package"
         message = f"{what} came with format 3, and this is format {manifest.schema_format}: {lost}"
         place = attribute.span if attribute else element.span
         level = (Severity.WARNING if tests.is_tested else Severity.INFO) if mild else None

@@ -74,8 +74,7 @@ def invalid_version(tests: SchemaTests) -> Iterator[Hit]:
         yield Hit(manifest.path, manifest.span(element), message, level)
     elif not VERSION.fullmatch(version):
         message = (
-            f"the version is `{version}`, and must be three numbers such as `1.0.0`: colcon refuses the manifest and "
-            f"builds the folder as a plain package"
+            f"the version `{version}` is not three numbers such as `1.0.0`: colcon builds the folder as a plain package"
         )
         yield Hit(manifest.path, manifest.span(element), message, fix=completed(manifest, element))
     compatible = element.attributes.get("compatibility")

@@ -69,7 +69,7 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     for element in manifest.all("description"):
         shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
         if not shown and not element.children:
-            message = "the description is empty: colcon refuses the manifest and builds the folder as a plain package"
+            message = "the description is empty: colcon builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
         elif TODO.fullmatch(shown) or repeats(manifest.name, shown):
             level = None if TODO.fullmatch(shown) else Severity.INFO

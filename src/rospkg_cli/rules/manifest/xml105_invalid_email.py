@@ -46,7 +46,7 @@ def invalid_email(manifest: Manifest) -> Iterator[Hit]:
     ## References
     - [REP-149, maintainer](https://ros.org/reps/rep-0149.html)
     """
-    lost = "colcon refuses the manifest and builds the folder as a plain package"
+    lost = "colcon builds the folder as a plain package"
     for element in manifest.all("maintainer", "author"):
         email = element.attributes.get("email")
         if email is None and element.tag == "maintainer":

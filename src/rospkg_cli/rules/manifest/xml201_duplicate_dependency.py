@@ -60,7 +60,7 @@ def duplicate_dependency(manifest: Manifest) -> Iterator[Hit]:
         if first is each or not each.name:
             continue
         refused = each.tag == "depend"
-        lost = "colcon refuses the manifest and builds the folder as a plain package" if refused else "once is enough"
+        lost = "colcon builds the folder as a plain package" if refused else "once is enough"
         yield Hit(
             manifest.path,
             each.element.span,

@@ -79,7 +79,7 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
 
 def hit(manifest: Manifest, each: Dependency, whole: Dependency, refused: bool) -> Hit:
     why = (
-        "colcon refuses the manifest and builds the folder as a plain package"
+        "colcon builds the folder as a plain package"
         if refused
         else f"REP-149 forbids it, as `<{whole.tag}>` includes it"
     )

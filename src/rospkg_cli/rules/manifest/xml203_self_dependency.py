@@ -51,7 +51,7 @@ def self_dependency(manifest: Manifest) -> Iterator[Hit]:
     - [REP-149, Dependencies](https://ros.org/reps/rep-0149.html): "No package may directly or indirectly depend on
       itself."
     """
-    lost = "colcon refuses the manifest and builds the folder as a plain package; remove this line"
+    lost = "colcon builds the folder as a plain package; remove this line"
     for each in manifest.dependencies:
         if each.name and each.name == manifest.name and each.tag not in RELATIONS:
             fix = Fix(f"Remove `{each.name}`", (remove_element(manifest, each.element),))

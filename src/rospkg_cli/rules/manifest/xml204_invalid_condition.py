@@ -70,8 +70,8 @@ def invalid_condition(manifest: Manifest) -> Iterator[Hit]:
         except SyntaxProblemError as error:
             why = syntax_sentence(error.problem)
             message = (
-                f"`{attribute.value}` is no condition: {why}; colcon prints a traceback and builds the folder as a "
-                f'plain package; write it as in `condition="$ROS_VERSION == 2"`'
+                f"`{attribute.value}` is no condition: {why}; colcon builds the folder as a plain "
+                f'package; write it as in `condition="$ROS_VERSION == 2"`'
             )
             yield Hit(manifest.path, place(manifest, attribute, error.problem.span.start), message)
             continue
