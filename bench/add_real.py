@@ -19,7 +19,7 @@ from rospkg_cli.addition.wanted import Wanted, parts_to_add, parts_to_remove
 from rospkg_cli.change import ChangeError
 from rospkg_cli.change.draft import Draft, same
 from rospkg_cli.change.judge import judge
-from rospkg_cli.cli.change.place import Place, place_of
+from rospkg_cli.cli.change.place import ChangePlace, place_of
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.engine.run.session import Results, Scope
@@ -58,7 +58,7 @@ def packages(roots: list[Path]) -> Iterator[Path]:
         yield from sorted(packages_below(root.absolute()))
 
 
-def alone(place: Place, path: Path) -> Place:
+def alone(place: ChangePlace, path: Path) -> ChangePlace:
     """Return a package without those around it but their names, which is linted in a fraction of the time."""
     tree = DiskTree(path)
     names = {folder.rpartition("/")[2] for folder in place.located.scope.folders}
@@ -67,7 +67,7 @@ def alone(place: Place, path: Path) -> Place:
     return replace(place, located=located, session=replace(place.session, tree=tree, scope=scope))
 
 
-def fits(place: Place, verb: str, build_type: str) -> bool:
+def fits(place: ChangePlace, verb: str, build_type: str) -> bool:
     """Return whether a verb is for a package of this kind at all."""
     package = Draft(place.session.tree).package(place.folder)
     generates = "rosidl_generate_interfaces" in package.files.readable_text("CMakeLists.txt")
@@ -78,7 +78,7 @@ def fits(place: Place, verb: str, build_type: str) -> bool:
     return build_type == "ament_cmake" if verb == "msg-here" else True
 
 
-def outcome(place: Place, before: Results, verb: str, show: bool) -> tuple[str, str]:
+def outcome(place: ChangePlace, before: Results, verb: str, show: bool) -> tuple[str, str]:
     """Return a word and what there is to say about it."""
     wanted, back = VERBS[verb]
     draft = Draft(place.session.tree)
@@ -100,7 +100,7 @@ def outcome(place: Place, before: Results, verb: str, show: bool) -> tuple[str, 
     return ("faulty" if any(not each.startswith("~") for each in faults) else "good"), "; ".join(faults)
 
 
-def not_insertions(place: Place, draft: Draft) -> Iterator[str]:
+def not_insertions(place: ChangePlace, draft: Draft) -> Iterator[str]:
     for path, entry in draft.changes.items():
         if path not in set(draft.created()):
             after = iter(entry.data if entry else b"")
@@ -108,7 +108,7 @@ def not_insertions(place: Place, draft: Draft) -> Iterator[str]:
                 yield f"more than insertions in {path}"
 
 
-def not_once(place: Place, draft: Draft, wanted: Wanted) -> Iterator[str]:
+def not_once(place: ChangePlace, draft: Draft, wanted: Wanted) -> Iterator[str]:
     again = draft.copy()
     try:
         put_in(again, place.folder, parts_to_add(again.package(place.folder), wanted, wanted.names[0], THERE))
@@ -117,7 +117,7 @@ def not_once(place: Place, draft: Draft, wanted: Wanted) -> Iterator[str]:
     yield from (f"twice changes {path}" for path in again.changes if not same(again.entry(path), draft.entry(path)))
 
 
-def not_there(place: Place, draft: Draft, wanted: Wanted) -> Iterator[str]:
+def not_there(place: ChangePlace, draft: Draft, wanted: Wanted) -> Iterator[str]:
     package = draft.package(place.folder)
     table, manifest = package.parts(InstallTable).only, package.parts(Manifest).only
     if wanted.what == "node" and table and manifest:
@@ -126,7 +126,7 @@ def not_there(place: Place, draft: Draft, wanted: Wanted) -> Iterator[str]:
             yield "no executable"
 
 
-def not_back(place: Place, draft: Draft, wanted: Wanted, back: str) -> Iterator[str]:
+def not_back(place: ChangePlace, draft: Draft, wanted: Wanted, back: str) -> Iterator[str]:
     """Yield what `remove` leaves; what it takes of dependencies that nothing names is marked with `~`."""
     after = Draft(draft.tree)
     try:

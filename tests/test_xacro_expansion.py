@@ -10,8 +10,8 @@ import pytest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.urdf.expansion.expander import MAX_NODES, Expander
 from rospkg_cli.package.urdf.expansion.library import XacroLibrary
-from rospkg_cli.package.urdf.expansion.macros import Parameter, parameters_of
-from rospkg_cli.package.urdf.expansion.values import Unknown, shown, truth
+from rospkg_cli.package.urdf.expansion.macros import MacroParameter, parameters_of
+from rospkg_cli.package.urdf.expansion.values import XacroUnknown, shown, truth
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.tree import MemoryTree
 
@@ -141,8 +141,8 @@ def test_macros_that_double_each_time_end() -> None:
 
 def test_the_parameters_of_a_macro() -> None:
     assert parameters_of("a b:=1 c='x y' d:=^ e:=^|${f g} *h **i j:=") == (
-        Parameter("a"), Parameter("b", "1"), Parameter("c", "'x y'"), Parameter("d", None, True),
-        Parameter("e", "${f g}", True), Parameter("*h"), Parameter("**i"), Parameter("j"),
+        MacroParameter("a"), MacroParameter("b", "1"), MacroParameter("c", "'x y'"), MacroParameter("d", None, True),
+        MacroParameter("e", "${f g}", True), MacroParameter("*h"), MacroParameter("**i"), MacroParameter("j"),
     )  # fmt: skip
     assert parameters_of("  ") == ()
 
@@ -150,7 +150,7 @@ def test_the_parameters_of_a_macro() -> None:
 @pytest.mark.parametrize(
     "value, verdict",
     [("true", True), ("True", True), ("1", True), ("0", False), ("false", False), ("1.0", None), ("yes", None),
-     ("", None), (2, True), (0.0, False), (True, True), (Unknown("x"), None)],
+     ("", None), (2, True), (0.0, False), (True, True), (XacroUnknown("x"), None)],
 )  # fmt: skip
-def test_what_a_condition_is(value: str | int | float | Unknown, verdict: bool | None) -> None:
+def test_what_a_condition_is(value: str | int | float | XacroUnknown, verdict: bool | None) -> None:
     assert truth(value) is verdict

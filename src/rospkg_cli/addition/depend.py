@@ -15,7 +15,7 @@ from ..scaffold.resolve_request import TEST_ONLY, depends_of
 from ..suggest import did_you_mean
 from .cmake_find import FoundInCMake
 from .cmake_link import Linked
-from .dependency import Dependency, Need, manifest_of
+from .dependency import AddedDependency, Need, manifest_of
 from .included import CPP, included, includes_of
 from .named import code_of, is_code
 from .part import Part
@@ -38,7 +38,7 @@ def depend_parts(package: Package, keys: Iterable[str], tag: str = "") -> tuple[
 
 def parts_of(package: Package, manifest: Manifest, key: str, tag: str) -> Iterator[Part]:
     need = need_of(package, manifest, key)
-    yield Dependency(key, need, tag)
+    yield AddedDependency(key, need, tag)
     cmake = package.parts(CMake).only
     if cmake is not None and key in included(package) and manifest.build_type(Targets()) == "ament_cmake":
         yield FoundInCMake(key)

@@ -22,7 +22,7 @@ TAGS: dict[Need, str] = {"all": "depend", "exec": "exec_depend", "test": "test_d
 
 
 @dataclass(frozen=True)
-class Dependency:
+class AddedDependency:
     name: str
     need: Need = "all"
     tag: str = ""

@@ -13,7 +13,7 @@ from ..ros.distros import Targets
 from ..ros.interfaces import GROUP
 from ..scaffold.interface import RequestedInterface, interface_of, interfaces_of
 from .cmake_find import FoundInCMake, cmake_of
-from .dependency import Dependency, manifest_of
+from .dependency import AddedDependency, manifest_of
 from .group import GroupMember
 from .interface_list import InterfaceNeed, ListedFile
 from .new_file import NewFile
@@ -39,9 +39,9 @@ def interface_parts(package: Package, form: str, asked: Sequence[str], here: boo
 def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface], force: bool = False) -> Iterator[Part]:
     """Yield the parts of interfaces; `force`: their files may have been edited since."""
     needs = sorted({name for each in wanted for name in each.packages} - {manifest.name})
-    yield Dependency(GENERATORS, "buildtool")
-    yield from (Dependency(name, "all") for name in needs)
-    yield Dependency(RUNTIME, "exec")
+    yield AddedDependency(GENERATORS, "buildtool")
+    yield from (AddedDependency(name, "all") for name in needs)
+    yield AddedDependency(RUNTIME, "exec")
     yield GroupMember(GROUP)
     yield FoundInCMake(GENERATORS)
     yield from (FoundInCMake(name) for name in needs)

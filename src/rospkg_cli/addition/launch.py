@@ -13,7 +13,7 @@ from ..package.package import Package
 from ..scaffold.bringup import NODE_NAME, PROGRAM, Bringup, StartedNode
 from ..scaffold.template import load_template
 from ..suggest import did_you_mean
-from .dependency import NAME, Dependency, manifest_of
+from .dependency import NAME, AddedDependency, manifest_of
 from .new_file import NewFile
 from .part import Part
 from .rendered import rendered_files
@@ -46,7 +46,7 @@ def launch_parts(package: Package, asked: str, nodes: Sequence[str] = (), force:
     )
     others = sorted({each.package for each in starts} - {manifest.name})
     return (
-        *(Dependency(name, "exec") for name in (*FORMATS[form], *others)),
+        *(AddedDependency(name, "exec") for name in (*FORMATS[form], *others)),
         NewFile(path, made.entry.text.text, force=force),
         ShareFile(path),
     )

@@ -21,7 +21,7 @@ from ..scaffold.workspace import WorkspacePackages
 from .cmake_find import FoundInCMake
 from .cmake_node import NodeTarget, TargetInstalled
 from .cmake_python import InitFile, InstalledProgram, InstalledPythonPackage
-from .dependency import Dependency, manifest_of
+from .dependency import AddedDependency, manifest_of
 from .entry_point import ExecutableEntry
 from .included import included
 from .new_file import NewFile
@@ -115,7 +115,7 @@ def new_file(path: str, file: RenderedFile, users: str, force: bool) -> NewFile:
 
 def python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Part]:
     home = python_home(place.package, place.manifest)
-    yield from (Dependency(name, "exec") for name in python_needs(node) if name != place.manifest.name)
+    yield from (AddedDependency(name, "exec") for name in python_needs(node) if name != place.manifest.name)
     yield from python_files(place, node, home, force)
     yield ExecutableEntry(node.name, f"{home.module}.{node.name}")
     yield ScriptsFolder(node.name)
@@ -128,11 +128,11 @@ def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> It
             f"choose C++, as {node.name}:{node.kind.name}:cpp, or another package"
         )
     home = cmake_python_home(place.cmake, place.manifest)
-    yield Dependency("ament_cmake_python", "buildtool")
+    yield AddedDependency("ament_cmake_python", "buildtool")
     compiled = included(place.package)
     for name in python_needs(node):
         if name != place.manifest.name:
-            yield Dependency(name, "all" if name in compiled else "exec")
+            yield AddedDependency(name, "all" if name in compiled else "exec")
     yield InitFile(home.folder, home.module)
     yield InstalledPythonPackage(home.module)
     yield from python_files(place, node, home, force)
@@ -146,7 +146,7 @@ def cpp_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Pa
     assert cmake is not None
     needs = [*libraries_of(node), *node.kind.interfaces, *(["rcl_interfaces"] if node.kind.parameters else [])]
     needs = [name for name in dict.fromkeys(needs) if name != place.manifest.name]
-    yield from (Dependency(name, "all") for name in sorted(needs))
+    yield from (AddedDependency(name, "all") for name in sorted(needs))
     yield from (FoundInCMake(name) for name in sorted(needs))
     namespace = identifier(place.manifest.name)
     library = logic_library(cmake, place.package, namespace)

@@ -14,7 +14,7 @@ from ..scaffold.node_kinds import LANGUAGES, all_kinds
 from ..scaffold.template import Template, TemplateFile, load_template
 from ..suggest import did_you_mean
 from .cmake_test import CMakeTest
-from .dependency import Dependency
+from .dependency import AddedDependency
 from .new_file import NewFile
 from .node import NodePlace, node_place
 from .part import Part
@@ -40,10 +40,10 @@ def parts_of_test(package: Package, asked: str, force: bool = False) -> tuple[Pa
 def python_test(place: NodePlace, name: str, force: bool) -> Iterator[Part]:
     if place.build_type == "ament_python":
         home = python_home(place.package, place.manifest)
-        yield Dependency("python3-pytest", "test")
+        yield AddedDependency("python3-pytest", "test")
     else:
         home = cmake_python_home(place.cmake, place.manifest)
-        yield Dependency("ament_cmake_pytest", "test")
+        yield AddedDependency("ament_cmake_pytest", "test")
     path = f"{folder_of_tests(place.package)}/test_{name}.py"
     yield NewFile(path, python_text(place, name, home), force=force)
     yield TestExtras() if place.build_type == "ament_python" else CMakeTest(name, path)
@@ -51,7 +51,7 @@ def python_test(place: NodePlace, name: str, force: bool) -> Iterator[Part]:
 
 def cpp_test(place: NodePlace, name: str, force: bool) -> Iterator[Part]:
     path = f"{folder_of_tests(place.package)}/test_{name}.cpp"
-    yield Dependency("ament_cmake_gtest", "test")
+    yield AddedDependency("ament_cmake_gtest", "test")
     namespace = identifier(place.manifest.name)
     headers = (f"include/{namespace}/{name}.hpp", f"src/{namespace}/{name}.hpp")
     folder = next((each.partition("/")[0] for each in headers if place.package.files.exists(each)), "")

@@ -17,7 +17,7 @@ from ..scaffold.node import RequestedNode
 from ..scaffold.node_kinds import OF, all_kinds
 from ..scaffold.workspace import WorkspacePackages
 from .depend import depend_parts
-from .dependency import Dependency, manifest_of
+from .dependency import AddedDependency, manifest_of
 from .interface import interface_parts, parts_of
 from .launch import launch_parts
 from .named import is_needed
@@ -179,5 +179,5 @@ def dependency_that_is_there(package: Package, name: str, wanted: Wanted) -> Seq
         raise ChangeError(f"package.xml does not declare `{name}`; nothing was removed")
     if is_needed(package, name) and not wanted.force:
         raise ChangeError(f"files of the package still name `{name}`; --force removes the dependency all the same")
-    others = [part for part in depend_parts(package, (name,)) if not isinstance(part, Dependency)]
-    return (*(Dependency(name, tag=tag, force=wanted.force) for tag in tags), *others)
+    others = [part for part in depend_parts(package, (name,)) if not isinstance(part, AddedDependency)]
+    return (*(AddedDependency(name, tag=tag, force=wanted.force) for tag in tags), *others)

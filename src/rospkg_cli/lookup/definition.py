@@ -10,10 +10,12 @@ from ..package.install_table import InstalledFile
 from ..package.package_facts import PackageFacts
 from ..source import Span
 from .mention import Mention
-from .world import LookupWorld, Place
+from .world import DefinitionSite, LookupWorld
+
+Found = DefinitionSite | None
 
 
-def definitions(world: LookupWorld, folder: str, mention: Mention) -> list[Place]:
+def definitions(world: LookupWorld, folder: str, mention: Mention) -> list[DefinitionSite]:
     """Return the places that define what the package in a folder mentions; none where it is not of this workspace."""
     facts = world.facts(mention.name if mention.kind == "package" else mention.package, folder)
     if facts is None:
@@ -22,17 +24,17 @@ def definitions(world: LookupWorld, folder: str, mention: Mention) -> list[Place
     return list(dict.fromkeys(place for place in finder(world, facts, mention.name) if place)) if finder else []
 
 
-def of_package(world: LookupWorld, facts: PackageFacts, _: str) -> Iterator[Place | None]:
+def of_package(world: LookupWorld, facts: PackageFacts, _: str) -> Iterator[Found]:
     yield world.place(facts, "package.xml", facts.name_span)
 
 
-def of_executable(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Place | None]:
+def of_executable(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Found]:
     for row in world.rows(facts):
         if row.what == "executable" and row.destination.rpartition("/")[2] == name:
             yield from of_row(world, facts, row, name)
 
 
-def of_row(world: LookupWorld, facts: PackageFacts, row: InstalledFile, name: str) -> Iterator[Place | None]:
+def of_row(world: LookupWorld, facts: PackageFacts, row: InstalledFile, name: str) -> Iterator[Found]:
     """Yield the function, the script, or the first source of the program that a row installs."""
     if row.entry:
         yield from of_function(world, facts, row.entry)
@@ -42,7 +44,7 @@ def of_row(world: LookupWorld, facts: PackageFacts, row: InstalledFile, name: st
         yield from of_target(world, facts, name, row)
 
 
-def of_target(world: LookupWorld, facts: PackageFacts, name: str, row: InstalledFile) -> Iterator[Place | None]:
+def of_target(world: LookupWorld, facts: PackageFacts, name: str, row: InstalledFile) -> Iterator[Found]:
     cmake = world.package(facts.folder).parts(CMake).only
     target = cmake.target(name) if cmake else None
     sources = [word.text for word in target.sources if word.is_known] if target else []
@@ -50,7 +52,7 @@ def of_target(world: LookupWorld, facts: PackageFacts, name: str, row: Installed
     yield found or world.place(facts, row.path, row.span)
 
 
-def of_function(world: LookupWorld, facts: PackageFacts, entry: str) -> Iterator[Place | None]:
+def of_function(world: LookupWorld, facts: PackageFacts, entry: str) -> Iterator[Found]:
     """Yield the function of `module:attribute`, else the module."""
     module, _, attribute = entry.partition(":")
     stem = module.replace(".", "/")
@@ -59,11 +61,11 @@ def of_function(world: LookupWorld, facts: PackageFacts, entry: str) -> Iterator
             first = attribute.partition(".")[0]
             pattern = rf"^(?:async +)?(?:def|class) +({re.escape(first)})\b|^({re.escape(first)}) *="
             found = re.search(pattern, world.source(place.path).text, re.MULTILINE) if first else None
-            yield Place(place.path, Span(*found.span(found.lastindex or 0))) if found else place
+            yield DefinitionSite(place.path, Span(*found.span(found.lastindex or 0))) if found else place
             return
 
 
-def of_component(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Place | None]:
+def of_component(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Found]:
     cmake = world.package(facts.folder).parts(CMake).only
     for component in cmake.components if cmake else ():
         if component.plugin.is_known and component.plugin.text == name and cmake:
@@ -73,23 +75,23 @@ def of_component(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator
                 place = world.place(facts, word.text) if word.is_known else None
                 found = re.search(rf"\b{re.escape(last)}\b", world.source(place.path).text) if place else None
                 if place and found:
-                    yield Place(place.path, Span(*found.span()))
+                    yield DefinitionSite(place.path, Span(*found.span()))
                     return
 
 
-def of_file(world: LookupWorld, facts: PackageFacts, path: str) -> Iterator[Place | None]:
+def of_file(world: LookupWorld, facts: PackageFacts, path: str) -> Iterator[Found]:
     """Yield the source of what is installed there, else the file of the package itself."""
     share = f"share/{facts.name}/{path}"
     rows = [row for row in world.rows(facts) if row.destination == share and row.source]
     yield next((world.place(facts, row.source) for row in rows), None) or world.place(facts, path)
 
 
-def of_interface(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Place | None]:
+def of_interface(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Found]:
     kind = name.partition("/")[0]
     yield world.place(facts, f"{name}.{kind}")
 
 
-def of_parameter(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Place | None]:
+def of_parameter(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator[Found]:
     """Yield where code of the package, else of another, declares a parameter of that name."""
     others = [each for each in world.workspace.packages if each is not facts]
     for each in (facts, *others):
@@ -98,7 +100,7 @@ def of_parameter(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator
                 quoted = re.search(
                     rf"""["']({re.escape(declared.name.strip("."))})["']""", world.source(place.path).text
                 )
-                yield Place(place.path, Span(*quoted.span(1))) if quoted else place
+                yield DefinitionSite(place.path, Span(*quoted.span(1))) if quoted else place
 
 
 FINDERS = {

@@ -15,7 +15,7 @@ from ..tree import Tree
 
 
 @dataclass(frozen=True)
-class Place:
+class DefinitionSite:
     """A span of a file; the path is relative to the root of the tree."""
 
     path: str
@@ -49,10 +49,10 @@ class LookupWorld:
         table = self.package(facts.folder).parts(InstallTable).only
         return table.rows if table else ()
 
-    def place(self, facts: PackageFacts, path: str, span: Span = NOWHERE) -> Place | None:
+    def place(self, facts: PackageFacts, path: str, span: Span = NOWHERE) -> DefinitionSite | None:
         """Return a place in a file of a package; None where there is no such file."""
         whole = facts.at(path).lstrip("/")
-        return Place(whole, span) if path in self.package(facts.folder).files.paths else None
+        return DefinitionSite(whole, span) if path in self.package(facts.folder).files.paths else None
 
     def source(self, path: str) -> Source:
         """Return the text of a path from the root; an empty one where it has none."""

@@ -21,7 +21,7 @@ from .installed_modules import InstalledModules
 
 
 @dataclass(frozen=True, slots=True)
-class WrongImport:
+class MissingOwnName:
     """An import that ends with an exception."""
 
     path: str
@@ -55,7 +55,7 @@ class OwnImports:
         """Whether CMake builds it: a module without a file may be compiled."""
         return self.facts.build_type != "ament_python"
 
-    def wrong(self) -> Iterator[WrongImport]:
+    def wrong(self) -> Iterator[MissingOwnName]:
         """Yield the imports of modules and names that the workspace's packages do not have."""
         is_known = self.table.knows("module")
         for file, each in self.run.certain:
@@ -67,13 +67,13 @@ class OwnImports:
             elif module and top not in KINDS:
                 yield from self.of_others(file, each, module)
 
-    def of_own(self, file: PythonFile, each: Import, module: str) -> Iterator[WrongImport]:
+    def of_own(self, file: PythonFile, each: Import, module: str) -> Iterator[MissingOwnName]:
         missing = self.installed.missing(module)
         if missing is not None:
             package, name = missing
             near = nearest(name, self.installed.below(package))
             if name not in KINDS and (near or not self.is_generated_of):
-                yield WrongImport(
+                yield MissingOwnName(
                     file.path, part_span(file, each, module, name), package, name, near, True, each.is_local
                 )
         elif module in self.installed.sources:
@@ -81,14 +81,14 @@ class OwnImports:
                 if name in ("*", *KINDS) or name.startswith("__") or self.installed.offers(module, name):
                     continue
                 near = nearest(name, self.offered(module))
-                yield WrongImport(file.path, alias_span(file, each, name), module, name, near, False, each.is_local)
+                yield MissingOwnName(file.path, alias_span(file, each, name), module, name, near, False, each.is_local)
 
     def offered(self, module: str) -> list[str]:
         """Return the names that a module may be asked for."""
         file = self.run.modules.at(self.installed.sources[module])
         return [*self.installed.below(module), *(file.definitions if file is not None else ())]
 
-    def of_others(self, file: PythonFile, each: Import, module: str) -> Iterator[WrongImport]:
+    def of_others(self, file: PythonFile, each: Import, module: str) -> Iterator[MissingOwnName]:
         """Yield an import from another package of the workspace, where it has a module of a near name."""
         top = module.partition(".")[0]
         providers = [facts for facts in self.workspace.packages if top in facts.modules]
@@ -102,7 +102,7 @@ class OwnImports:
                 near = nearest(name, {other[len(start) :] for other in known if other.startswith(start)})
                 if near and name not in KINDS:
                     span = part_span(file, each, module, name)
-                    yield WrongImport(file.path, span, package, name, near, True, each.is_local)
+                    yield MissingOwnName(file.path, span, package, name, near, True, each.is_local)
                 return
 
     def neighbours(self) -> Iterator[tuple[PythonFile, Import, str]]:

@@ -12,7 +12,7 @@ from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableName, lacking_distros
-from .wrong_names import WrongName, is_installable, wrong_name
+from .wrong_names import WrongDependencyName, is_installable, wrong_name
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -88,7 +88,7 @@ class DependencyNames:
                     same = [each, *self.repeated(each)]
                     yield UnknownDependency(each, *what, parts=found.parts, is_uncertain=not self.is_certain(same))
 
-    def wrong(self, dependency: Dependency) -> WrongName | None:
+    def wrong(self, dependency: Dependency) -> WrongDependencyName | None:
         """Return what is wrong with a name in any case; of one that ROS 1 had, no more than its name elsewhere."""
         if self.is_known(dependency.name) or successors(dependency.name) is not None:
             return None

@@ -20,7 +20,7 @@ PYTHON_2, PYTHON_3 = "python-", "python3-"
 
 
 @dataclass(frozen=True, slots=True)
-class WrongName:
+class WrongDependencyName:
     """What is wrong with a name, as the rest of a sentence (`is its name on PyPI`), and what to write instead."""
 
     reason: str
@@ -33,7 +33,9 @@ class WrongName:
     """The names, where one tag holds several."""
 
 
-def wrong_name(declared: DeclaredDependencies, dependency: Dependency, *, misspelt: bool = True) -> WrongName | None:
+def wrong_name(
+    declared: DeclaredDependencies, dependency: Dependency, *, misspelt: bool = True
+) -> WrongDependencyName | None:
     """Return what is wrong with a name that no package and no key has; None where nothing is certain.
 
     A rosdep key without any rule for a supported Ubuntu may be asked for as well. Without `misspelt` similar names are
@@ -43,26 +45,26 @@ def wrong_name(declared: DeclaredDependencies, dependency: Dependency, *, misspe
     return next((found for find in finders if (found := find(declared, dependency)) is not None), None)
 
 
-def several(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def several(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     parts = dependency.name.replace(",", " ").split()
     if len(parts) < 2:
         return None
     lines = " ".join(f"<{dependency.tag}>{part}</{dependency.tag}>" for part in parts)
-    return WrongName(f"is {len(parts)} names in one tag", advice=f"write {lines}", parts=tuple(parts))
+    return WrongDependencyName(f"is {len(parts)} names in one tag", advice=f"write {lines}", parts=tuple(parts))
 
 
-def of_cmake(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_cmake(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     name = dependency.name
     listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
-    return WrongName("is what CMake calls it", listed[0]) if listed and not name.islower() else None
+    return WrongDependencyName("is what CMake calls it", listed[0]) if listed and not name.islower() else None
 
 
-def of_python_itself(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_python_itself(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     module = dependency.name.removeprefix(PYTHON_3).replace("-", "_")
-    return WrongName("comes with Python itself", advice="remove the line") if module in STANDARD else None
+    return WrongDependencyName("comes with Python itself", advice="remove the line") if module in STANDARD else None
 
 
-def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     """A key that rosdep had for Python 2: no Ubuntu of a supported distribution has a package for it."""
     name, index = dependency.name, declared.workspace.index
     if not name.startswith(PYTHON_2):
@@ -73,42 +75,42 @@ def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> Wrong
     if key is None:
         return None
     lacking = f"No definition of [{{}}] for OS version [{next(iter(CODENAMES.values()))}]"
-    return WrongName("is a key of Python 2", key, rosdep_error=lacking if index.is_key(name) else UNKNOWN_KEY)
+    return WrongDependencyName("is a key of Python 2", key, rosdep_error=lacking if index.is_key(name) else UNKNOWN_KEY)
 
 
-def of_pip(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_pip(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     name, index = dependency.name, declared.workspace.index
     bare = name.removeprefix(PYTHON_3).removesuffix("-pip") if name.startswith(PYTHON_3) else name
     key = key_for_pip(bare, index) if is_for_python(declared, dependency) else None
-    return WrongName("is its name on PyPI" if bare == name else "is no rosdep key", key) if key else None
+    return WrongDependencyName("is its name on PyPI" if bare == name else "is no rosdep key", key) if key else None
 
 
-def of_module(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_module(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     """The name by which Python imports it: `cv2`, or a module of a package, `rclpy.qos`."""
     top, dot, _ = dependency.name.partition(".")
     workspace = declared.workspace
     if dot and (workspace.is_available(top) or workspace.index.is_package(top)):
-        return WrongName("is a module", top)
+        return WrongDependencyName("is a module", top)
     keys = rows("imports.txt").get(dependency.name, ())[:1] if is_for_python(declared, dependency) else ()
     known = [key for key in keys if workspace.index.is_package(key) or is_installable(key, workspace.index)]
-    return WrongName("is what Python imports", known[0]) if known else None
+    return WrongDependencyName("is what Python imports", known[0]) if known else None
 
 
-def of_ubuntu(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_ubuntu(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     key = key_for_apt(dependency.name, declared.workspace.index)
-    return WrongName("is its name in Ubuntu", key) if key is not None else None
+    return WrongDependencyName("is its name in Ubuntu", key) if key is not None else None
 
 
-def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     member = SimilarNames(declared.workspace).with_family_prefix(dependency.name)
-    return WrongName("is no known ROS package, here or elsewhere", member) if member is not None else None
+    return WrongDependencyName("is no known ROS package, here or elsewhere", member) if member is not None else None
 
 
-def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongName | None:
+def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
     meant = SimilarNames(declared.workspace).meant(dependency.name)
     if meant is None or without_version(meant) == without_version(dependency.name):
         return None
-    return WrongName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
+    return WrongDependencyName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
 
 
 def without_version(name: str) -> str:
@@ -116,7 +118,7 @@ def without_version(name: str) -> str:
     return name.rstrip("0123456789.-_")
 
 
-ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongName | None], ...] = (
+ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongDependencyName | None], ...] = (
     several, of_cmake, of_python_itself, of_python_2, of_pip, of_module, of_ubuntu, of_family,
 )  # fmt: skip
 

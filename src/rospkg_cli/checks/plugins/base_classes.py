@@ -19,7 +19,7 @@ from .plugin_package import PluginPackage, spaceless
 
 
 @dataclass(frozen=True)
-class WrongExport:
+class WrongBaseExport:
     """A description that is exported to a package for which no ClassLoader looks."""
 
     description: PluginDescription
@@ -68,7 +68,7 @@ class PluginBases:
                 ]
                 yield description, tuple(cpp)
 
-    def misplaced(self) -> Iterator[WrongExport]:
+    def misplaced(self) -> Iterator[WrongBaseExport]:
         for description, classes in self.described():
             owners = {each.base.value: self.workspace.loaders_of(each.base.value) for each in classes}
             for exported in description.exported:
@@ -77,9 +77,9 @@ class PluginBases:
                     continue
                 if owners and not serves and self.is_certain(exported.base):
                     base, packages = next(iter(owners.items()))
-                    yield WrongExport(description, exported, base, tuple(sorted(packages)))
+                    yield WrongBaseExport(description, exported, base, tuple(sorted(packages)))
                 elif self.workspace.kind_of(exported.base) is NameKind.UNKNOWN:
-                    yield WrongExport(description, exported, "", ())
+                    yield WrongBaseExport(description, exported, "", ())
 
     def is_certain(self, package: str) -> bool:
         """Return whether all that a package may load is known: it is none, or every loader around is known."""

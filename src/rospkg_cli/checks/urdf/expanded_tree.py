@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.urdf.expansion.expansion import Expansion, Given, Node
-from ...package.urdf.expansion.values import Unknown, shown
+from ...package.urdf.expansion.values import XacroUnknown, shown
 from ...source import Source, Span
 from ...suggest import near_names, nearest
 from ..fault import Fault, Level
@@ -56,7 +56,7 @@ class ExpandedTree:
     @cached_property
     def has_unknown_names(self) -> bool:
         """Whether a part of a name is given from outside: then it may be any name."""
-        return any(isinstance(node.attributes["name"].value, Unknown) for node in (*self.links, *self.joints))
+        return any(isinstance(node.attributes["name"].value, XacroUnknown) for node in (*self.links, *self.joints))
 
     def repeated(self, kind: str, nodes: Iterable[Node]) -> Iterator[Found]:
         seen: dict[str, Node] = {}
@@ -91,7 +91,7 @@ class ExpandedTree:
     def unknown(
         self, node: Node, given: Given, names: frozenset[str], kind: str, harm: str, level: Level | None = None
     ) -> Iterator[Found]:
-        name, is_known = shown(given.value), not (isinstance(given.value, Unknown) or self.has_unknown_names)
+        name, is_known = shown(given.value), not (isinstance(given.value, XacroUnknown) or self.has_unknown_names)
         if not name or name in names:
             return
         is_sure = self.is_robot and not self.expansion.is_open and is_known

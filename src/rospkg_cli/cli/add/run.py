@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ...addition.dependency import Dependency, manifest_of
+from ...addition.dependency import AddedDependency, manifest_of
 from ...addition.named import is_needed
 from ...addition.node import names_message
 from ...addition.part import Part, put_in, take_out
@@ -16,7 +16,7 @@ from ...change.git_state import require_clean
 from ...scaffold import ScaffoldError
 from ...scaffold.workspace import WorkspacePackages, workspace_packages
 from ..change.finish import ChangeOptions, finish, guarded_change
-from ..change.place import Place, place_of
+from ..change.place import ChangePlace, place_of
 
 
 def add(wanted: Wanted, path: Path, options: ChangeOptions) -> int:
@@ -24,7 +24,7 @@ def add(wanted: Wanted, path: Path, options: ChangeOptions) -> int:
     return guarded_change(lambda: add_to(place_of(path), wanted, options))
 
 
-def add_to(place: Place, wanted: Wanted, options: ChangeOptions) -> int:
+def add_to(place: ChangePlace, wanted: Wanted, options: ChangeOptions) -> int:
     draft = Draft(place.session.tree)
     try:
         for name in wanted.names:
@@ -43,7 +43,7 @@ def remove(wanted: Wanted, path: Path, options: ChangeOptions, allow_dirty: bool
     return guarded_change(lambda: remove_from(place_of(path), wanted, options, allow_dirty))
 
 
-def remove_from(place: Place, wanted: Wanted, options: ChangeOptions, allow_dirty: bool) -> int:
+def remove_from(place: ChangePlace, wanted: Wanted, options: ChangeOptions, allow_dirty: bool) -> int:
     draft = Draft(place.session.tree)
     exact, every = not wanted.force, list[Part]()
     try:
@@ -58,16 +58,16 @@ def remove_from(place: Place, wanted: Wanted, options: ChangeOptions, allow_dirt
     return finish(place, draft, options, staying(draft, place, every))
 
 
-def around(place: Place, name: str) -> WorkspacePackages:
+def around(place: ChangePlace, name: str) -> WorkspacePackages:
     """Return the packages around, where a name needs them: that of a node with a message."""
     return workspace_packages((place.root / place.folder).parent) if names_message(name) else WorkspacePackages()
 
 
-def staying(draft: Draft, place: Place, parts: Iterable[Part]) -> Iterator[str]:
+def staying(draft: Draft, place: ChangePlace, parts: Iterable[Part]) -> Iterator[str]:
     """Yield a sentence on dependencies that go, and one on those that stay because something else needs them."""
     before = manifest_of(Draft(draft.base).package(place.folder))
     manifest = manifest_of(draft.package(place.folder))
-    names = sorted({each.name for each in parts if isinstance(each, Dependency) and before.depends_on(each.name)})
+    names = sorted({each.name for each in parts if isinstance(each, AddedDependency) and before.depends_on(each.name)})
     stay = [name for name in names if manifest.depends_on(name)]
     gone = [name for name in names if name not in stay]
     if gone:

@@ -18,7 +18,7 @@ from ...engine.run.session import Scope
 from ...fence import Fence
 from ...light_dataclasses import dataclass
 from ..streams import afterwards, say
-from .place import Place
+from .place import ChangePlace
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def guarded_change(verb: Callable[[], int]) -> int:
 
 
 def finish(
-    place: Place, draft: Draft, options: ChangeOptions, notes: Iterable[str] = (), scope: Scope | None = None
+    place: ChangePlace, draft: Draft, options: ChangeOptions, notes: Iterable[str] = (), scope: Scope | None = None
 ) -> int:
     """Judge a draft, then show or write it; return the exit status (1 where --diff shows anything).
 

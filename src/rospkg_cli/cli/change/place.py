@@ -19,7 +19,7 @@ MAX_NAMED = 5
 
 
 @dataclass(frozen=True)
-class Place:
+class ChangePlace:
     """Where packages are changed: what was located, its configs, and a run of lint with the rules of `rospkg lint`."""
 
     located: Located
@@ -37,7 +37,7 @@ class Place:
         return only
 
 
-def place_of(path: Path, *, several: bool = False) -> Place:
+def place_of(path: Path, *, several: bool = False) -> ChangePlace:
     """Return the place of the package around or at a path, or of all below it; raises ChangeError where none is there.
 
     A path that does not exist may be the name of a package below the current folder. Raises LocateError, ConfigError
@@ -57,4 +57,4 @@ def place_of(path: Path, *, several: bool = False) -> Place:
         names = ", ".join(f"`{each}`" for each in found[:MAX_NAMED]) + more
         raise ChangeError(f"`{path}` holds {len(found)} packages ({names}); say which one with --package")
     session = make_session(LintOptions(paths=(path,)), configs, located, lambda _: None)
-    return Place(located, configs, session)
+    return ChangePlace(located, configs, session)

@@ -12,7 +12,7 @@ from ...lookup.completion import completions
 from ...lookup.definition import definitions
 from ...lookup.hover import hover
 from ...lookup.mention import Mention, mention_at
-from ...lookup.world import LookupWorld, Place
+from ...lookup.world import DefinitionSite, LookupWorld
 from .positions import span_range, to_offset
 
 
@@ -37,7 +37,7 @@ class Navigation:
         found = definitions(self.world, folder, mention) if mention else []
         return [self.location(each) for each in found]
 
-    def location(self, place: Place) -> types.Location:
+    def location(self, place: DefinitionSite) -> types.Location:
         at = self.range(place.path, place.span.start, place.span.end)
         return types.Location((self.root / place.path).as_uri(), at)
 

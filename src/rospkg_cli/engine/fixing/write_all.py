@@ -51,12 +51,12 @@ def put_back(
 ) -> None:
     """Undo what was written, the last first; a file that somebody else changed meanwhile is left."""
     for path, before in reversed(written):
-        now = Written(tree, changes[path])
+        now = WrittenFiles(tree, changes[path])
         with suppress(OSError):
             write_change(root / path, path, now, before, fence)
 
 
-class Written:
+class WrittenFiles:
     """The tree in which one file is as it was just written."""
 
     def __init__(self, tree: Tree, entry: TreeEntry | None) -> None:

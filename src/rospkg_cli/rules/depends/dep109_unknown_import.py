@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.own_imports import OwnImports, WrongImport
+from ...checks.depends.own_imports import MissingOwnName, OwnImports
 from ...example import Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -63,7 +63,7 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
         yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, fix=fix)
 
 
-def absence(imports: OwnImports, wrong: WrongImport) -> str:
+def absence(imports: OwnImports, wrong: MissingOwnName) -> str:
     """Return what a module lacks; of a package both a module and a name would do."""
     path = imports.installed.sources[wrong.package]
     kind = "no module or name" if path.endswith("__init__.py") else "no"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.base_classes import PluginBases, UnmatchedLoader, WrongBaseClass, WrongExport
+from ...checks.plugins.base_classes import PluginBases, UnmatchedLoader, WrongBaseClass, WrongBaseExport
 from ...edits.cmake_commands import literal_span
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
@@ -86,7 +86,7 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
         yield at_loader(unmatched)
 
 
-def at_export(bases: PluginBases, found: WrongExport) -> Hit:
+def at_export(bases: PluginBases, found: WrongBaseExport) -> Hit:
     at, file = found.exported, found.description.file
     if not found.owners:
         message = f"`{file}` is exported to `{at.base}`, which is no known package: nothing loads its plugins"
@@ -99,7 +99,7 @@ def at_export(bases: PluginBases, found: WrongExport) -> Hit:
     return Hit(at.path, at.base_span, f"{message}; export it to {owners}", fix=only_plain_names(fix, found.owners[0]))
 
 
-def written(bases: PluginBases, found: WrongExport) -> Fix | None:
+def written(bases: PluginBases, found: WrongBaseExport) -> Fix | None:
     """Return the fix that writes another package, where this one is written literally."""
     assert bases.package is not None
     source: Source = bases.package.cmake.file(found.exported.path).source

@@ -13,7 +13,7 @@ from .expansion_state import Context, ExpansionState
 from .macro_calls import bound_scope
 from .macros import Macro, parameters_of
 from .properties import keep_property
-from .values import Block, Scope, Stored, Unknown, shown, truth
+from .values import Stored, XacroBlock, XacroScope, XacroUnknown, shown, truth
 
 MAX_NODES = 30_000
 MAX_DEPTH = 60
@@ -35,9 +35,9 @@ class Expander(ExpansionState):
         """Yield what the macros of the robot that nothing called make, each with parameters of unknown values."""
         for macro in list(self.scope.macros.values()):
             if id(macro.element) not in self.called and macro.is_certain:
-                scope = Scope(self.scope)
+                scope = XacroScope(self.scope)
                 for each in macro.parameters:
-                    scope.names[each.name] = Unknown(f"${{{each.name}}}")
+                    scope.names[each.name] = XacroUnknown(f"${{{each.name}}}")
                 made = replace(self.found, children=[], problems=[])
                 self.inside(macro.element, made.children, Context(macro.source, scope))
                 yield made
@@ -76,7 +76,7 @@ class Expander(ExpansionState):
 
     def include(self, element: Element, into: list[Node], context: Context) -> None:
         filename = element.attributes.get("filename")
-        name = self.evaluate(filename.value_span, context) if filename else Unknown("")
+        name = self.evaluate(filename.value_span, context) if filename else XacroUnknown("")
         document = None
         if isinstance(name, str) and element.get("ns") is None:
             document = self.library.included(name, context.source.path)
@@ -103,9 +103,9 @@ class Expander(ExpansionState):
 
     def condition(self, element: Element, into: list[Node], context: Context) -> None:
         written = element.attributes.get("value")
-        value = self.evaluate(written.value_span, context) if written else Unknown("")
+        value = self.evaluate(written.value_span, context) if written else XacroUnknown("")
         holds = truth(value)
-        if holds is None and written is not None and not isinstance(value, Unknown):
+        if holds is None and written is not None and not isinstance(value, XacroUnknown):
             self.problem(XacroProblem.CONDITION, written.value_span, shown(value), ())
         if holds is None:
             self.inside(element, into, replace(context, is_certain=False))
@@ -119,7 +119,7 @@ class Expander(ExpansionState):
             return
         homes = [(context.scope.home(f"{stars}{name.value}"), f"{stars}{name.value}") for stars in ("**", "*")]
         stored: Stored | None = next((home.names[key] for home, key in homes if home is not None), None)
-        if isinstance(stored, Block):
+        if isinstance(stored, XacroBlock):
             block = replace(context, source=stored.source, scope=stored.scope)
             if stored.content_only:
                 self.inside(stored.element, into, block)
@@ -151,7 +151,7 @@ class Expander(ExpansionState):
         self.inside(macro.element, into, body)
 
 
-def blocks_in(scope: Scope | None) -> set[str]:
+def blocks_in(scope: XacroScope | None) -> set[str]:
     found: set[str] = set()
     while scope is not None:
         found |= {name for name in scope.names if name.startswith("*")}

@@ -10,7 +10,7 @@ from ....source import Source, Span
 from .expansion import Expansion, FoundProblem, XacroProblem
 from .library import XacroLibrary
 from .texts import TextEvaluator
-from .values import Place, Scope, Value
+from .values import Value, XacroPlace, XacroScope
 
 MAX_PROBLEMS = 200
 
@@ -20,7 +20,7 @@ class Context:
     """Where the expansion is."""
 
     source: Source
-    scope: Scope
+    scope: XacroScope
     is_certain: bool = True
     calls: tuple[tuple[Source, Element], ...] = ()
     depth: int = 0
@@ -32,7 +32,7 @@ class ExpansionState:
 
     library: XacroLibrary
     found: Expansion = field(default_factory=Expansion)
-    scope: Scope = field(default_factory=Scope)
+    scope: XacroScope = field(default_factory=XacroScope)
 
     def __post_init__(self) -> None:
         self.texts = TextEvaluator(self.undefined, self.undeclared)
@@ -44,16 +44,16 @@ class ExpansionState:
         if len(self.found.problems) < MAX_PROBLEMS and told not in self.found.problems:
             self.found.problems.append(told)
 
-    def undefined(self, place: Place, name: str, scope: Scope) -> None:
+    def undefined(self, place: XacroPlace, name: str, scope: XacroScope) -> None:
         before, self.at = self.at, replace(self.at, source=place.source)
         self.problem(XacroProblem.NAME, place.span, name, scope.visible())
         self.at = before
 
-    def undeclared(self, place: Place, name: str) -> None:
+    def undeclared(self, place: XacroPlace, name: str) -> None:
         before, self.at = self.at, replace(self.at, source=place.source)
         self.problem(XacroProblem.ARGUMENT, place.span, name, self.texts.arguments)
         self.at = before
 
     def evaluate(self, span: Span, context: Context) -> Value:
         self.at = context
-        return self.texts.evaluate(Place(context.source, span), context.scope)
+        return self.texts.evaluate(XacroPlace(context.source, span), context.scope)

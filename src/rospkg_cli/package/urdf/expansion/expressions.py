@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ....languages.python.nodes import nodes_of
-from .values import Unknown, Value
+from .values import Value, XacroUnknown
 
 MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
 GLOBAL = MATH | frozenset(
@@ -103,7 +103,7 @@ def value_of(node: ast.expr, names: Mapping[str, Value]) -> Any:
 
 def known(name: str, names: Mapping[str, Value]) -> Any:
     if name in names:
-        if isinstance(names[name], Unknown):
+        if isinstance(names[name], XacroUnknown):
             raise NoValueError
         return names[name]
     if name in ("pi", "e", "tau", "inf", "nan"):

@@ -14,7 +14,7 @@ WITH_DEFAULT = regex(rf"\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?({VALUE})(?:\s+|$)(.*)", 
 
 
 @dataclass(frozen=True, slots=True)
-class Parameter:
+class MacroParameter:
     name: str
     """With its `*` or `**`, where it takes a block."""
     default: str | None = None
@@ -33,14 +33,14 @@ class Parameter:
 @dataclass(frozen=True, slots=True, eq=False)
 class Macro:
     name: str
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[MacroParameter, ...]
     element: Element
     source: Source
     is_certain: bool
     """False where it is defined under an unknown condition, perhaps several times."""
 
 
-def parameters_of(text: str) -> tuple[Parameter, ...]:
+def parameters_of(text: str) -> tuple[MacroParameter, ...]:
     """Return the parameters of `params="a b:=1 c:=^ d:=^|2 *block **blocks"`."""
     found = []
     rest = text.strip()
@@ -49,8 +49,8 @@ def parameters_of(text: str) -> tuple[Parameter, ...]:
         if match is None:
             name, *more = rest.split(None, 1)
             rest = more[0] if more else ""
-            found.append(Parameter(name))
+            found.append(MacroParameter(name))
             continue
         name, forward, default, rest = match.groups()
-        found.append(Parameter(name, default or None, bool(forward)))
+        found.append(MacroParameter(name, default or None, bool(forward)))
     return tuple(found)

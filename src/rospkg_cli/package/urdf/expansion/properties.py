@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ....languages.xml.parser import Element
 from .expansion_state import Context, ExpansionState
-from .values import Block, Place, Unknown, Written, literal
+from .values import XacroBlock, XacroPlace, XacroText, XacroUnknown, literal
 
 
 def keep_property(state: ExpansionState, element: Element, context: Context) -> None:
@@ -14,22 +14,22 @@ def keep_property(state: ExpansionState, element: Element, context: Context) -> 
         state.found.is_open = True
         return
     if element.get("remove") is not None:
-        context.scope.names[name.value] = Unknown(f"${{{name.value}}}")
+        context.scope.names[name.value] = XacroUnknown(f"${{{name.value}}}")
     elif value is not None:
-        store(state, name.value, Place(context.source, value.value_span), element, context)
+        store(state, name.value, XacroPlace(context.source, value.value_span), element, context)
     elif default is not None:
         if context.scope.home(name.value) is None:
-            store(state, name.value, Place(context.source, default.value_span), element, context)
+            store(state, name.value, XacroPlace(context.source, default.value_span), element, context)
     else:
-        context.scope.names[f"**{name.value}"] = Block(element, context.scope, context.source, True)
+        context.scope.names[f"**{name.value}"] = XacroBlock(element, context.scope, context.source, True)
 
 
-def store(state: ExpansionState, name: str, place: Place, element: Element, context: Context) -> None:
+def store(state: ExpansionState, name: str, place: XacroPlace, element: Element, context: Context) -> None:
     where, text = element.get("scope"), place.source.slice(place.span)
     target = context.scope.top if where == "global" else context.scope
     target = (context.scope.parent or target) if where == "parent" else target
     if not context.is_certain:
-        target.names[name] = Unknown(f"${{{name}}}")
+        target.names[name] = XacroUnknown(f"${{{name}}}")
     elif "$" not in text:
         found = literal(text)  # what stands in quotes is read once more where it is evaluated
         target.names[name] = literal(found) if isinstance(found, str) else found
@@ -37,4 +37,4 @@ def store(state: ExpansionState, name: str, place: Place, element: Element, cont
         found = state.evaluate(place.span, context)
         target.names[name] = literal(found) if isinstance(found, str) else found
     else:
-        target.names[name] = Written(place)
+        target.names[name] = XacroText(place)

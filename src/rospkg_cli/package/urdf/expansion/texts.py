@@ -9,7 +9,7 @@ from ....lazy_regex import regex
 from ....light_dataclasses import dataclass, field
 from ....source import Span
 from .expressions import GLOBAL, NoValueError, evaluate, free_names, parsed
-from .values import Block, Place, Scope, Unknown, Value, Written, literal, shown
+from .values import Value, XacroBlock, XacroPlace, XacroScope, XacroText, XacroUnknown, literal, shown
 
 TOKEN = regex(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$")
 MAX_DEPTH = 40
@@ -20,13 +20,13 @@ PACKAGE = "package://"
 class TextEvaluator:
     """Evaluates texts in scopes; what reads a name that is not there is told to `undefined`."""
 
-    undefined: Callable[[Place, str, Scope], None]
-    undeclared: Callable[[Place, str], None]
+    undefined: Callable[[XacroPlace, str, XacroScope], None]
+    undeclared: Callable[[XacroPlace, str], None]
     arguments: set[str] = field(default_factory=set)
     """Those that `<xacro:arg>` has declared so far."""
     depth: int = 0
 
-    def evaluate(self, place: Place, scope: Scope) -> Value:
+    def evaluate(self, place: XacroPlace, scope: XacroScope) -> Value:
         """Return the value of the text at a place."""
         raw = place.source.slice(place.span)
         if "$" not in raw:
@@ -34,20 +34,20 @@ class TextEvaluator:
         found: list[Value] = []
         for match in TOKEN.finditer(raw):
             span = Span(place.span.start + match.start(), place.span.start + match.end())
-            found.append(self.token(match.group(), Place(place.source, span), scope))
+            found.append(self.token(match.group(), XacroPlace(place.source, span), scope))
         if len(found) == 1:
             return found[0]
         text = "".join(map(shown, found))
-        return Unknown(text) if any(isinstance(each, Unknown) for each in found) else text
+        return XacroUnknown(text) if any(isinstance(each, XacroUnknown) for each in found) else text
 
-    def token(self, token: str, place: Place, scope: Scope) -> Value:
+    def token(self, token: str, place: XacroPlace, scope: XacroScope) -> Value:
         if token.startswith("${"):
             return self.expression(token, place, scope)
         if token.startswith("$("):
             return self.command(token, place)
         return token[1:] if token.startswith("$$") else token
 
-    def command(self, token: str, place: Place) -> Value:
+    def command(self, token: str, place: XacroPlace) -> Value:
         match token[2:-1].split():
             case ["find", name] if "$" not in name:
                 return PACKAGE + name
@@ -55,12 +55,12 @@ class TextEvaluator:
                 return "."
             case ["arg", name] if name not in self.arguments and "$" not in name:
                 self.undeclared(place, name)
-        return Unknown(" ".join(token.split()))
+        return XacroUnknown(" ".join(token.split()))
 
-    def expression(self, token: str, place: Place, scope: Scope) -> Value:
+    def expression(self, token: str, place: XacroPlace, scope: XacroScope) -> Value:
         tree = parsed(" ".join(token[2:-1].split()))
         if tree is None or self.depth > MAX_DEPTH:
-            return Unknown(f"{token}{unlike(scope)}")
+            return XacroUnknown(f"{token}{unlike(scope)}")
         names: dict[str, Value] = {}
         for name in free_names(tree):
             home = scope.home(name)
@@ -72,14 +72,14 @@ class TextEvaluator:
             return names[tree.id]
         return folded(tree, names, f"{token}{unlike(scope)}")
 
-    def read(self, name: str, home: Scope) -> Value:
+    def read(self, name: str, home: XacroScope) -> Value:
         """Return the value of a name in its table; what is read first is evaluated there."""
         stored = home.names[name]
-        if isinstance(stored, Block):
-            return Unknown(f"${{{name}}}")
-        if not isinstance(stored, Written):
+        if isinstance(stored, XacroBlock):
+            return XacroUnknown(f"${{{name}}}")
+        if not isinstance(stored, XacroText):
             return stored
-        home.names[name] = Unknown(f"${{{name}}}")  # a circle ends here
+        home.names[name] = XacroUnknown(f"${{{name}}}")  # a circle ends here
         self.depth += 1
         found = self.evaluate(stored.place, home)
         self.depth -= 1
@@ -87,7 +87,7 @@ class TextEvaluator:
         return home.names[name]  # type: ignore[return-value]
 
 
-def unlike(scope: Scope) -> str:
+def unlike(scope: XacroScope) -> str:
     """Return a mark that no other scope has, for what is the same only within one."""
     return f"@{scope.number}"
 
@@ -98,7 +98,7 @@ def folded(tree: ast.expr, names: Mapping[str, Value], unique: str) -> Value:
         return evaluate(tree, names)
     except NoValueError:
         text = joined(tree, names)
-        return Unknown(unique if text is None else text)
+        return XacroUnknown(unique if text is None else text)
 
 
 def joined(tree: ast.expr, names: Mapping[str, Value]) -> str | None:
@@ -106,7 +106,7 @@ def joined(tree: ast.expr, names: Mapping[str, Value]) -> str | None:
     match tree:
         case ast.Constant(value=str(text)):
             return text
-        case ast.Name(id=name) if isinstance(names.get(name), str | Unknown):
+        case ast.Name(id=name) if isinstance(names.get(name), str | XacroUnknown):
             return shown(names[name])
         case ast.BinOp(left=left, op=ast.Add(), right=right):
             parts = joined(left, names), joined(right, names)

@@ -11,14 +11,14 @@ from .macros import Macro
 
 
 @dataclass(frozen=True, slots=True)
-class Unknown:
+class XacroUnknown:
     """A value that depends on what is outside of the files; `text` is the same where the value certainly is."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class XacroPlace:
     """Where a text stands: the file, from the root of the run behind a `/` where it is another package's."""
 
     source: Source
@@ -26,52 +26,52 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class XacroText:
     """A property as it is written: xacro evaluates it where it is first read."""
 
-    place: Place
+    place: XacroPlace
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Block:
+class XacroBlock:
     """Elements that a macro is given, or that a property holds."""
 
     element: Element
-    scope: Scope
+    scope: XacroScope
     source: Source
     """The file that they stand in."""
     content_only: bool
 
 
 NUMBERS = count()
-Value = str | int | float | bool | Unknown
-Stored = Value | Written | Block
+Value = str | int | float | bool | XacroUnknown
+Stored = Value | XacroText | XacroBlock
 
 
 @dataclass(eq=False)
-class Scope:
+class XacroScope:
     """The names of the whole robot, or of one call of a macro."""
 
-    parent: Scope | None = None
+    parent: XacroScope | None = None
     names: dict[str, Stored] = field(default_factory=dict)
     macros: dict[str, Macro] = field(default_factory=dict)
     number: int = field(default_factory=NUMBERS.__next__)
 
-    def home(self, name: str) -> Scope | None:
+    def home(self, name: str) -> XacroScope | None:
         """Return the innermost table that has a name."""
-        at: Scope | None = self
+        at: XacroScope | None = self
         while at is not None and name not in at.names:
             at = at.parent
         return at
 
     def macro(self, name: str) -> Macro | None:
-        at: Scope | None = self
+        at: XacroScope | None = self
         while at is not None and name not in at.macros:
             at = at.parent
         return at.macros[name] if at is not None else None
 
     @property
-    def top(self) -> Scope:
+    def top(self) -> XacroScope:
         at = self
         while at.parent is not None:
             at = at.parent
@@ -102,7 +102,7 @@ def literal(text: str) -> Value:
 
 def truth(value: Value) -> bool | None:
     """Return what a condition is; None where that is unknown, or xacro refuses the value."""
-    if isinstance(value, Unknown):
+    if isinstance(value, XacroUnknown):
         return None
     if not isinstance(value, str):
         return bool(value)
@@ -112,4 +112,4 @@ def truth(value: Value) -> bool | None:
 
 def shown(value: Value) -> str:
     """Return the text that a value becomes in an attribute."""
-    return value.text if isinstance(value, Unknown) else str(value)
+    return value.text if isinstance(value, XacroUnknown) else str(value)
