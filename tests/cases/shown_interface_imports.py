@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
+from rospkg_cli.example import INTERFACES_BODY, INTERFACES_CMAKE, SETUP_PY, Example, manifest
 
 from .setups import python
 
 STD = manifest("  <exec_depend>std_msgs</exec_depend>\n  <exec_depend>my_ifs</exec_depend>\n")
 
+UNKNOWN = SETUP_PY.replace("find_packages(exclude=['test'])", "found()")
 PLAIN = manifest(INTERFACES_BODY, "cmake").replace("my_pkg", "my_ifs")
 
 
@@ -45,9 +46,7 @@ CASES = {
         importing("print(1)\n", tools__a_DOT_py="from std_msgs.msg import Sting\n"),
         importing("import my_pkg.srv\nfrom my_pkg.action import Drive\n"),
         importing("from my_pkg.msg import A\n", my_pkg__msg_DOT_py="A = 1\n"),
-        importing(
-            "from my_pkg.msg import A\n", my_pkg__msg____init___DOT_py="A = 1\n", setup_DOT_py="import x\n\nx.setup()\n"
-        ),
+        python({"my_pkg/talker.py": "from my_pkg.msg import A\n", "setup.py": UNKNOWN}),
         beside("from my_ifs.msg import Statu, Status\nfrom my_ifs.srv import SetMode_Response, SetModes, SetMode\n"),
         beside("from my_ifs.msg import Unlike\nfrom my_ifs.srv import Status\nfrom my_ifs.action import Drive\n"),
         beside("from my_ifs.msgs import Status\nfrom my_ifs.utils import a\nfrom my_ifs.actions import b\n"),

@@ -87,7 +87,7 @@ class InstalledModules:
             return True
         if file.has_dynamic_names or "sys.modules" in file.source.text:
             return True
-        if source.endswith("__init__.py") and (f"{module}.{name}" in self.sources or self.may_be_in(module, name)):
+        if f"{module}.{name}" in self.sources or self.may_be_in(module, name):
             return True
         for star in file.star_imports:
             inner = self.absolute(star, source)
