@@ -20,6 +20,7 @@ from .lint import options as lint
 from .new import options as new
 from .server import options as server
 from .streams import guarded, say
+from .upgrade import options as upgrade
 
 
 def without_verbs() -> typer.Typer:
@@ -62,6 +63,7 @@ caching = typer.Typer(help=cache.HELP, epilog=cache.EPILOG)
 caching.callback(invoke_without_command=True)(cache.cache)
 caching.command()(cache.clear)
 app.add_typer(caching, name="cache")
+app.command(epilog=upgrade.EPILOG)(upgrade.upgrade)
 app.command(epilog=server.EPILOG)(server.server)
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)
 app.command(epilog=explain.RULES_EPILOG)(explain.rules)

@@ -1,0 +1,1 @@
+"""`rospkg upgrade`: what a new distribution removed or changed, fixed in one go."""
