@@ -137,6 +137,8 @@ CASES = {
                 good={}, on="ament_cmake"),
         package("if(UNKNOWN)\n  install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nendif()", files=FOLDER),
         package("generate_parameter_library(a config/a.yaml)", files=FOLDER),
+        package("", files={"launch/a.launch.xml": '<launch><node pkg="joy" type="joy_node" name="j"/></launch>\n'}),
+        package("", files={"launch/a.launch.xml": '<launch><node pkg="joy" exec="joy_node" name="j"/></launch>\n'}),
         package("configure_file(config/a.yaml b.yaml)", files=FOLDER),
     ),
     "CMK109": (
@@ -183,6 +185,8 @@ CASES = {
         built(TALKER, files={"src/a.cpp": INCLUDES, "src/b.cpp": INCLUDES}, body=declared("sensor_msgs", "who_knows")),
         built(TALKER, files={"src/a.cpp": GUARDED, "src/unused.cpp": INCLUDES}),
         built("if(BUILD_TESTING)\n  add_executable(t test/a.cpp)\nendif()", files={"test/a.cpp": INCLUDES}),
+        built("find_package(yaml_cpp_vendor REQUIRED)", TALKER, files={"src/a.cpp": "#include <yaml-cpp/yaml.h>\n"}),
+        built(f"if(WITH_TALKER)\n{TALKER}\nendif()", files={"src/a.cpp": "#include <nav_msgs/msg/path.hpp>\n"}),
     ),
     "DEP106": (
         *(Example(bad={"urdf/a.urdf": '<robot name="a"><link name="b"><visual><geometry><mesh filename="package://joy/a.stl"/>'

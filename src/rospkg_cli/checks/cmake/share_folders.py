@@ -10,6 +10,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.install_table import InstallTable
+from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
@@ -23,6 +24,7 @@ class RuntimeFolders:
     package: CMakePackage
     table: InstallTable
     workspace: Workspace
+    launch_files: tuple[LaunchFile, ...] = ()
 
     def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
@@ -43,7 +45,8 @@ class RuntimeFolders:
         paths = self.package.cmake.package_files.below(folder)
         useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
         ignores = self.package.cmake.package_files.absent.is_ignored
-        useful = [path for path in useful if path not in self.built_from and "/test/" not in path]
+        ros1 = {file.path for file in self.launch_files if file.is_ros1}
+        useful = [path for path in useful if path not in self.built_from | ros1 and "/test/" not in path]
         return tuple(path for path in useful if not ignores(path))
 
     @cached_property

@@ -12,7 +12,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip
 from ...ros.distros import Targets
-from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RUNS
+from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RELATIONS, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
@@ -127,7 +127,7 @@ class DeclaredDependencies:
     @cached_property
     def brought_to_build(self) -> Brought:
         """What is there where the package is built and tested, pytest included, which colcon needs itself."""
-        found = self.brought_with({*DEPENDENCY_TAGS} - {"doc_depend"})
+        found = self.brought_with({*DEPENDENCY_TAGS}.difference(("doc_depend", *RELATIONS)))
         return replace(found, certain={**found.certain, **WITH_COLCON})
 
     def brought_with(self, tags: Collection[str]) -> Brought:

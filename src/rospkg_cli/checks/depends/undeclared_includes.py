@@ -144,8 +144,10 @@ class IncludeDependencies:
         """Yield what is included and not declared, but for what find_package names as well."""
         there = implied_by(self.declared.names, IN_SOURCES)
         reported = {missing.found.name for missing in self.find_packages.missing()}
+        named = {name for missing in self.find_packages.missing() for name in missing.names}
         for each in self.packages():
-            if not self.is_declared(each) and each.cmake not in reported and not there.intersection(each.names):
+            is_reported = each.cmake in reported or bool(self.find_packages.matching_names(each.cmake, named))
+            if not self.is_declared(each) and not is_reported and not there.intersection(each.names):
                 reported.update(each.names)
                 yield each
         for each in self.typed():

@@ -14,6 +14,7 @@ from ...package.package import Package
 from ...package.run_events import RuleCrash
 from ...tree import Tree
 from .apply import Changes, apply_fixes, paths_of
+from .dependency_cycles import closing_cycles
 from .overlay import Overlay
 
 MAX_TRIED = 50
@@ -43,6 +44,9 @@ def one_round(
         failing = [found for each in left if (found := cannot_apply(tree, each))]
         left = without(left, [each.finding for each in failing])
         refused += failing
+    cyclic = [Refusal(each, why) for each, why in closing_cycles(tree, folders, left)]
+    left = without(left, [each.finding for each in cyclic])
+    refused += cyclic
     while left:
         changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])
         broken = newly_unreadable(tree, changes, folders)
