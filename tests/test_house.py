@@ -49,7 +49,7 @@ FLOORS = (
     {"checks"},
     {"edits", "example"},
     {"rule"},
-    {"rule_table"},
+    {"rule_table", "rule_address"},
     {"rules"},
     {"config"},
     {"engine"},

@@ -11,6 +11,7 @@ from typing import Any
 from .example import MARK, Example
 from .finding import Safety
 from .rule import Profile, Rule
+from .rule_address import address
 
 FIX = {Safety.SAFE: "safe (--fix)", Safety.UNSAFE: "unsafe (--fix --unsafe-fixes)", None: "none"}
 LANGUAGES = {"py": "python", "xml": "xml", "cfg": "ini", "yaml": "yaml", "txt": "cmake"}
@@ -27,6 +28,12 @@ PROFILES = {
 
 
 def explain(rule: Rule[Any]) -> str:
+    """Return the page of a rule, and where it can be read again."""
+    place = address(rule.code)
+    return page(rule) + (f"\nPage: {place}\n" if place else "")
+
+
+def page(rule: Rule[Any]) -> str:
     """Return what a rule does, why, its levels, its fix, and its examples, as Markdown."""
     lines = [f"# {rule.code} {rule.name}", ""]
     lines += [f"Severity: {rule.severity.value}" + "".join(f"; {k.value} {v}" for k, v in rule.levels.items())]
@@ -135,6 +142,7 @@ def described(rule: Rule[Any]) -> dict[str, Any]:
         "fix": rule.fix.value if rule.fix else None,
         "since": rule.since,
         "summary": summary(rule),
+        "page": address(rule.code),
     }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import IO, Any
 
 from ..finding import Edit, Finding, Location, Safety, Severity
+from ..rule_address import web_address
 from . import Report
 from .dump import dump
 
@@ -23,11 +24,16 @@ def diagnostic(report: Report, finding: Finding) -> dict[str, Any]:
     found: dict[str, Any] = {
         "message": finding.message,
         "severity": LEVELS[finding.severity],
-        "code": {"value": finding.code},
+        "code": code(finding),
         "location": {"path": report.path(finding.location.path), "range": span(finding.location)},
     }
     suggestions = suggested(finding)
     return {**found, "suggestions": suggestions} if suggestions else found
+
+
+def code(finding: Finding) -> dict[str, str]:
+    page = web_address(finding.code)
+    return {"value": finding.code, "url": page} if page else {"value": finding.code}
 
 
 def suggested(finding: Finding) -> list[dict[str, Any]]:

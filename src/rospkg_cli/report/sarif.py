@@ -9,6 +9,7 @@ from urllib.parse import quote
 from .. import __version__
 from ..finding import Create, Delete, Edit, Finding, Location, Severity
 from ..rule import Rule, all_rules
+from ..rule_address import web_address
 from ..rule_docs import explain, summary
 from . import Report
 from .dump import dump
@@ -39,13 +40,15 @@ def render(report: Report, stream: IO[str]) -> None:
 
 
 def descriptor(rule: Rule[Any]) -> dict[str, Any]:
-    return {
+    described = {
         "id": rule.code,
         "name": "".join(word.capitalize() for word in rule.name.split("-")),
         "shortDescription": {"text": summary(rule)},
         "help": {"text": explain(rule), "markdown": explain(rule)},
         "defaultConfiguration": {"level": LEVELS[rule.severity]},
     }
+    page = web_address(rule.code)
+    return {**described, "helpUri": page} if page else described
 
 
 def result(report: Report, finding: Finding, mark: str, rule: int) -> dict[str, Any]:

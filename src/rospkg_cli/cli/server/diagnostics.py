@@ -9,6 +9,7 @@ from lsprotocol import types
 from pygls.workspace import PositionCodec
 
 from ...finding import Finding, Location, Severity
+from ...rule_address import web_address
 from ...source import Source
 from .positions import to_range
 
@@ -23,12 +24,14 @@ Sources = Callable[[str], Source]
 
 
 def diagnostic(finding: Finding, root: Path, sources: Sources, codec: PositionCodec) -> types.Diagnostic:
-    """Return a finding as a diagnostic of its file; `related` places lead to theirs."""
+    """Return a finding as a diagnostic of its file; `related` places lead to theirs, its code to the rule's page."""
+    page = web_address(finding.code)
     return types.Diagnostic(
         to_range(codec, sources(finding.location.path), finding.location),
         finding.message,
         severity=SEVERITIES[finding.severity],
         code=finding.code,
+        code_description=types.CodeDescription(page) if page else None,
         source="rospkg",
         related_information=[related(root, at, why, sources, codec) for at, why in finding.related] or None,
     )

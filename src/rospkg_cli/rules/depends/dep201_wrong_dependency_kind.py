@@ -47,7 +47,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     ## When it is quiet
     What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
     so is what only a launch file needs that is called an example or a demo, and what only files include that an option
-    of CMake must ask for. A <build_export_depend> is right for headers that are installed for others and not compiled
+    of CMake must ask for. A `<build_export_depend>` is right for headers that are installed for others and not compiled
     here.
     Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
     DEP103, DEP105).

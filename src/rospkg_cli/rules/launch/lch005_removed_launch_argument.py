@@ -60,8 +60,8 @@ def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
     `type=` of nodes, which is ROS 1's.
 
     ## Why is this bad?
-    The launch stops with "__init__() got an unexpected keyword argument 'node_executable'" or "missing 1 required
-    keyword-only argument: 'executable'".
+    The launch stops with `__init__() got an unexpected keyword argument 'node_executable'` or `missing 1 required
+    keyword-only argument: 'executable'`.
 
     ## When it is quiet
     Files that check which distribution they run on are left alone, and so are launch files for ROS 1.
