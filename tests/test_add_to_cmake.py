@@ -149,6 +149,15 @@ def test_many_nodes_leave_nothing_in_whatever_order() -> None:
     comes_back(files, draft, "node", *(name.partition(":")[0] for name in names))
 
 
+@pytest.mark.parametrize("kind", ["service", "client"])
+def test_nodes_about_a_service_can_be_added(kind: str) -> None:
+    files = cmake_package(LOWER)
+    draft = added(files, "node", f"idler:{kind}:std_srvs/SetBool@/go")
+    assert '"/go"' in text(draft, "src/idler.cpp")
+    assert "  ${std_srvs_TARGETS}\n" in text(draft, "CMakeLists.txt")
+    assert new_findings(files, draft) == []
+
+
 def test_a_component_is_a_library_and_an_executable() -> None:
     files = cmake_package(AUTO)
     draft = added(files, "node", "part:component")

@@ -64,19 +64,30 @@ def test_the_header_has_the_name_that_rosidl_gives_it(name: str, header: str) ->
 
 
 REFUSED = {
-    "a_node:timer:RobotStatus": "that of a publisher or subscriber",
+    "a_node:timer:RobotStatus": "that of publisher, subscriber, service, client, action-server or action-client",
     "a_node:std_msgs/Strng": r"`std_msgs` has no message `Strng` \(did you mean `String`\?\)",
     "a_node:nav_msgs/GoalPoze": "no message `GoalPoze`",
     "a_node:Twist": "Write `geometry_msgs/Twist`",
     "a_node:Waypoint": "rospkg new my_robot_nav_interfaces --type interfaces --msg Waypoint",
     "a_node:my_robot_nav_interfaces/RobotState": "did you mean `RobotStatus`",
-    "a_node:my_robot_nav_interfaces/Go": "no message `Go`",
+    "a_node:my_robot_nav_interfaces/Gone": "no message `Gone`",
     "a_node:a_pkg/b/C": "PACKAGE/Name",
     "a_node:Robot_Status": "PACKAGE/Name",
     "a_node:some_msgs/Node": "another name",
     "a_node:some_messages_of_an_old_friend_of_mine/" + "A" * 38: "too long",
     "a_node:some_msgs/" + "Ab" * 14: "too long",
     "a_node:std_msgs/String:std_msgs/Bool": "has too many parts",
+    "a_node:std_msgs/String@a:@b": "has too many parts",
+    "a_node:timer@tick": "leave `@tick` out",
+    "a_node:publisher@a__b": "write it as @/scan or @scan",
+    "a_node@a_name_of_a_topic_that_is_long": "too long",
+    "a_node:publisher:sensor_data": "publisher:std_msgs/String:sensor_data",
+    "a_node:service:std_srvs/SetBool:sensor_data": "is for the topic of a message",
+    "a_node:publisher:std_msgs/String:sensor_dat": "did you mean `sensor_data`",
+    "a_node:publisher:my_robot_nav_interfaces/Go": "is no message but a service",
+    "a_node:client:std_srvs/SetBol": "did you mean `SetBool`",
+    "a_node:action-client:Fly": "no package here has an action `Fly`.* --action Fly",
+    "a_node:service:std_msgs/msg/String": "can't be a service",
 }
 
 

@@ -120,11 +120,25 @@ def test_the_newest_cmake_has_nothing_to_say(built: Shell, tmp_path: Path, templ
 
 
 MESSAGE = "RobotStatus:std_msgs/Header header, float32 battery_level, string current_task, uint8 error_status"
-STATUS_NODES = ("status:publisher:RobotStatus", "monitor:subscriber:RobotStatus", "other:RobotStatus:python")
+GO, FLY = "Go:std_msgs/Header at, string where --- bool ok, string why", "Fly:int32 height --- bool ok --- float32 rest"
+STATUS_NODES = (
+    "status:publisher:RobotStatus@/status:transient_local", "monitor:subscriber:RobotStatus:sensor_data",
+    "other:RobotStatus:python:best_effort", "late:subscriber:RobotStatus@~/a_b/c:python:transient_local",
+    "scan:subscriber:RobotStatus:python:sensor_data",
+    *(
+        f"{kind.replace('-', '_')}_in_{language}:{kind}:{name}:{language}"
+        for kind, name in (
+            ("service", "Go"), ("client", "Go"), ("action-server", "Fly"), ("action-client", "Fly@fly/away"),
+        )
+        for language in ("cpp", "python")
+    ),
+)  # fmt: skip
 
 
-def test_nodes_use_a_message_of_the_workspace(built: Shell, tmp_path: Path) -> None:
-    interfaces = plan("my_robot_interfaces", template="interfaces", distro="humble", msgs=(MESSAGE,))
+def test_nodes_use_interfaces_of_the_workspace(built: Shell, tmp_path: Path) -> None:
+    interfaces = plan(
+        "my_robot_interfaces", template="interfaces", distro="humble", msgs=(MESSAGE,), srvs=(GO,), actions=(FLY,)
+    )
     planned = plan("my_robot", around(interfaces), template="mixed", nodes=STATUS_NODES)
     write(interfaces, tmp_path)
     folder = write(planned, tmp_path)

@@ -1,4 +1,4 @@
-"""Nodes as they are asked for: `NAME`, `NAME:KIND`, `NAME:KIND:LANGUAGE`, `NAME:publisher:PACKAGE/Message`."""
+"""Nodes as they are asked for: `NAME`, `NAME:KIND`, `NAME:KIND:LANGUAGE`, `NAME:publisher:PACKAGE/Message@TOPIC`."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterator
 
 from ..light_dataclasses import dataclass
-from ..suggest import did_you_mean
 from . import ScaffoldError
-from .message import Message, is_message, message_of
+from .message import Message, message_of
 from .names import LONGEST, check_node_name
-from .node_kinds import LANGUAGES, NodeKind, about, all_kinds, kind_of_message, offered_kinds, shown
+from .node_kinds import NodeKind, about, all_kinds, form_of, kind_of_message, named, offered_kinds, shown
+from .node_words import node_words, unknown_word
+from .qos import DEFAULT, QOS, QualityOfService
 from .template import Template
 from .workspace import WorkspacePackages
 
@@ -22,7 +23,13 @@ class RequestedNode:
     language: str
     """One of LANGUAGES."""
     message: Message | None = None
-    """The one that it is all about."""
+    """The interface that it is all about."""
+    qos: QualityOfService = DEFAULT
+
+    @property
+    def topic(self) -> str:
+        """The topic, service or action that it is about; "" where there is none."""
+        return self.kind.uses[0].name if self.kind.uses else ""
 
     @property
     def class_name(self) -> str:
@@ -55,21 +62,32 @@ def nodes_of(
 
 
 def node_of(text: str, package: str, template: Template, there: WorkspacePackages) -> RequestedNode:
-    """Return one node; after its name, kind, language and message may follow in any order."""
-    name, *words = text.split(":")
-    if "/" in name:
-        raise ScaffoldError(f"`{name}` is a node of another package: a package of --type bringup starts such ones")
+    """Return one node; after its name, what it is may follow in any order."""
+    words = node_words(text)
+    name = words.name
     check_node_name(name, package)
-    languages = [word for word in words if word in LANGUAGES]
-    messages = [word for word in words if is_message(word)]
-    kinds = [word for word in words if word not in LANGUAGES and word not in messages]
-    if len(languages) > 1 or len(kinds) > 1 or len(messages) > 1:
-        raise ScaffoldError(f"`{text}` has too many parts: a node is NAME, NAME:KIND or NAME:KIND:LANGUAGE")
-    kind = all_kinds()[known_kind(kinds[0], template)] if kinds else all_kinds()[template.kinds[0]]
+    kind = all_kinds()[known_kind(words.kind, template)] if words.kind else all_kinds()[template.kinds[0]]
     if kind.name == "component" and f"{name}_component" == package:
         raise ScaffoldError(f"the library of `{name}` would have the name of its package; give the node another name")
+    language = language_of(text, words.language, kind, template)
+    if words.qos and form_of(kind) + "/" * bool(words.interface) != "msg/":
+        raise ScaffoldError(
+            f"`{text}`: {words.qos} is for the topic of a message: publisher:std_msgs/String:{words.qos}"
+        )
+    message = None
+    if words.interface:
+        of = kind_of_message(kind)
+        message = message_of(words.interface, package, there, form_of(kind))
+        kind = about(of, message.name, message.full_name, message.topic)
+    if words.topic:
+        kind = named(kind, words.topic)
+    return RequestedNode(name, kind, language, message, QOS.get(words.qos, DEFAULT))
+
+
+def language_of(text: str, asked: str, kind: NodeKind, template: Template) -> str:
+    """Return the language of a node; raises ScaffoldError where the template or the kind has none of it."""
     fitting = [each for each in template.languages if each in kind.languages]
-    language = languages[0] if languages else fitting[0]
+    language = asked or fitting[0]
     if language not in template.languages:
         other = "ament_cmake" if language == "cpp" else "ament_python"
         raise ScaffoldError(
@@ -79,11 +97,7 @@ def node_of(text: str, package: str, template: Template, there: WorkspacePackage
         raise ScaffoldError(
             f"`{text}`: {kind.name} nodes are available in {' and '.join(map(shown, kind.languages))} only"
         )
-    if not messages:
-        return RequestedNode(name, kind, language)
-    of = kind_of_message(kind)
-    message = message_of(messages[0], package, there)
-    return RequestedNode(name, about(of, message.name, message.full_name, message.topic), language, message)
+    return language
 
 
 def known_kind(word: str, template: Template) -> str:
@@ -92,7 +106,7 @@ def known_kind(word: str, template: Template) -> str:
         return word
     offered = ", ".join(template.kinds)
     if word not in offered_kinds():
-        hint = did_you_mean(word, [*template.kinds, *LANGUAGES])
+        hint = unknown_word(word, template.kinds)
         raise ScaffoldError(f"there is no kind of node `{word}`{hint}; known: {', '.join(offered_kinds())}")
     languages = all_kinds()[word].languages
     if set(languages).isdisjoint(template.languages):

@@ -66,12 +66,29 @@ class NodeKind:
     """What C++ needs besides rclcpp: package to target."""
 
 
+FORMS = {"service": "srv", "client": "srv", "action-server": "action", "action-client": "action"}
+"""The form of the interface that a kind is about, where it is no message."""
+
+
+def form_of(kind: NodeKind) -> str:
+    """Return `msg`, `srv` or `action`."""
+    return FORMS.get(kind.name.removesuffix(OF), "msg")
+
+
+def named(kind: NodeKind, topic: str) -> NodeKind:
+    """Return a kind whose topic, service or action has another name; raises ScaffoldError where it has none."""
+    if not kind.uses:
+        raise ScaffoldError(f"a {kind.name} node has no topic, service or action; leave `@{topic}` out")
+    return replace(kind, uses=(replace(kind.uses[0], name=topic), *kind.uses[1:]))
+
+
 def kind_of_message(kind: NodeKind) -> NodeKind:
     """Return the kind of a node that is all about one message; raises ScaffoldError for kinds that never are."""
     of = all_kinds().get(kind.name + OF)
     if of is None:
+        chosen = [name.removesuffix(OF) for name in all_kinds() if name.endswith(OF)]
         raise ScaffoldError(
-            f"the interface of a {kind.name} node can't be chosen yet; that of a publisher or subscriber can"
+            f"the interface of a {kind.name} node can't be chosen; that of {', '.join(chosen[:-1])} or {chosen[-1]} can"
         )
     return of
 

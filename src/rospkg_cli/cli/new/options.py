@@ -23,7 +23,8 @@ TYPES = ("ament_python", "ament_cmake", "mixed", "interfaces", "description", "b
 TYPE = f"{', '.join(TYPES[:-1])} or {TYPES[-1]}."
 NODE = (
     "A node; repeatable. In a mixed package also its language: planner:timer:python. "
-    "Of a message: status:publisher:my_msgs/Status. In a bringup package: PACKAGE/EXECUTABLE."
+    "About an interface: go:service:my_msgs/Go, with topic: scan:subscriber:sensor_msgs/LaserScan@/scan. "
+    "In a bringup package: PACKAGE/EXECUTABLE."
 )
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."

@@ -37,7 +37,7 @@ class ActionServer:
         execute_callback: Callable[[ServerGoalHandle], Any],
         *,
         callback_group: object = None,
-        goal_callback: Callable[[Any], GoalResponse],
+        goal_callback: Callable[[Any], GoalResponse] = lambda goal: GoalResponse.ACCEPT,
         cancel_callback: Callable[[Any], CancelResponse],
     ) -> None:
         rclpy.note("action server", name=action_name, group=type(callback_group).__name__)

@@ -65,6 +65,15 @@ class QoS
 {
 public:
   QoS(std::size_t) {}  // NOLINT: rclcpp's is implicit too
+  QoS & best_effort() {return *this;}
+  QoS & transient_local() {return *this;}
+};
+
+class SensorDataQoS : public QoS
+{
+public:
+  SensorDataQoS()
+  : QoS(5) {}
 };
 
 class NodeOptions {};
