@@ -15,7 +15,7 @@ from ...rule import rule
     "XML207",
     "ament-python-dependency",
     over=Manifest,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(
         Example(
             bad={"package.xml": manifest("  «<buildtool_depend>ament_python</buildtool_depend>»\n")},
