@@ -46,6 +46,8 @@ CASES = {
             "get_package_share_path()",
         ),
         lookup("try:", "    get_package_share_path('my_pgk')", "except PackageNotFoundError:", "    pass"),
+        lookup("try:", "    get_package_share_path('my_pgk')", "except packages.PackageNotFoundError:", "    pass"),
+        lookup("try:", "    get_package_share_path('my_pgk')", "except ValueError:", "    os.path.exists('a')"),
         lookup("", launch__a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),
         lookup("", test__test_a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),
         lookup("", tools__a_DOT_py=HEAD + "get_package_share_path('my_pgk')\n"),

@@ -39,5 +39,5 @@ class RunImports:
 
     @cached_property
     def changes_path(self) -> bool:
-        """Whether a file of the package tells Python to look for modules elsewhere."""
-        return any("sys.path" in file.source.text for _, file in self.files)
+        """Whether a file that is no test tells Python to look for modules elsewhere."""
+        return any("sys.path" in file.source.text for role, file in self.files if role in ("run", "launch"))

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from ..files import PackageFiles
 from ..languages.python.file import PythonFile
+from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.joined_paths import PathJoiner
 from ..languages.python.nodes import nodes_of
 from ..light_dataclasses import dataclass
@@ -23,7 +24,10 @@ from .run_imports import RunImports
 
 SHARE = frozenset({"get_package_share_directory", "get_package_share_path", "FindPackageShare"})
 LOOKUPS = SHARE | {"get_package_prefix"}
-LOOKS_FIRST = frozenset({"exists", "isfile", "is_file", "isdir", "is_dir", "PackageNotFoundError", "FileNotFoundError"})
+CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
+"""PackageNotFoundError is a KeyError."""
+
+LOOKS_FIRST = frozenset({"exists", "isfile", "is_file", "isdir", "is_dir", "FileNotFoundError"})
 SHORTEST = len("nav2")
 """Of a package's name that is compared with all known ones."""
 
@@ -65,10 +69,10 @@ class ShareLookups:
 
     def unknown_packages(self) -> Iterator[UnknownShare]:
         for file in self.modules:
-            if looks_first(file):
-                continue
+            caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
-                name = literal_of(node) if isinstance(node, ast.Call) and called(node) in LOOKUPS else None
+                is_lookup = isinstance(node, ast.Call) and called(node) in LOOKUPS and id(node) not in caught
+                name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
                 near = self.near_package(str(name.value)) if name is not None else None
                 if name is not None and near:
                     whole = file.span(name)
@@ -129,5 +133,5 @@ def share_of(call: ast.Call, joiner: PathJoiner) -> str:
 
 
 def looks_first(file: PythonFile) -> bool:
-    """Return whether a file asks whether something is there, or catches that it is not."""
+    """Return whether a module asks whether a file is there, or catches that it is not."""
     return any(name in file.source.text for name in LOOKS_FIRST)

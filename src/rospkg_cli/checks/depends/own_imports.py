@@ -62,10 +62,14 @@ class OwnImports:
             module = self.installed.absolute(each, file.path)
             top = module.partition(".")[0]
             if top in self.installed.tops:
-                if is_known and not (self.run.changes_path and not each.level):
+                if is_known and not (self.changes_path(file) and not each.level):
                     yield from self.of_own(file, each, module)
             elif module and top not in KINDS:
                 yield from self.of_others(file, each, module)
+
+    def changes_path(self, file: PythonFile) -> bool:
+        """Return whether an import in a file may find a module that this package does not install."""
+        return self.run.changes_path or "sys.path" in file.source.text
 
     def of_own(self, file: PythonFile, each: Import, module: str) -> Iterator[MissingOwnName]:
         missing = self.installed.missing(module)
@@ -92,7 +96,7 @@ class OwnImports:
         """Yield an import from another package of the workspace, where it has a module of a near name."""
         top = module.partition(".")[0]
         providers = [facts for facts in self.workspace.packages if top in facts.modules]
-        if len(providers) != 1 or not providers[0].knows("modules") or self.run.changes_path:
+        if len(providers) != 1 or not providers[0].knows("modules") or self.changes_path(file):
             return
         parts, known = module.split("."), providers[0].modules
         for end in range(1, len(parts)):
@@ -112,7 +116,7 @@ class OwnImports:
             name = self.installed.names.get(file.path, "")
             package = name.rpartition(".")[0] if name in self.started else ""
             top = each.module.partition(".")[0]
-            if each.level or not package or file.path in programs or self.is_found(top) or self.run.changes_path:
+            if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
             if f"{package}.{top}" in self.installed.sources:
                 yield file, each, f"{package}.{each.module}"

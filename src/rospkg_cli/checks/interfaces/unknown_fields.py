@@ -6,7 +6,8 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import Import, PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.guarded_nodes import guarded_nodes
+from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import KINDS
@@ -56,7 +57,7 @@ class FieldUses:
     def in_body(
         self, file: PythonFile, body: list[ast.stmt], variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        caught = set(guarded(body)) if nodes_of_kind(file.tree, ast.Try) else ()
+        caught = set(guarded_nodes(body, CATCHES)) if nodes_of_kind(file.tree, ast.Try) else ()
         for node in own_nodes(list(body)):
             if id(node) in caught:
                 continue
@@ -97,20 +98,3 @@ def similar(name: str, fields: Mapping[str, str], *, is_certain: bool) -> str | 
         alike = near_names(name, fields, 1) if len(name) > len("xy") else []
         return alike[0] if len(alike) == 1 else None
     return alike[0] if len(alike) == 1 else nearest(name, fields)
-
-
-def guarded(body: list[ast.stmt]) -> Iterator[int]:
-    """Yield the identity of each node in a block that goes on where an attribute is not there."""
-    for statement in body:
-        for node in nodes_of(statement):
-            if isinstance(node, ast.Try) and catches(node):
-                yield from (id(inner) for each in node.body for inner in nodes_of(each))
-
-
-def catches(block: ast.Try) -> bool:
-    """Return whether a block goes on where an attribute is not there."""
-    return any(
-        handler.type is None
-        or any(isinstance(node, ast.Name) and node.id in CATCHES for node in nodes_of(handler.type))
-        for handler in block.handlers
-    )
