@@ -29,7 +29,7 @@ HEAD = """\
 # Rules
 
 Each page says what a rule finds, why that is bad, when the rule is quiet, and shows the fault and its repair, as
-`rospkg explain CODE` does.
+`rospkg explain CODE` does. By what was printed on your screen: [symptoms](../symptoms.md).
 
 | Rule | Name | Severity | Fix | |
 |---|---|---|---|---|
