@@ -119,6 +119,16 @@ def said_by_tests(workspace: Path) -> str:
 
 
 @pytest.mark.network
+def test_a_minimal_package_builds_and_its_test_passes(debian_colcon: Shell, workspace: Path) -> None:
+    write(plan(nodes=("talker@/chatter",), minimal=True), workspace)
+    built = debian_colcon.run("colcon", "build", cwd=workspace)
+    assert (built.returncode, built.stderr) == (0, "")
+    assert debian_colcon.run("colcon", "test", cwd=workspace).returncode == 0
+    found = results(debian_colcon, workspace)
+    assert found.pop("tests") > 0
+    assert found == {"errors": 0, "failures": 0, "skipped": 0}
+
+
 @pytest.mark.parametrize("name", PLANS)
 def test_catkin_pkg_has_no_warning(one_colcon: Shell, workspace: Path, name: str) -> None:
     folder = write(PLANS[name](), workspace)

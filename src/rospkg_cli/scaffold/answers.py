@@ -47,6 +47,8 @@ class Request:
     version: str = ""
     distro: str = ""
     year: int = 0
+    minimal: bool = False
+    """Whether what nothing is built, run or tested with is left out."""
 
     def with_defaults(self, defaults: Mapping[str, str]) -> Request:
         """Return the request with a config's values where nothing was typed."""

@@ -17,6 +17,7 @@ from .custom_template import custom_template
 from .extras import notes_on_extras, with_extras
 from .launch_format import check_typed, launch_format, notes_on_launch
 from .maintainer import Maintainer, check_for_cmake, find_maintainer
+from .minimal import minimal_request, minimal_template
 from .names import check_package_name
 from .node import nodes_of
 from .render import RenderedFile, render, render_line
@@ -68,11 +69,11 @@ def plan_with(
     check_package_name(request.name)
     notes: list[str] = []
     check_typed(request.launch, template)
-    request = request.with_defaults(defaults)
+    request = minimal_request(request).with_defaults(defaults)
     maintainer = find_maintainer(request.maintainer, request.email, folder)
     if template.build_type == "ament_cmake":
         check_for_cmake(maintainer.name)
-    template = with_extras(template, request.extras)
+    template = with_extras(minimal_template(template, request), request.extras)
     notes.extend(notes_on_extras(request.extras, folder))
     there = (there or workspace_packages(folder)).without(request.name)
     answers = answers_of(request, maintainer, template, there, notes)

@@ -115,5 +115,8 @@ def words_of(request: Request) -> Iterator[str]:
         if name == "params":
             yield "--no-params"
             continue
+        if name == "minimal":
+            yield "--minimal"
+            continue
         for each in value if isinstance(value, tuple) else (str(value),):
             yield from (OPTIONS.get(name, f"--{name}"), each)

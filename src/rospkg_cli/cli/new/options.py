@@ -26,6 +26,7 @@ NODE = (
     "About an interface: go:service:my_msgs/Go, with topic: scan:subscriber:sensor_msgs/LaserScan@/scan. "
     "In a bringup package: PACKAGE/EXECUTABLE."
 )
+MINIMAL = "No README, .gitignore, CONTRIBUTING.md, file of parameters; tests that need no ROS."
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
@@ -88,6 +89,7 @@ def new(
     ] = "",
     params: Annotated[bool, what("A file of parameters for the nodes.", "--params/--no-params")] = True,
     tests: Annotated[str, what("ament, minimal or none.", metavar="TESTS", default="ament", values=TESTS)] = "",
+    minimal: Annotated[bool, what(MINIMAL, "--minimal")] = False,
     family: Annotated[bool, what(FAMILY, "--family")] = False,
     with_: Annotated[Names, what(WITH, "--with", metavar="EXTRAS", values=EXTRAS)] = None,
     template: Annotated[str, what("A template of your own, instead of --type.", metavar="DIR|GIT-URL")] = "",
@@ -121,6 +123,7 @@ def new(
     request = Request(
         name, type, split(node), split(depends), tuple(msg or ()), tuple(srv or ()), tuple(action or ()), launch,
         params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
+        minimal,
     )  # fmt: skip
     check_together(request, diff or force or skip, force and skip, family)
     if interactive:
@@ -139,6 +142,8 @@ def check_together(request: Request, existing: bool, both: bool, family: bool) -
     """Raise UsageError for options that exclude each other; `existing`: one is about a folder that is there."""
     if request.own_template and request.template != "ament_python":
         raise UsageError("--template replaces --type; leave one of them out")
+    if request.own_template and request.minimal:
+        raise UsageError("--minimal is for our own types of packages; leave it or --template out")
     if both:
         raise UsageError("--force replaces what --skip leaves alone; choose one of them")
     if family and request.own_template:
