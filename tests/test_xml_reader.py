@@ -124,6 +124,8 @@ def test_a_damaged_text_is_read_or_refused_within_it(text: str, at: int, what: s
         ("<a>x & y</a>", " ", "a lone `&`; write `&amp;`"),
         ("<a>a < b</a>", " ", "a `<` that begins no tag, inside `<a>`; write `&lt;`"),
         ("<a/><b/>", "<", "something follows after the end of the root element"),
+        ("<a></a>\n</a>", "/", "something follows after the end of the root element"),
+        ("</a>", "/", "an unexpected character"),
         ("<a>\n<<<<<<< HEAD\n</a>", "<", "holds a merge conflict (`<<<<<<<`); resolve it"),
         ("\n<?xml version='1.0'?><a/>", "<", "must be the very first"),
         ("<a>é<b></c></a>", "c", "`<b>` is closed by `</c>`"),

@@ -46,6 +46,8 @@ BROKEN = (
     robot("<robot><xacro:a/></robot>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
     robot("<robot/>\n<robot/>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
     robot("<robot/>\n<robot/>\n", launch__show_DOT_py=LAUNCH),
+    robot("<robot>\n</robot>\n\n</robot>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
+    robot("</robot>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
 )
 TAB = Example(bad={"config/robot.yaml": "/**:\n  ros__parameters:\n\trate: 2.0\n"}, good={}, on="config")
 DESCRIBED = """\

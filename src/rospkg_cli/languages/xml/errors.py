@@ -10,6 +10,8 @@ from ...read_problem import ReadProblem
 from ...source import Source
 
 CONFLICT = regex(r"^(<<<<<<<|>>>>>>>)(?= |$)", re.MULTILINE)
+STRAY_END = regex(r"</")
+OPENED = regex(r"<[^\s<>/!?]")
 
 Code = expat.errors.codes
 UNCLOSED = {Code[expat.errors.XML_ERROR_NO_ELEMENTS], Code[expat.errors.XML_ERROR_UNCLOSED_TOKEN]}
@@ -43,7 +45,7 @@ def problem_of(text: str, code: int, at: int, inside: str) -> Found:
     if code == MISMATCH:
         found = re.match(r"[^\s<>/]*", text[at:])
         return ReadProblem.XML_MISMATCH, inside, found.group() if found else ""
-    if code == JUNK:
+    if code == JUNK or (code == INVALID and not inside and is_second_end(text, at)):
         return (ReadProblem.XML_AFTER_ROOT,)
     if code == DECLARATION:
         return (ReadProblem.XML_DECLARATION,)
@@ -53,3 +55,8 @@ def problem_of(text: str, code: int, at: int, inside: str) -> Found:
         return ReadProblem.XML_LESS_THAN, inside
     said = expat.ErrorString(code).replace("not well-formed (invalid token)", "an unexpected character")
     return (ReadProblem.XML_OTHER_INSIDE, said, inside) if inside else (ReadProblem.XML_OTHER, said)
+
+
+def is_second_end(text: str, at: int) -> bool:
+    """Return whether an end tag is written where no element is open, behind one that is closed."""
+    return STRAY_END.search(text, max(0, at - 1), at + 1) is not None and OPENED.search(text, 0, at) is not None
