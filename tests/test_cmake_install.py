@@ -47,6 +47,7 @@ def installs(text: str) -> dict[str, str]:
         ("install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME}/ PATTERN __pycache__ EXCLUDE PATTERN *.md EXCLUDE)", "share/my_pkg/config/a.yaml share/my_pkg/launch/a.launch.py share/my_pkg/launch/sub/b.launch.py"),
         ("install(DIRECTORY . DESTINATION share/my_pkg FILES_MATCHING PATTERN \"*.yaml\")", "share/my_pkg/config/a.yaml"),
         ("install(DIRECTORY launch DESTINATION share/my_pkg FILES_MATCHING REGEX \".*/sub/.*py$\")", "share/my_pkg/launch/sub/b.launch.py"),
+        ("install(FILES config/a.yaml DESTINATION /${CMAKE_INSTALL_PREFIX}/share/my_pkg)", "share/my_pkg/a.yaml"),
         ("install(FILES config/a.yaml DESTINATION share/${PROJECT_NAME}/config RENAME b.yaml)", "share/my_pkg/config/b.yaml"),
         ("install(FILES config/nothing.yaml DESTINATION share/${PROJECT_NAME})", ""),
         ("install(PROGRAMS scripts/run.py DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/${PROJECT_NAME} RENAME run)", "lib/my_pkg/run"),

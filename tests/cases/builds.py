@@ -164,6 +164,10 @@ CASES = {
     "CMK111": tuple(
         cmake(f"install(FILES LICENSE DESTINATION {place})\n")
         for place in ("/lib/udev/rules.d", "/usr/lib/systemd/system", "/etcetera", "$ENV{HOME}/a")
+    )
+    + tuple(
+        cmake(f"set(WHERE {value})\ninstall(FILES LICENSE DESTINATION /${{WHERE}}/a)\n")
+        for value in ("${CMAKE_INSTALL_PREFIX}/share", "$ENV{PLACE}", "opt")
     ),
     "CMK112": tuple(
         cmake(cmk112.ONE.partition("find_package(ament_cmake REQUIRED)\n")[2].removesuffix("ament_package()\n"),

@@ -55,8 +55,14 @@ class InstallRule:
     optional: bool = False
 
 
+def plain_root(text: str) -> str:
+    """Return a path with one slash at its root: `/${CMAKE_INSTALL_PREFIX}` names the prefix."""
+    return "/" + text.lstrip("/") if text.startswith("//") else text
+
+
 def below_prefix(text: str) -> str | None:
     """Return a destination relative to the prefix; None where it is unknown."""
+    text = plain_root(text)
     if text.startswith(PREFIX):
         text = text[len(PREFIX) :].lstrip("/") or "."
     if UNKNOWN in text or "\1" in text or "$<" in text:

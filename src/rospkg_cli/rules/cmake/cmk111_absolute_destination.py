@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...languages.cmake.values import Word
+from ...languages.cmake.values import PREFIX, UNKNOWN, Word
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rules import InstallRule, plain_root
 from ...rule import rule
 
 SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/share/${PROJECT_NAME}»)\nament_package")
@@ -53,7 +53,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     that exists only on one machine. No Debian package can be made of it.
 
     ## When it is quiet
-    For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), and under a condition that can't be evaluated.
+    For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), also behind a slash where the variable holds the
+    prefix or is unknown, and under a condition that can't be evaluated.
     Rules of udev and units of systemd may belong in the system's folders: a warning.
     """
     seen = set()
@@ -62,7 +63,7 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
         if word is None or install.call.maybe or (word.path, word.span) in seen:
             continue
         raw = package.cmake.source_text(word).strip('"')
-        if OUTSIDE.match(raw) and install.call.name != "ament_python_install_package":
+        if OUTSIDE.match(raw) and not may_be_prefix(word.text) and install.call.name != "ament_python_install_package":
             seen.add((word.path, word.span))
             if SYSTEM.match(raw):
                 message = (
@@ -76,6 +77,11 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
                 f"`{wanted(raw, install)}`"
             )
             yield Hit(word.path, word.span, message, fix=fix(package, word, raw))
+
+
+def may_be_prefix(text: str) -> bool:
+    """Return whether an evaluated path is below the install prefix, or begins with something unknown."""
+    return plain_root(text).startswith((PREFIX, f"/{UNKNOWN}"))
 
 
 def wanted(raw: str, install: InstallRule) -> str:
