@@ -101,6 +101,10 @@ CASES = {
         instead(">Ada<", ">TODO<"),
         instead("Apache-2.0", "TODO"),
         Example(bad={"package.xml": PLAIN.replace("Apache-2.0", "TODO"), "LICENSE": None}, good={}),
+        *(
+            Example(bad={"src/my_pkg/package.xml": PLAIN.replace("Apache-2.0", "TODO"), name: "MIT\n"}, good={}, on="")
+            for name in ("LICENSE", "src/COPYING.md", "other/LICENSE")
+        ),
     ),
     "XML106": tuple(instead("Apache-2.0", PROSE[-length:]) for length in (59, 60, 90)),
     "XML107": (instead("<license>", '<license file="">'), instead("<license>", '<license file="../LICENSE">'),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
 from ...example import Example, manifest
+from ...files import PackageFiles
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
 from ...package.manifest import Manifest
@@ -19,6 +20,10 @@ TODO = regex(
 )
 EMAIL = regex(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
 LICENSE = regex(r"(?:LICEN[CS]E|COPYING)[^/]*")
+LICENSES = tuple(
+    f"{name}{suffix}" for name in ("LICENSE", "LICENCE", "COPYING", "License") for suffix in ("", ".md", ".txt", ".rst")
+)
+"""How the license of a repository is called, which lies above its packages."""
 WANTED = "say in one sentence what the package does"
 
 
@@ -76,11 +81,17 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
             yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}", level)
     for element in manifest.all("license"):
         if TODO.fullmatch(element.text):
-            text = next((path for path in package.files.paths if LICENSE.fullmatch(path)), "")
+            text = license_text(package.files)
             harm = f"`{text}` says more, and tools read this line" if text else "no one may use this package"
             message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
             yield Hit(manifest.path, manifest.span(element), message)
     yield from people(manifest)
+
+
+def license_text(files: PackageFiles) -> str:
+    """Return the file that holds a license: of the package, else of a folder above it; "" where there is none."""
+    own = next((path for path in files.paths if LICENSE.fullmatch(path)), "")
+    return own or files.above(LICENSES) or ""
 
 
 def repeats(name: str, text: str) -> bool:
