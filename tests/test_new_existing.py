@@ -54,7 +54,17 @@ def test_skip_writes_what_is_missing(there: Path, capsys: pytest.CaptureFixture[
     assert (PACKAGE / "setup.py").read_text() == "# mine\n"
     assert (PACKAGE / "launch/my_robot_nav.launch.py").is_file()
     assert [path.name for path in there.iterdir()] == ["my_robot_nav"]
-    assert "rospkg: 1 file written, " in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "rospkg: 1 file written, " in said
+    assert "; `setup.py` lacks what would be written there: --diff shows it, " in said
+
+
+def test_skip_is_silent_of_files_that_are_as_they_should_be(there: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert again(existing="force") == 0
+    (PACKAGE / "launch/my_robot_nav.launch.py").unlink()
+    capsys.readouterr()
+    assert again(existing="skip") == 0
+    assert "lack" not in capsys.readouterr().err
 
 
 def test_force_replaces_and_keeps_what_was_there(there: Path, capsys: pytest.CaptureFixture[str]) -> None:

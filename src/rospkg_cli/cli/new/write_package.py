@@ -23,7 +23,18 @@ def write_plan(target: Path, plan: Plan, there: FolderDifference, existing: str)
         return ""
     left = len(there.same) + (0 if existing == "force" else len(there.other))
     said = f"{counted(len(there.missing))} written, {left} left as {'it was' if left == 1 else 'they were'}"
-    return f"{said}, {len(there.other)} replaced: what was there is in `{kept}`" if kept else said
+    if kept:
+        return f"{said}, {len(there.other)} replaced: what was there is in `{kept}`"
+    return said + what_lacks(there, existing)
+
+
+def what_lacks(there: FolderDifference, existing: str) -> str:
+    """Return which files were left alone and lack what was asked for: a new node is not built by its source alone."""
+    if existing == "force" or not there.other:
+        return ""
+    names = ", ".join(f"`{visible(file.path)}`" for file, _ in there.other)
+    verb = "lacks" if len(there.other) == 1 else "lack"
+    return f"; {names} {verb} what would be written there: --diff shows it, and `rospkg add` adds a node in its place"
 
 
 def counted(files: int) -> str:
