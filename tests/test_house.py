@@ -55,7 +55,7 @@ FLOORS = (
     {"engine"},
     {"rule_docs"},
     {"report", "scaffold", "index"},
-    {"change", "lookup"},
+    {"change", "graph", "lookup"},
     {"addition"},
     {"cli"},
     {"testing"},

@@ -20,6 +20,7 @@ COMMANDS = [
     ["format"],
     ["inspect"],
     ["inspect", "--format", "json"],
+    ["graph"],
     ["doctor"],
     ["explain", "XML104"],
     ["rules"],

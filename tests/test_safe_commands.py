@@ -101,6 +101,7 @@ def test_new_shows_a_strangers_template_safely(tmp_path: Path, more: str, monkey
     [
         ["lint", "a\n::error::\x1b"], ["lint", "--select", "A\x1b\n::error::"], ["lint", "--\n::error::\x1b"], ["\x1b"],
         ["explain", "\x1b\n::x"], ["new", "\x1b\n::x"], ["rules", "--format", "\x1b"], ["inspect", "\x1b\udcff"],
+        ["graph", "\n::x\x1b"],
         ["lint", "--baseline", "\x1b\udcff", "."], ["format", "\n::x\x1b"],
     ],
 )  # fmt: skip

@@ -19,6 +19,7 @@ VERBS = {
     "json": (1, "lint my_pkg --format json"),
     "diff": (1, "lint my_pkg --diff --fix-level info"),
     "inspect": (0, "inspect my_pkg"),
+    "graph": (0, "graph my_pkg"),
     "doctor": (0, "doctor my_pkg"),
     "format": (1, "format my_pkg --diff"),
     "check": (1, "format my_pkg --check"),

@@ -14,6 +14,7 @@ from .doctor import options as doctor
 from .exit_status import CTRL_C, interrupted, status_of
 from .explain import options as explain
 from .format import options as format
+from .graph import options as graph
 from .index import options as index
 from .inspect import options as inspect
 from .lint import options as lint
@@ -54,6 +55,7 @@ app.add_typer(removing, name="remove")
 app.command(epilog=lint.EPILOG)(lint.lint)
 app.command(epilog=format.EPILOG)(format.format)
 app.command(epilog=inspect.EPILOG)(inspect.inspect)
+app.command(epilog=graph.EPILOG)(graph.graph)
 app.command(epilog=doctor.EPILOG)(doctor.doctor)
 indexing = typer.Typer(no_args_is_help=True, help=index.HELP, epilog=index.EPILOG)
 indexing.command(epilog=index.UPDATE_EPILOG)(index.update)

@@ -1,0 +1,1 @@
+"""`rospkg graph`: its options, and what it does."""
