@@ -111,6 +111,14 @@ def test_launch_is_not_asked_for_where_something_brings_it() -> None:
     assert found("DEP103", declared("launch_testing_ros"), launch__a_DOT_launch_DOT_py=text) == []
 
 
+@pytest.mark.parametrize(("name", "count"), [("launch_testing_ros", 0), ("acme_launching", 1)])
+def test_launch_is_asked_for_where_it_only_may_come_with_something(name: str, count: int) -> None:
+    text = "import launch\n\n\ndef generate_launch_description():\n    pass\n"
+    assert len(found("DEP103", declared(name), launch__a_DOT_launch_DOT_py=text)) == count
+    tests = found("DEP102", declared(name, tag="test_depend"), test__test_a_DOT_py="import launch_testing\n")
+    assert len(tests) == count
+
+
 def test_a_dependency_for_running_covers_the_tests() -> None:
     text = '<launch><node pkg="joy" exec="joy_node"/></launch>\n'
     (finding,) = found("DEP103", "", launch__a_DOT_launch_DOT_xml=text, test__b_DOT_launch_DOT_xml=text)

@@ -135,7 +135,9 @@ def test_names() -> None:
         results = lint_files({"package.xml": text, "CMakeLists.txt": CMAKE, **files}, ["XML101"])
         return next((f.severity for f in results.findings), None)
 
-    assert level("my-pkg") is level("MyPkg") is Severity.WARNING
+    modules = {"scripts/__init__.py": ""}
+    assert level("my-pkg", **modules) is level("MyPkg", **modules) is Severity.WARNING
+    assert level("my-pkg") is level("MyPkg") is Severity.INFO
     assert level("my-pkg", **{"msg/A.msg": "int32 a\n"}) is Severity.ERROR
     assert [level(name) for name in ("a", "my__pkg", "my_pkg_", "1pkg", "my pkg", "")] == [Severity.ERROR] * 6
     assert level("m2") is None

@@ -174,6 +174,7 @@ CASES = {
               files={"scripts/hello.py": cmk112.SCRIPT, "scripts/bye.py": cmk112.SCRIPT, **more})
         for more in (
             {},
+            {"scripts/bye.py": cmk112.SCRIPT + "import rospy\n"},
             {"scripts/bye.py": SCRIPT},
             {"scripts/hello.py": cmk112.SCRIPT + "run('bye.py')\n"},
             {"launch/a.launch.py": "executable='bye.py'\n"},

@@ -88,6 +88,10 @@ CASES = {
         *(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
         gathering("my-pkgs"),
         gathering("My_pkgs"),
+        *(
+            Example(bad={"package.xml": manifest("", "ament_cmake").replace("my_pkg", "my_pkg-400"), **more}, good={})
+            for more in ({}, {"my_pkg/__init__.py": ""})
+        ),
     ),
     "XML103": (
         instead("1.0.0", "1.02.0"),

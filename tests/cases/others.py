@@ -104,7 +104,8 @@ CASES = {
         Example(bad={"config/robot.yaml": YAML + lines}, good={}, on="config")
         for lines in (
             "    b: [*x]\n", "    b:\n    - 1\n    -\n", "    b: [[1]]\n",
-            "    b: {1.0, 1.0}\n", "    b: {1.0, x}\n", "    b: [1, {c: 2}]\n")
+            "    b: {1.0, 1.0}\n", "    b: {1.0, x}\n",
+            "    b: [[1], [2]]\n", "    b: [[1], 2]\n", "    b: [1, {c: 2}]\n")
     ),
     "PRM008": tuple(
         Example(

@@ -137,6 +137,13 @@ CASES = {
                 good={}, on="ament_cmake"),
         package("if(UNKNOWN)\n  install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nendif()", files=FOLDER),
         package("generate_parameter_library(a config/a.yaml)", files=FOLDER),
+        *(
+            package(f"install(DIRECTORY launch {SHARE})", files={
+                "config/a.yaml": "a: 1\n",
+                "launch/a.launch": f"<launch><rosparam file='$({find} my_pkg)/config/a.yaml'/></launch>\n",
+            })
+            for find in ("find", "find-pkg-share")
+        ),
         package("", files={"launch/a.launch.xml": '<launch><node pkg="joy" type="joy_node" name="j"/></launch>\n'}),
         package("", files={"launch/a.launch.xml": '<launch><node pkg="joy" exec="joy_node" name="j"/></launch>\n'}),
         package("configure_file(config/a.yaml b.yaml)", files=FOLDER),

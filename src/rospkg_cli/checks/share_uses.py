@@ -6,6 +6,7 @@ import re
 from functools import cached_property
 
 from ..files import PackageFiles
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.workspace import Workspace
@@ -14,6 +15,9 @@ from .share_references import references_folder
 CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
         ".rviz", ".launch")  # fmt: skip
 """The files that may open something at run time."""
+
+FOR_ROS1 = regex(r"(?s)<launch\b.*?\$\((?:find|arg)\s")
+"""A launch file that only roslaunch takes: it opens nothing in ROS 2."""
 
 REACH = 200
 """The most characters of a path before the name of a folder."""
@@ -46,7 +50,8 @@ class ShareUses:
     @cached_property
     def code(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
-        return tuple(map(self.files.readable_text, paths))
+        texts = map(self.files.readable_text, paths)
+        return tuple(text for text in texts if not FOR_ROS1.search(text))
 
     @cached_property
     def readmes(self) -> tuple[str, ...]:

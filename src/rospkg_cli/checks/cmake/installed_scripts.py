@@ -23,6 +23,7 @@ Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit
 IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
 STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try|raise)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
+FOR_ROS1 = regex(r"^[ \t]*(?:import|from)[ \t]+rospy\b", re.MULTILINE)
 DEFINES = regex(r"^(?:class|def|async def)\b", re.MULTILINE)
 IMPORTS = regex(r"^(?:from[ \t]+[\w.]+[ \t]+import[ \t(]|import[ \t]+[\w.]+[ \t]*$)", re.MULTILINE)
 """A line that is of Python and of no shell."""
@@ -174,6 +175,7 @@ class InstalledScripts:
     def is_script(self, path: str) -> bool:
         """Return whether a file is a program that a user may want to run."""
         is_private = posixpath.basename(path).startswith((".", "_", "test_"))
+        is_private = is_private or FOR_ROS1.search(self.package.cmake.package_files.readable_text(path)) is not None
         if is_private or not self.is_runnable(path) or not self.has_shebang(path):
             return False
         return self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts)

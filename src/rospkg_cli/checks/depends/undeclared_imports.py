@@ -77,7 +77,7 @@ class ImportDependencies:
             if (found_with is None or is_colcon) and name in implied_by(found.keys() - {name}, IN_TESTS):
                 continue
             if found_with:
-                is_fine = name in RUNNERS and not is_colcon
+                is_fine = name in RUNNERS and found_with.is_certain and not is_colcon
                 result += [] if is_fine else [UndeclaredImport(name, tuple(places), (), found_with)]
             else:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())

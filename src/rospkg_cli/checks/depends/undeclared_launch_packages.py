@@ -111,8 +111,9 @@ class LaunchDependencies:
         return found
 
     def is_brought(self, name: str, *, tests: bool) -> bool:
-        """Return whether a declared dependency brings a package."""
-        return self.declared.bringer([name], runs=not tests) is not None
+        """Return whether a declared dependency certainly brings a package."""
+        bringer = self.declared.bringer([name], runs=not tests)
+        return bringer is not None and bringer.is_certain
 
     def asked_for(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return what is missing, but for what modules import undeclared: one line is asked for once (DEP101)."""

@@ -14,7 +14,7 @@ CHECKERS = ("ament_lint_common", "ament_cmake_xmllint", "ament_xmllint")
 """What brings ament_xmllint into a package's tests."""
 
 RUNS_LINTERS = regex(
-    r"^[^#\n]*\b(?:ament_lint_auto_find_test_dependencies|ament_xmllint|(?!ament_|find_)\w+_package)[ \t]*\(",
+    r"^[^#\n]*\b(?:ament_lint_auto_find_test_dependencies|ament_xmllint|autoware_package)[ \t]*\(",
     re.MULTILINE,
 )
 """A call that runs the linters which are declared: of ament, or of a wrapper such as autoware_package."""

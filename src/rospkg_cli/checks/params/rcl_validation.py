@@ -123,6 +123,8 @@ def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
         return
     types: dict[str, ScalarNode] = {}
     for item in value.items:
+        if isinstance(item, SequenceNode) and item is value.items[-1]:
+            return  # rcl takes what it holds for the list's own entries
         if not isinstance(item, ScalarNode) or (not item.text and not item.is_quoted):
             yield item_fault(name, item)
             return

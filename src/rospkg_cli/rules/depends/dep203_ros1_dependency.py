@@ -20,7 +20,7 @@ OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
     "ros1-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where packages of the workspace are not here and nobody says that it went away"},
+    levels={Severity.INFO: "where ROS 1 had it, and nobody says that it went away"},
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},
@@ -55,8 +55,8 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
 
     ## When it is quiet
     A dependency whose condition excludes ROS 2 (`$ROS_VERSION == 1`) is left alone, and so is a package of that name in
-    the workspace. Nobody knows who has ported a package that was only released for ROS 1: nothing is said where a
-    repository that a `.repos` file lists is called like it.
+    the workspace. Nobody knows who has ported a package that was only released for ROS 1: it is an info, and nothing is
+    said where a repository that a `.repos` file lists is called like it.
 
     ## Fix safety
     A line for interfaces is removed where the package has none, or declares what makes them in ROS 2 already; a build
@@ -68,8 +68,7 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             f"`{each.name}` was released for ROS 1 only (last for {distro}): `rosdep install` ends with "
             f'"Cannot locate rosdep definition for [{each.name}]"; replace it, or put a port of it into the workspace'
         )
-        level = None if names.declared.workspace.is_complete else Severity.INFO
-        yield Hit(manifest.path, each.span, message, level, further(names, each))
+        yield Hit(manifest.path, each.span, message, Severity.INFO, further(names, each))
     for each in names.active():
         taken = successors(each.name)
         if taken is None or names.declared.workspace.named(each.name) is not None:

@@ -28,8 +28,8 @@ def named(name: str) -> dict[str, str]:
     over=ManifestAndFiles,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a hyphen or an uppercase letter, in a package without interfaces",
-        Severity.INFO: "the same in a metapackage",
+        Severity.WARNING: "a hyphen or an uppercase letter, in a package with Python modules and no interfaces",
+        Severity.INFO: "the same without Python modules, or in a metapackage",
     },
     examples=(
         Example(
@@ -53,8 +53,8 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     interfaces can be generated. Python can't import a package whose name has a hyphen.
 
     ## When it is quiet
-    A hyphen or an uppercase letter stops the build only where interfaces are generated; in a metapackage, of which
-    nothing is generated or imported, it is an info.
+    A hyphen or an uppercase letter stops the build only where interfaces are generated; without Python modules, and in
+    a metapackage, of which nothing is imported, it is an info.
 
     ## References
     - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)
@@ -64,7 +64,7 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     name = manifest.name
     if element is None or (PACKAGE_NAME.fullmatch(name) and len(name) > 1):
         return
-    better = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789")
+    better = re.sub(r"[^a-z0-9]+", "_", name.lower()).lstrip("_0123456789").rstrip("_")
     hint = f"; call it `{better}`" if PACKAGE_NAME.fullmatch(better) and len(better) > 1 else ""
     level = None
     if not name:
@@ -73,7 +73,9 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
         what = f"the name `{name}` is one character long, REP-144 requires two or more: it can't be released"
     elif TOLERATED.fullmatch(name) and not re.search(r"__|_$", name):
         level = None if package.interface_files else Severity.WARNING
-        level = Severity.INFO if is_metapackage(package.files, manifest) else level
+        has_modules = any(path.endswith("__init__.py") for path in package.files.paths)
+        is_harmless = is_metapackage(package.files, manifest) or not (has_modules or package.interface_files)
+        level = Severity.INFO if is_harmless else level
         odd, harm = "an uppercase letter", "REP-144 allows only lowercase ones"
         if "-" in name:
             odd, harm = "a hyphen", "REP-144 allows only `_`" if level is Severity.INFO else "Python can't import it"

@@ -42,9 +42,9 @@ def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
     """
     ## What it does
     Finds valid YAML in a parameter file that rcl does not accept.
-    It is aliases, lists that mix types, empty lists (their type is unknown), lists of lists, lists with mappings of
-    several keys, values that are missing or above `ros__parameters:`, names that no node can have. In a list `1` and
-    `2.5` are of two types, and `y` is a bool.
+    It is aliases, lists that mix types, empty lists (their type is unknown), lists of several lists, or of mappings
+    with several keys, values that are missing or above `ros__parameters:`, names that no node can have. In a list `1`
+    and `2.5` are of two types, and `y` is a bool.
 
     ## Why is this bad?
     rcl refuses the whole file, and every node that is given it stops when it starts, often with a message about

@@ -14,8 +14,7 @@ from ...unreadable import Unreadable
     "RPK007",
     "skipped-file",
     over=Unreadable,
-    severity=Severity.WARNING,
-    levels={Severity.INFO: "a link that leads out of the package and its repository: the build reads what is there"},
+    severity=Severity.INFO,
     examples=(),
 )
 def skipped_file(file: Unreadable) -> Iterator[Hit]:
@@ -30,7 +29,7 @@ def skipped_file(file: Unreadable) -> Iterator[Hit]:
     linter print or rewrite a file of the machine that lints it.
 
     ## When it is quiet
-    Files that no reader asks for may be of any size. A link out of the repository is an info.
+    Files that no reader asks for may be of any size.
     """
     if file.skipped:
-        yield Hit(file.path, file.span, what_is_wrong(file), Severity.INFO if file.outside else None)
+        yield Hit(file.path, file.span, what_is_wrong(file))
