@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-FORMATS = "text concise json sarif github gitlab junit markdown rdjson".split()
+FORMATS = "text concise json sarif github gitlab junit markdown rdjson html".split()
 COMMANDS = [
     ["lint", *(word for name in FORMATS for word in ("--output", f"{name}:{os.devnull}"))],
     ["lint", "--pedantic", "--release", "--jobs", "2", "--traceback"],

@@ -13,7 +13,7 @@ from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from .printable import printable
 
-FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown")
+FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit", "rdjson", "markdown", "html")
 EXACT = frozenset({"json", "sarif", "gitlab", "rdjson"})
 """The formats whose own syntax can hold every character: they get the text as it is in the files, and write it with
 `dump`. All others get text in which nothing is left that a terminal or a log would obey."""

@@ -13,7 +13,7 @@ from .typed_options import lint_as_typed
 EPILOG = "Examples:  rospkg lint  ·  rospkg lint src/ --fix  ·  rospkg lint . --select SET --format json"
 CHOICE, SUPPRESSION, FIXES, OUTPUT = "Which rules", "Suppression and baseline", "Fixes", "Output"
 CONFIG = "Configuration"
-FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson or markdown."
+FORMAT_HELP = "text, concise, json, sarif, github, gitlab, junit, rdjson, markdown or html."
 
 CODES, DISTROS, FORMATS = listed(rule_codes), listed(distro_names), listed(format_names)
 LEVELS, SHOWN = choices("error", "warning", "info"), listed(lambda: ("info", "all"))
