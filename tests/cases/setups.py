@@ -66,10 +66,29 @@ def started(*modules: str) -> Example:
 
 STARTS_IT: dict[str, str | None] = {"launch/a.launch.xml": '<launch><node pkg="my_pkg" exec="talker"/></launch>\n'}
 
+
+def handles(line: str) -> str:
+    """A setup.py that does something after setup()."""
+    return f"import os\n{set002.PACKAGE['setup.py']}{line}\n"
+
+
+def commanded(commands: str) -> str:
+    return set002.PACKAGE["setup.py"].replace("    license=", f"    cmdclass={commands},\n    license=")
+
+
 CASES = {
     "SET001": (python({**set001.missing_setup_cfg.examples[0].bad, "setup.py": WITH_OPTIONS}),),
     "SET002": (
         python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": WITH_OPTIONS}),
+        *(
+            python({**set002.PACKAGE, "setup.cfg": cfg, "setup.py": handles(line)})
+            for cfg in (set002.HALF, set002.WRONG, set002.WRONG.replace("lib/your_pkg", "bin", 1).replace("your", "my"))
+            for line in ("os.symlink('../../bin/talker', 'talker')", "os.path.exists('talker')")
+        ),
+        *(
+            python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": commanded(commands)})
+            for commands in ("{'install': Mine}", "{'build_py': Mine}", "mine()")
+        ),
         *(
             python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("lib/your_pkg", folder)})
             for folder in ("lib", "scripts", "bin", "lib/my_pkg/tools", "$x", "lib/my_pkg/")

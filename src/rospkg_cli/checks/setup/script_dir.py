@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 from functools import cached_property
 
+from ...languages.python.evaluate.values import Mapping
+from ...languages.python.nodes import nodes_of_kind
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_cfg import SetupCfg
+from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ...package.workspace import Workspace
 from .python_package import PythonPackage
@@ -15,6 +19,10 @@ from .python_package import PythonPackage
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
 BELOW_BASE = regex(r"\$(?:base|\{base\})/(?P<folder>[^/$%]+|lib/[^/$%]+)/*")
 TOOLS = "bin"
+LINKS = frozenset({"symlink", "symlink_to", "link", "hardlink_to"})
+"""Functions of `os` and methods of `pathlib.Path` that make links."""
+COMMANDS = frozenset({"develop", "editable_wheel", "install", "install_scripts", "easy_install"})
+"""The commands of setuptools that decide where scripts go."""
 
 
 @dataclass(frozen=True)
@@ -49,11 +57,13 @@ class ScriptDir:
         name = self.package.setup.setup_text("name")
         right = {f"lib/{self.package.name}", f"lib/{name.text}" if name else ""}
         values = {key: self.folder(section, key) for section, key in SCRIPT_OPTIONS}
-        right |= set() if self.has_nodes_in_lib or right & set(values.values()) else {TOOLS}
+        is_moved = moves_scripts(self.package.setup)
+        is_for_tools = not (self.has_nodes_in_lib or right & set(values.values()))
+        right |= {TOOLS} if is_for_tools or is_moved else set()
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             folder = values[key]
-            if option is None and self.nodes and self.package.setup.argument("options") is None:
+            if option is None and self.nodes and not is_moved and self.package.setup.argument("options") is None:
                 found.append((section, key, None))
             elif option is not None and folder is not None and folder not in right:
                 found.append((section, key, option.value))
@@ -70,3 +80,16 @@ class ScriptDir:
         """Whether a launch file of the workspace looks in lib/<package> for one of the executables."""
         started = {pair for facts in self.workspace.packages for pair in facts.started_nodes}
         return any((self.package.name, each.name) in started for each in self.package.executables)
+
+
+def moves_scripts(setup: SetupPy) -> bool:
+    """Return whether setup.py puts scripts in their place itself: with links, or a command of its own to install."""
+    if any(
+        isinstance(node.func, ast.Attribute) and node.func.attr in LINKS
+        for node in nodes_of_kind(setup.file.tree, ast.Call)
+    ):
+        return True
+    commands = setup.value("cmdclass")
+    if not isinstance(commands, Mapping):
+        return commands is not None
+    return any(str(key) in COMMANDS for key in commands.items)

@@ -51,8 +51,9 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the value is no folder below `$base`, and for `$base/bin`, which is for command line tools, unless a launch
-    file starts one of them or the other option says `lib/<package>`. Where no executable runs a node, a missing option
-    is none.
+    file starts one of them or the other option says `lib/<package>`. Where setup.py makes links or has a command of its
+    own that installs scripts (`cmdclass`), neither `bin` nor a missing option is reported. Where no executable runs a
+    node, a missing option is none.
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"
