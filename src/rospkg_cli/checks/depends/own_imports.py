@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.python.alias_span import alias_span
 from ...languages.python.file import Import, PythonFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
@@ -18,6 +20,9 @@ from ...source import Span
 from ...suggest import nearest
 from ..run_imports import RunImports
 from .installed_modules import InstalledModules
+
+REQUIREMENTS = regex(r"requirements[^/]*\.txt")
+README = regex(r"README[^/]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +123,24 @@ class OwnImports:
             top = each.module.partition(".")[0]
             if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
-            if f"{package}.{top}" in self.installed.sources:
-                yield file, each, f"{package}.{each.module}"
+            full = f"{package}.{each.module}"
+            if f"{package}.{top}" in self.installed.sources and self.has_all(each, full) and not self.is_from_pip(top):
+                yield file, each, full
+
+    def has_all(self, each: Import, module: str) -> bool:
+        """Return whether the package's own module is there, with all that an import takes out of it."""
+        names = (name for name in each.names if name != "*")
+        return module in self.installed.sources and all(self.installed.offers(module, name) for name in names)
+
+    def is_from_pip(self, top: str) -> bool:
+        """Return whether the requirements or the README of the package install a distribution of that name with pip."""
+        listed = re.compile(rf"^\s*{re.escape(top)}\b", re.MULTILINE)
+        typed = re.compile(rf"\bpip3?\s+install\b.*\b{re.escape(top)}\b")
+        for path in self.files.paths:
+            looked_for = listed if REQUIREMENTS.fullmatch(path) else typed if README.fullmatch(path) else None
+            if looked_for is not None and looked_for.search(self.files.readable_text(path)):
+                return True
+        return False
 
     def is_found(self, top: str) -> bool:
         """Return whether Python may find a module of that name outside of the importing file's folder."""

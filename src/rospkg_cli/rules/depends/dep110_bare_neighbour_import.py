@@ -37,7 +37,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     there is "No module named 'speech'".
 
     ## When it is quiet
-    Where something else may provide the name: a dependency, the standard library, a package of the workspace; for
+    Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
+    as the README or the requirements say; where the own module lacks what is imported from it; for
     optional imports, for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be
     started by their path), and where the package changes `sys.path`.
 
