@@ -20,6 +20,30 @@ def called(*names: str) -> Example:
     return config("".join(f"{name}:\n  ros__parameters:\n    a: 1\n" for name in names))
 
 
+PARSED = """\
+import os
+
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory('my_pkg')
+    with open(os.path.join(share, 'config', 'robot.yaml')) as f:
+        values = {}
+    return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[{}])])
+"""
+PANEL = "talker:\n  ros__parameters:\n    a: 1\npanel:\n  width: 3\n"
+
+
+def parsed(loads: str, *given: str, text: str = PANEL, file: str = "config/robot.yaml") -> Example:
+    """A package whose launch file opens a YAML file, and a node that gets values of it, or a path."""
+    entry = "".join(f"share + '{path}'" for path in given) or "values"
+    return Example(bad={file: text, "launch/a.launch.py": PARSED.format(loads, entry)}, good={}, on="config")
+
+
 NUMBERS = (
     "1e-9",
     "1E9",
@@ -146,6 +170,10 @@ CASES = {
         config("talker:\n  ros_parameters:\n    a: 1\n"
                "listener:\n  ros__paramters: {a: 1}\nother:\n  Ros__Parameters:\n"),
         config("talker:\n  a: 1\n  b:\n    c: 1\n\n  # more\n  d: [1]\n"),
+        *(parsed(loads, *more) for loads, *more in (("yaml.safe_load(f)",), ("f.read()",),
+          ("yaml.load(f)", "/robot.yaml"), ("safe_load(f)", "/other.yaml"))),
+        parsed("yaml.safe_load(f)", file="config/other.yaml"),
+        parsed("yaml.safe_load(f)", text="talker:\n  ros_parameters:\n    a: 1\n"),
         config("talker: {a: 1}\nns:\n  talker:\n    a: 1\n"),
         config("talker:   {a: 1,\n  b: 2}\n? [x]\n: 1\ntalker2:\n  a: 1 # one\n"),
     ),

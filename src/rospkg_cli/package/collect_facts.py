@@ -16,6 +16,7 @@ from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
+from .launch.parsed_yaml import parsed_yaml
 from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -104,6 +105,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("messages",): one("messages", message_fields),
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
+    ("parsed_yaml",): one("parsed_yaml", parsed_yaml),
     ("launch_files",): one("launch_files", launch_signatures),
     ("launch_summaries",): one("launch_summaries", launch_summaries),
     ("given_parameters",): one("given_parameters", given_parameters),

@@ -82,6 +82,8 @@ class PackageFacts:
     """What its launch files start under literal names: package and executable."""
     loaded_components: frozenset[tuple[str, str]] = frozenset()
     """What its launch files load under literal names: package and class."""
+    parsed_yaml: frozenset[str] = frozenset()
+    """The names of the YAML files that its launch files parse themselves and give to no node by their path."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     messages: tuple[MessageFields, ...] = ()

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode
+from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import KEY, ParameterFile, is_key
+from ...package.workspace import Workspace
 from ...source import Source, Span
 from ..fault import Fault, TextRepair
 from .rcl_validation import REFUSES
@@ -13,7 +15,22 @@ from .rcl_validation import REFUSES
 TITLE = f"write `{KEY}:`"
 
 
-def key_faults(file: ParameterFile) -> Iterator[Fault]:
+@dataclass(frozen=True)
+class ParameterFileUse:
+    """A parameter file, among the packages whose launch files may use it."""
+
+    file: ParameterFile
+    workspace: Workspace
+
+    @property
+    def is_parsed_by_launch(self) -> bool:
+        """Whether a launch file parses it and hands on values: then what is there for others needs no block."""
+        name = self.file.path.rpartition("/")[2]
+        return any(name in facts.parsed_yaml for facts in self.workspace.packages)
+
+
+def key_faults(use: ParameterFileUse) -> Iterator[Fault]:
+    file = use.file
     for entry in file.entries:
         key, value = entry.key, entry.value
         if not isinstance(key, ScalarNode):
@@ -21,7 +38,7 @@ def key_faults(file: ParameterFile) -> Iterator[Fault]:
         if entry.kind == "block" and not is_key(key):
             repair = TextRepair(TITLE, ((key.span, KEY),))
             yield Fault(key.span, f"`{key.text}` is written `{KEY}`, with two `_`; {REFUSES}", repair=repair)
-        elif entry.kind == "no block" and isinstance(value, MappingNode):
+        elif entry.kind == "no block" and isinstance(value, MappingNode) and not use.is_parsed_by_launch:
             message = f"the block of `{key.text}` has no `{KEY}:` above its values; {REFUSES}"
             yield Fault(key.span, message, repair=added_key(file.source, key, value))
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.ros_parameters_key import key_faults
+from ...checks.params.ros_parameters_key import ParameterFileUse, key_faults
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Safety, Severity
-from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -24,7 +23,7 @@ listener:
 @rule(
     "PRM001",
     "missing-ros-parameters",
-    over=ParameterFile,
+    over=ParameterFileUse,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -41,7 +40,7 @@ listener:
         ),
     ),
 )
-def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
+def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameter files with a missing or misspelt `ros__parameters:` below a node.
@@ -53,7 +52,8 @@ def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
-    launch file are read; those of tests, and templates, are not.
+    launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
+    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
@@ -62,4 +62,4 @@ def missing_ros_parameters(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    yield from hits(file.path, key_faults(file))
+    yield from hits(use.file.path, key_faults(use))
