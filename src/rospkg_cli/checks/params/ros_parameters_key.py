@@ -29,8 +29,7 @@ class ParameterFileUse:
         return any(name in facts.parsed_yaml for facts in self.workspace.packages)
 
 
-def key_faults(use: ParameterFileUse) -> Iterator[Fault]:
-    file = use.file
+def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:
     for entry in file.entries:
         key, value = entry.key, entry.value
         if not isinstance(key, ScalarNode):
@@ -38,7 +37,7 @@ def key_faults(use: ParameterFileUse) -> Iterator[Fault]:
         if entry.kind == "block" and not is_key(key):
             repair = TextRepair(TITLE, ((key.span, KEY),))
             yield Fault(key.span, f"`{key.text}` is written `{KEY}`, with two `_`; {REFUSES}", repair=repair)
-        elif entry.kind == "no block" and isinstance(value, MappingNode) and not use.is_parsed_by_launch:
+        elif entry.kind == "no block" and isinstance(value, MappingNode) and not is_parsed_by_launch:
             message = f"the block of `{key.text}` has no `{KEY}:` above its values; {REFUSES}"
             yield Fault(key.span, message, repair=added_key(file.source, key, value))
 

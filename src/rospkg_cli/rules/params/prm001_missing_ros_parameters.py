@@ -62,4 +62,4 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    yield from hits(use.file.path, key_faults(use))
+    yield from hits(use.file.path, key_faults(use.file, is_parsed_by_launch=use.is_parsed_by_launch))
