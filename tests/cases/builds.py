@@ -66,11 +66,15 @@ USER = {
 }
 
 
-def in_workspace(example: Example, build_type: str = "<build_type>ament_cmake") -> Example:
+def in_workspace(example: Example, build_type: str = "<build_type>ament_cmake", *, is_compiled: bool = True) -> Example:
     """The package below src/, beside one that needs it for its build."""
     files = {"package.xml": manifest("", "ament_cmake"), **example.bad}
     own = {f"src/my_pkg/{path}": text for path, text in files.items()}
     user = {path: text.replace("<build_type>ament_cmake", build_type) for path, text in USER.items()}
+    if is_compiled:
+        text = user["src/user_pkg/CMakeLists.txt"]
+        compiled = text.replace("ament_package", "add_library(user INTERFACE)\nament_package")
+        user["src/user_pkg/CMakeLists.txt"] = compiled
     return Example(bad={**own, **user}, good={}, on="")
 
 
@@ -130,6 +134,7 @@ CASES = {
         cmake("add_executable(core src/a.cpp)\nament_export_libraries(core)\n" + INCLUDE, files=HEADER),
         cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"}),
         in_workspace(cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"})),
+        in_workspace(cmake(PLUGINS + INCLUDE, files={**HEADER, "p.xml": "<library/>\n"}), is_compiled=False),
     ),
     "CMK107": (
         cmake(f"{GTEST}ament_add_gtest(a test/a.cpp)\nament_add_gtest(b test/a.cpp)\n",

@@ -32,9 +32,9 @@ class ExportedHeaders:
 
     @property
     def is_built_against(self) -> bool:
-        """Whether a package of the workspace depends on this one to build."""
+        """Whether a package of the workspace that has targets of its own depends on this one to build."""
         name = self.headers.package.facts.name
         tags = ("depend", "build_depend", "build_export_depend")
-        compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
+        compiled = (facts for facts in self.workspace.packages if facts.is_ament and facts.is_compiled)
         needs = (need for facts in compiled for need in facts.dependencies)
         return any(need.name == name and need.tag in tags for need in needs)
