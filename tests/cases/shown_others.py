@@ -193,6 +193,12 @@ CASES = {
         built(TALKER, files={"src/a.cpp": GUARDED, "src/unused.cpp": INCLUDES}),
         built("if(BUILD_TESTING)\n  add_executable(t test/a.cpp)\nendif()", files={"test/a.cpp": INCLUDES}),
         built("find_package(yaml_cpp_vendor REQUIRED)", TALKER, files={"src/a.cpp": "#include <yaml-cpp/yaml.h>\n"}),
+        *(built(*lines, TALKER, files={"src/a.cpp": "#include <diagnostic_msgs/msg/key_value.hpp>\n"}) for lines in (
+              ("find_package(diagnostic_updater REQUIRED)",), ("find_package(diagnostic_updater)",),
+              ("if(BUILD_TESTING)", "find_package(diagnostic_updater REQUIRED)", "endif()"),
+              ("if(WITH_TALKER)", "find_package(diagnostic_updater REQUIRED)", "endif()"))),
+        built("if(BUILD_TESTING)\n  find_package(diagnostic_updater REQUIRED)\n  add_executable(t test/a.cpp)\nendif()",
+              files={"test/a.cpp": "#include <diagnostic_msgs/msg/key_value.hpp>\n"}),
         built(f"if(WITH_TALKER)\n{TALKER}\nendif()", files={"src/a.cpp": "#include <nav_msgs/msg/path.hpp>\n"}),
     ),
     "DEP106": (

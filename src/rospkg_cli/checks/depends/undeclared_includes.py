@@ -18,6 +18,7 @@ from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.names import NameKind
 from ...source import Source, Span
+from .brought_dependencies import Bringer, brought_by
 from .compiled_sources import compiled_on_demand, compiled_sources, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
@@ -168,6 +169,13 @@ class IncludeDependencies:
                     use = IncludeUse(source.path, span, source.source.slice(span), is_type=True)
                     found[package] = IncludedPackage((package,), package, role, (use,))
         yield from found.values()
+
+    def found_bringer(self, each: IncludedPackage) -> Bringer | None:
+        """Return the package that CMake stops without, declared or not, and that brings what is included."""
+        found = [one for one in self.cmake.packages if one.is_required and not one.call.maybe]
+        wanted = {one.name for one in found if each.role == "test" or not one.call.testing}
+        there = brought_by(sorted(wanted), self.declared.workspace)
+        return next((Bringer(there[name]) for name in each.names if name in there), None)
 
     def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))

@@ -22,9 +22,7 @@ NODE = CMAKE.replace(
     "undeclared-include",
     over=IncludeDependencies,
     severity=Severity.WARNING,
-    levels={
-        Severity.INFO: "where a declared dependency brings it, or may bring it, or package.xml has it in a comment"
-    },
+    levels={Severity.INFO: "where a dependency brings it, or may bring it, or package.xml has it in a comment"},
     examples=(
         Example(
             on="ament_cmake",
@@ -46,7 +44,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it. What may come with one is
+    What a declared dependency certainly installs, or a package that CMake requires, is one info, which names who brings
+    it. What may come with one is
     another, as anything may with a package that is not here; so is what only files include that an option of CMake must
     ask for. Files that no target compiles, includes under `#if`, and packages that `find_package()` names as well
     (DEP104) are left alone.
@@ -62,7 +61,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     for each in includes.undeclared():
         first, name = each.uses[0], each.names[0]
         kind = "test_depend" if each.role == "test" else "depend"
-        if bringer := declared.bringer(each.names, runs=False):
+        if bringer := declared.bringer(each.names, runs=False) or includes.found_bringer(each):
             brought.append(BroughtUse(name, bringer, kind, first.path, first.span))
             continue
         is_used = "used" if first.is_type else "included"
