@@ -221,3 +221,13 @@ def test_an_example_of_parameters_that_no_launch_file_loads(name: str, launch: s
     files = {"package.xml": manifest("  <exec_depend>controller_manager</exec_depend>\n")}
     files |= {f"config/{name}.yaml": CONTROLLERS, "launch/a.launch.xml": launch}
     assert levels("DEP106", PYTHON, files) == [level]
+
+
+@pytest.mark.parametrize(("is_metapackage", "level"), [(False, "warning"), (True, "info")])
+def test_a_metapackage_opens_no_folder(is_metapackage: bool, level: str) -> None:
+    needs = "  <exec_depend>my_pkg</exec_depend>\n"
+    files = {"a/package.xml": manifest("", "ament_cmake"), "a/CMakeLists.txt": CMAKE, "a/config/a.yaml": "a: 1\n"}
+    files |= {"b/package.xml": manifest(needs, "ament_cmake", "b"), "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
+    files |= {} if is_metapackage else {"b/launch/a.launch.xml": "<launch/>\n"}
+    (finding,) = [each for each in lint_files(files, ["CMK101"]).findings if "config" in each.message]
+    assert finding.severity.value == level

@@ -29,6 +29,8 @@ class ShareUses:
     name: str
     """The package's."""
     workspace: Workspace
+    absent: frozenset[str] = frozenset()
+    """Folders of which nothing is installed: what lies in them opens nothing."""
 
     def opens(self, folder: str) -> bool:
         """Return whether code, a robot, a world or the README refers to a folder of the share directory."""
@@ -50,6 +52,7 @@ class ShareUses:
     @cached_property
     def code(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
+        paths = (path for path in paths if path.partition("/")[0] not in self.absent)
         texts = map(self.files.readable_text, paths)
         return tuple(text for text in texts if not FOR_ROS1.search(text))
 
@@ -62,8 +65,14 @@ class ShareUses:
         """Return `error` where the package opens a folder, `info` where nothing seems to; None between them."""
         if self.opens(folder):
             return "error"
-        needed = folder == "launch" or self.workspace.is_needed(self.name)
+        needed = folder == "launch" or self.is_needed
         return None if needed and not self.opens_in_source(folder) else "info"
+
+    @property
+    def is_needed(self) -> bool:
+        """Whether another package depends on this one, which may open any of its files; a metapackage opens none."""
+        others = (each for each in self.workspace.packages if each.name != self.name and not each.is_metapackage)
+        return any(need.name == self.name for facts in others for need in facts.dependencies)
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""

@@ -79,7 +79,8 @@ class RuntimeFolders:
 
     @cached_property
     def uses(self) -> ShareUses:
-        return ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace)
+        absent = frozenset(folder for folder in FOLDERS if folder != "launch" and not self.is_installed(folder))
+        return ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace, absent)
 
 
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:
