@@ -225,9 +225,9 @@ def test_an_example_of_parameters_that_no_launch_file_loads(name: str, launch: s
 
 @pytest.mark.parametrize(("is_metapackage", "level"), [(False, "warning"), (True, "info")])
 def test_a_metapackage_opens_no_folder(is_metapackage: bool, level: str) -> None:
-    needs = "  <exec_depend>my_pkg</exec_depend>\n"
+    user = manifest("", "ament_cmake", "b").replace("  <export>", "  <exec_depend>my_pkg</exec_depend>\n  <export>")
     files = {"a/package.xml": manifest("", "ament_cmake"), "a/CMakeLists.txt": CMAKE, "a/config/a.yaml": "a: 1\n"}
-    files |= {"b/package.xml": manifest(needs, "ament_cmake", "b"), "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
-    files |= {} if is_metapackage else {"b/launch/a.launch.xml": "<launch/>\n"}
+    files |= {"b/package.xml": user, "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
+    files |= {} if is_metapackage else {"b/src/b.cpp": "int main() {}\n"}
     (finding,) = [each for each in lint_files(files, ["CMK101"]).findings if "config" in each.message]
     assert finding.severity.value == level
