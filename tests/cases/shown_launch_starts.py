@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, SETUP_PY_FOR_ALL, Example, manifest
+from rospkg_cli.example import CMAKE, SETUP_PY_FOR_ALL, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.launch import lch002_unknown_executable as lch002
 
 from .shown_launch import xml
@@ -92,10 +92,11 @@ SINGLE = python(
 )
 
 
-def unused(*lines: str, before: str = "", returned: str = "[first]") -> Example:
+def unused(*lines: str, before: str = "", returned: str = "[first]", **files: str) -> Example:
     body = "".join(f"    {line}\n" for line in ("first = LogInfo(msg='up')", *lines))
     text = f"{HEAD}{before}\n\ndef generate_launch_description():\n{body}    return LaunchDescription({returned})\n"
-    return Example(bad={"package.xml": manifest(), "launch/a.launch.py": text}, good={})
+    named = {f"{name}.py": each for name, each in files.items()}
+    return Example(bad={"package.xml": manifest(), "launch/a.launch.py": text, **named}, good={})
 
 
 ACTIONS = unused(
@@ -208,6 +209,12 @@ CASES = {
     "LCH015": (PATHS,),
     "LCH018": (
         ACTIONS,
+        unused("node = Node(package='my_pkg', executable='e')", "more = Node(package='my_pkg', executable=first)"),
+        unused(
+            "node = Node(package='my_pkg', executable='e')",
+            setup="from setuptools import setup\nfrom x import entries\n\nsetup(entry_points=entries())\n",
+        ),
+        unused("node = Node(package='my_pkg', executable='e')", setup=setup_py(scripts("e = my_pkg:main"))),
         unused("node = Node(package='p', executable='e')", "print(locals())"),
         unused("node = Node(package='p', executable='e')", before="if __name__ == 'x':\n    print(1)\n"),
     ),

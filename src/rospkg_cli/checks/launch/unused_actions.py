@@ -12,6 +12,7 @@ from ...languages.python.nodes import nodes_of
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
 from ...package.launch.python_to_text import text_of
+from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from .idle_actions import is_stored
@@ -33,6 +34,8 @@ class UnusedAction:
     harm: str
     is_argument: bool
     """Whether it declares an argument, which the user can set nevertheless."""
+    is_gone: bool = False
+    """Whether it starts an executable that its package, one of the workspace, does not install: a leftover."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -48,7 +51,19 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             what = f"`{name}`" if name else f"this `{class_of(call)}`"
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
-            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument")
+            is_gone = starts_nothing(call, configurations.workspace)
+            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument", is_gone)
+
+
+def starts_nothing(call: Call, workspace: Workspace) -> bool:
+    """Return whether a node's package is one of the workspace, and certainly has no such executable."""
+    package, executable = (
+        text_of(value).literal if (value := call.get(name)) is not None else None for name in ("package", "executable")
+    )
+    facts = workspace.named(package) if package and executable else None
+    if facts is None or executable is None or not facts.knows("executables"):
+        return False
+    return executable not in facts.executables | facts.misplaced_executables and not facts.may_write(executable)
 
 
 def unread(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr]]:

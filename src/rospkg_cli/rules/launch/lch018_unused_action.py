@@ -27,7 +27,7 @@ def generate_launch_description():
     "unused-action",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "it declares an argument"},
+    levels={Severity.INFO: "it declares an argument, or starts an executable that its package does not have"},
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": BAD},
@@ -46,9 +46,11 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
     ## When it is quiet
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these.
+    LCH008 or LCH017 reports are left to these. A node whose package is here and has no such executable is a leftover:
+    an info.
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
-        level = Severity.INFO if action.is_argument else None
-        yield Hit(configurations.file.path, action.span, f"{message}; add it, or remove it", level)
+        level = Severity.INFO if action.is_argument or action.is_gone else None
+        todo = "its executable is not here any more; remove it" if action.is_gone else "add it, or remove it"
+        yield Hit(configurations.file.path, action.span, f"{message}; {todo}", level)
