@@ -57,6 +57,15 @@ def generate_launch_description():
     return LaunchDescription([])
 """
 ACTION = "return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[config])])"
+MORE = """\
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+from nav2_common.launch import ReplaceString
+"""
+INCLUDES = """\
+return LaunchDescription([
+        IncludeLaunchDescription(AnyLaunchDescriptionSource(source), launch_arguments={'map': config}.items())])"""
 CONDITION = lch014.BAD_CONDITION.replace("«", "").replace("»", "")
 COMPARED = CONDITION.replace("IfCondition(not quiet)", "None").replace("'up'", "'up' if quiet == 'true' else 'on'")
 LOG = "LogInfo(msg='up', condition=IfCondition(not quiet))"
@@ -153,6 +162,20 @@ CASES = {
             .replace(ACTION, "return LaunchDescription([])")
         ),
         named(lch003.PYTHON.replace("robot_params.yaml", "robot.rviz")),
+        *(
+            named(
+                MORE
+                + lch003.PYTHON.replace("    return", f"    config = {made}\n    return").replace(ACTION, action)
+            )
+            for made, action in (
+                ("ReplaceString(source_file=config)", "return LaunchDescription([])"),
+                ("ReplaceString(source_file=config)", ACTION),
+                ("launch.replaced(open(config))", "return LaunchDescription([])"),
+            )
+        ),
+        named(MORE + lch003.PYTHON.replace("[config]", "[LaunchConfiguration('a', default=config)]")),
+        named(MORE + lch003.PYTHON.replace("[config]", "[LaunchConfiguration(config, default='b')]")),
+        named(MORE + lch003.PYTHON.replace(ACTION, INCLUDES)),
     ),
     "LCH007": (called(LOST_EXPRESSION),),
     "LCH013": (

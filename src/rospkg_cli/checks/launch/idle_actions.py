@@ -15,11 +15,13 @@ from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
+from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
 from .python_expressions import filled, parsed
 
 NEVER_ADDED = "but the action is built and never added to the launch description"
+UNUSED = "but nothing uses the value"
 OFF = "but only where its condition holds (not by default)"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
@@ -30,8 +32,10 @@ VARIABLE = regex(r"\$\(var ([^()\s]+)\)")
 
 def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     """Return the level of a fault in an action, None for the rule's own, and why it is not that."""
-    if file.python is not None and any(contains(each, span) for each in never_added(file.python)):
-        return "info", NEVER_ADDED
+    lost = next((each for each in never_added(file.python) if contains(each, span)), None) if file.python else None
+    if file.python is not None and lost is not None:
+        maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
+        return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
     if any(contains(each, span) for each in switched_off(file)):
         return "warning", OFF
     return None, ""
@@ -50,11 +54,22 @@ def never_added(file: PythonFile) -> tuple[Span, ...]:
 
 
 def unread_values(file: PythonFile) -> Iterator[Span]:
-    read = {node.id for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)}
+    loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
+    again = {id(node) for node in loads_for_itself(file)}
+    read = {node.id for node in loads if id(node) not in again}
     for function in nodes_of_kind(file.tree, ast.FunctionDef) if "locals" not in read else ():
         for node in nodes_below(function):
             if isinstance(node, ast.Assign) and all(isinstance(t, ast.Name) and t.id not in read for t in node.targets):
                 yield file.span(node.value)
+
+
+def loads_for_itself(file: PythonFile) -> Iterator[ast.Name]:
+    """Yield the reads of a name in what is made of it and bound to it again: `path = Replaced(path)`."""
+    for node in nodes_of_kind(file.tree, ast.Assign):
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=made)) as value):
+                if made[:1].isupper():
+                    yield from (n for n in nodes_below(value) if isinstance(n, ast.Name) and n.id == name)
 
 
 def is_stored(name: ast.Name) -> bool:

@@ -27,6 +27,7 @@ READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xa
 PATH_TESTS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
 PATH_METHODS = frozenset({"exists", "is_file", "write_text", "touch", "open"})
 INCLUDING = ("LaunchDescriptionSource", "IncludeLaunchDescription")
+PASSED_ON = "launch_arguments"
 MAX_DEPTH = 20
 
 
@@ -39,10 +40,7 @@ def file_references(
     """
     bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
     found = [
-        path
-        for call in bare
-        for text in texts_of(call)
-        for path in references_in(text, folder, kind_of(call), defaults)
+        path for call in bare for kind, text in texts_of(call) for path in references_in(text, folder, kind, defaults)
     ]
     asked = {(path.package, path.path) for call in calls for path in tested_paths(call, folder)}
     return (path for path in dict.fromkeys(found) if (path.package, path.path) not in asked)
@@ -53,8 +51,11 @@ def kind_of(call: Call) -> ReferenceKind:
     return "default" if name == "DeclareLaunchArgument" else "include" if name.endswith(INCLUDING) else "file"
 
 
-def texts_of(call: Call) -> Iterator[LaunchText]:
-    """Yield the texts that are passed to a call; a path that is only joined is not used yet."""
+def texts_of(call: Call) -> Iterator[tuple[ReferenceKind, LaunchText]]:
+    """Yield the texts that are passed to a call; a path that is only joined is not used yet.
+
+    What an included file gets as an argument is not what is included.
+    """
     name = class_of(call)
     if name:
         takes = name == "Command" or name not in NAMED.keys() | NO_TEXT
@@ -62,7 +63,8 @@ def texts_of(call: Call) -> Iterator[LaunchText]:
         takes = call.callee in READERS or call.callee.rpartition(".")[2][:1].isupper()
     if call.receiver is None and takes and not writes(call):
         for argument in call.arguments:
-            yield from texts_in(argument.value, apart=argument.name in LISTS)
+            kind = "file" if argument.name == PASSED_ON else kind_of(call)
+            yield from ((kind, text) for text in texts_in(argument.value, apart=argument.name in LISTS))
 
 
 def texts_in(value: Value, *, apart: bool = False, depth: int = 0) -> Iterator[LaunchText]:

@@ -68,8 +68,10 @@ def references_in(
             if part.text.startswith(f"{ROOT}/"):
                 yield from local_reference(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
             continue
-        for argument in part.arguments:
-            yield from references_in(argument, folder, use if part.name != "command" else "file", defaults)
+        for place, argument in enumerate(part.arguments):
+            is_default = part.name == "var" and place == 1
+            inner: ReferenceKind = "default" if is_default else "file" if part.name == "command" else use
+            yield from references_in(argument, folder, inner, defaults)
         if part.name in BASES:
             written = literal_of(text.parts[at + 1 :], defaults)
             if part.name == "dirname":

@@ -43,7 +43,7 @@ NODE = {
 }
 HARM: dict[ReferenceKind, str] = {
     "include": "the launch stops there, as the file can't be opened",
-    "default": "the launch does not work unless another one is given",
+    "default": "what opens it fails unless another one is given",
     "file": "what opens it finds nothing there",
 }
 
@@ -55,7 +55,7 @@ HARM: dict[ReferenceKind, str] = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is the default of an argument, for RViz, in the current directory, or its action is off",
-        Severity.INFO: "the action that names it is never added to the launch description, the argument never used",
+        Severity.INFO: "the action is never added to the launch description, the argument or value never used",
     },
     examples=(
         Example(
@@ -89,7 +89,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     ignores or that lie in a submodule that is not checked out (`git submodule update --init`); so are packages whose
     installed files are not all known (a CMake macro of another package may install some), and launch files of tests
     that CMake does not run. Where the defaults of the arguments switch the action off, it is a warning, where nothing
-    adds the action, an info.
+    adds the action or uses the value, an info.
     """
     for each in scope.missing():
         if each.state in ("absent", "no slash"):
