@@ -30,7 +30,7 @@ PYTHON_PACKAGE = {path: text for path, text in BACKDROPS["ament_python"].items()
 FILES = {
     **{f"my_pkg/{path}": text for path, text in PYTHON_PACKAGE.items()},
     "my_pkg/package.xml": manifest("  <depend>nav_msgs</depend>\n  <exec_depend>top_pkg</exec_depend>\n"),
-    "my_pkg/my_pkg/node.py": "import sensor_msgs.msg\n",
+    "my_pkg/my_pkg/node.py": "import sensor_msgs.msg\nimport geometry_msgs.msg\n",
     "base_pkg/package.xml": manifest("", "ament_cmake", "base_pkg"),
     "base_pkg/CMakeLists.txt": "project(base_pkg)\nament_package()\n",
     "base_pkg/launch/base.launch.xml": "<launch/>\n",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..checks.workspace.dependency_cycles import needed, strongly_connected
-from ..finding import Edit, Finding
+from ..finding import Edit, Finding, Severity
 from ..lazy_regex import regex
 from ..light_dataclasses import replace
 from ..package.launch.launch_file import LaunchFile
@@ -96,9 +96,12 @@ def kinds_of(tag: str) -> tuple[EdgeKind, ...]:
 
 
 def mark_findings(edges: EdgeCollector, workspace: Workspace, findings: Iterable[Finding]) -> None:
-    """Add the undeclared dependencies, marked, and mark those that nothing uses."""
+    """Add the undeclared dependencies, marked, and mark those that nothing uses.
+
+    What a declared one brings, or only some need, is an info of these rules: nothing fails, and nothing is marked.
+    """
     for finding in findings:
-        if finding.code in UNDECLARED:
+        if finding.code in UNDECLARED and finding.severity is not Severity.INFO:
             for tag, name in advised(finding):
                 edges.add((finding.package, name), kinds_of(tag))
                 edges.mark((finding.package, name), "undeclared")
