@@ -28,13 +28,23 @@ OUTSIDE = (
     "cli.format",
     "cli.inspect",
     "cli.explain",
+    "cli.doctor",
+    "cli.server",
+    "cli.upgrade",
+    "cli.change",
+    "cli.add",
+    "cli.graph",
+    "addition",
+    "change",
+    "lookup",
+    "cli.lint.changed_packages",
 )
 """Modules of other verbs, and the cache itself."""
 
 WRITING = ("engine.fixing", "cli.lint.add_ignores")
 """Their runs are never kept."""
 
-OWN = {"ros.read_table", "resources", "search_path", "rule_docs", "rule_table"}
+OWN = {"ros.read_table", "resources", "search_path", "rule_docs", "rule_table", "report.html"}
 """They read what rospkg is made of, which the key holds as a whole."""
 
 STREAMS = {"cli.streams", "cli.progress"}
@@ -102,7 +112,7 @@ def test_every_option_is_judged() -> None:
     """A new option must be said to be harmless (it only changes what is printed) or to write."""
     known = {
         LintOptions: "paths workspace jobs allow_empty fail_on exit_zero config isolated show_settings no_cache watch "
-        "rules fixing suppression report",
+        "changed since stdin_filename rules fixing suppression report",
         RuleOptions: "select ignore extend_select pedantic release preview target",
         FixOptions: "fix unsafe_fixes diff fix_only fix_level show_fixes exit_non_zero_on_fix",
         SuppressionOptions: "add_ignores baseline write_baseline",
@@ -113,6 +123,9 @@ def test_every_option_is_judged() -> None:
     assert may_be_kept(LintOptions())
     writing = [
         LintOptions(no_cache=True),
+        LintOptions(changed=True),
+        LintOptions(since=""),
+        LintOptions(stdin_filename=Path("x")),
         LintOptions(fixing=FixOptions(fix=True)),
         LintOptions(suppression=SuppressionOptions(add_ignores="x")),
         LintOptions(suppression=SuppressionOptions(write_baseline=Path("x"))),
