@@ -173,7 +173,8 @@ CASES = {
     + tuple(
         cmake(f"set(WHERE {value})\ninstall(FILES LICENSE DESTINATION /${{WHERE}}/a)\n")
         for value in ("${CMAKE_INSTALL_PREFIX}/share", "$ENV{PLACE}", "opt")
-    ),
+    )
+    + (cmake("unset(CMAKE_INSTALL_PREFIX)\ninstall(FILES LICENSE DESTINATION /${CMAKE_INSTALL_PREFIX}/a)\n"),),
     "CMK112": tuple(
         cmake(cmk112.ONE.partition("find_package(ament_cmake REQUIRED)\n")[2].removesuffix("ament_package()\n"),
               files={"scripts/hello.py": cmk112.SCRIPT, "scripts/bye.py": cmk112.SCRIPT, **more})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...lazy_regex import regex
 from .evaluated_command import EvaluatedCommand, flags_and_values
 from .interpreter import Interpreter
-from .values import UNKNOWN, as_value, list_to_text
+from .values import PREFIX, UNKNOWN, as_value, list_to_text
 
 PRODUCT = regex(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
 
@@ -29,8 +29,12 @@ def run_set(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_unset(interpreter: Interpreter, call: EvaluatedCommand) -> None:
+    """The install prefix is in the cache too, whose value is seen again once the variable is gone."""
     for name in call.texts[:1]:
-        interpreter.set(name, ())
+        if name == "CMAKE_INSTALL_PREFIX":
+            interpreter.set_text(name, PREFIX)
+        else:
+            interpreter.set(name, ())
 
 
 def run_option(interpreter: Interpreter, call: EvaluatedCommand) -> None:
