@@ -90,7 +90,8 @@ def test_the_install_table(text: str, destinations: str) -> None:
     [
         ("install(FILES config/a.yaml DESTINATION ${unheard})", "executable header library module other share"),
         ("install(FILES ${unheard} DESTINATION share/my_pkg)", "share"),
-        ("install(TARGETS ${unheard} DESTINATION lib/my_pkg)", "executable"),
+        ("install(TARGETS ${unheard} DESTINATION lib/my_pkg)", ""),  # set nowhere: it is empty
+        ("get_property(later GLOBAL PROPERTY p)\ninstall(TARGETS ${later} DESTINATION lib/my_pkg)", "executable"),
         ("install(CODE \"do()\")", "executable header library module other share"),
         ("someones_install_macro(config)", "executable share"),
         ("ExternalProject_Add(x URL y)", "executable share"),

@@ -36,7 +36,7 @@ XML = """\
   <node pkg="my_pkg" exec="missing" {condition}/>
 </launch>
 """
-HINT = "; it installs no executable at all"
+HINT = "; it installs no executable at all; `rospkg add node missing` writes one"
 
 
 def levels(text: str, path: str = "launch/a.launch.py", code: str = "LCH002") -> list[tuple[str, str]]:
@@ -146,7 +146,7 @@ def test_a_missing_file_counts_where_it_is_opened(include: str, added: str, name
     (finding,) = lint_files(files, ["LCH003"]).findings
     assert finding.severity.value == level
     assert ("RViz starts with its default view; add it" in finding.message) is (name == "b.rviz")
-    assert (f", {OFF}; add it" in finding.message) is ("IfCondition" in include)
+    assert (f", {OFF}; " in finding.message) is ("IfCondition" in include)
 
 
 def test_a_sister_package_that_has_the_program_is_named() -> None:
