@@ -30,7 +30,7 @@ class Part(Protocol):
 def put_in(draft: Draft, folder: str, parts: Iterable[Part]) -> None:
     """Put parts into a package, each after the one before it.
 
-    Raises ChangeError; NotUnderstoodError tells of all files that are not understood at once.
+    Raises ChangeError; NotUnderstoodError reports of all files that are not understood at once.
     """
     failed: list[NotUnderstoodError] = []
     for part in parts:

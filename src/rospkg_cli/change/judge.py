@@ -13,7 +13,7 @@ from . import ChangeError
 from .draft import Draft
 
 UNCHECKED = "RPK008"
-"""The rule that tells what can't be checked here: it judges nothing."""
+"""The rule that reports what can't be checked here: it judges nothing."""
 
 
 @dataclass(frozen=True)

@@ -79,7 +79,7 @@ class ShareLookups:
                     yield UnknownShare(file.path, Span(whole.start + 1, whole.end - 1), str(name.value), near)
 
     def near_package(self, name: str) -> str | None:
-        """Return the package that is meant by the name of none; None where it is one, or near to none or several."""
+        """Return the package that is intended by the name of none; None where it is one, or near to none or several."""
         known = {*self.workspace.names, *(each.name for each in self.facts.dependencies), self.facts.name}
         if name in known or self.workspace.is_available(name):
             return None

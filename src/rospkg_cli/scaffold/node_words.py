@@ -62,5 +62,5 @@ def check_topic(topic: str) -> None:
 
 
 def unknown_word(word: str, kinds: tuple[str, ...]) -> str:
-    """Return what may have been meant by a word that is none of those above."""
+    """Return what may have been intended by a word that is none of those above."""
     return did_you_mean(word, [*kinds, *LANGUAGES, *QOS])

@@ -20,7 +20,7 @@ class WrongExport:
     word: Word
     kind: Literal["executable", "no file", "unknown"]
     near: str = ""
-    """The library that is meant by an unknown name; "" for one that is called like the package."""
+    """The library that is intended by an unknown name; "" for one that is called like the package."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class ExportedLibraries:
             yield WrongExport(word, "no file")
 
     def unknown(self, word: Word) -> Iterator[WrongExport]:
-        """Yield a name that no target has: that of a library of the system may be meant by any other one."""
+        """Yield a name that no target has: that of a library of the system may be intended by any other one."""
         references = TargetReferences(self.package.cmake)
         cmake, name = self.package.cmake, word.text
         files = any(path.rpartition("/")[2].startswith(f"lib{name}.") for path in cmake.package_files.paths)

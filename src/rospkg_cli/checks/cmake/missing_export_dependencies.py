@@ -19,7 +19,7 @@ BUILD = ("build_depend",)
 TABLES = ("exported_dependencies", "runtime_dependencies")
 REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
 VARIABLE = regex(r"\$\{([\w.+-]+?)_TARGETS\}")
-"""Targets by a variable. `${std_msgs_LIBRARIES}` are paths of libraries, which nobody has to find again."""
+"""Targets by a variable. `${std_msgs_LIBRARIES}` are paths of libraries, which no one has to find again."""
 BY_MACRO = {
     "generate_parameter_library": frozenset(
         "fmt rclcpp rclcpp_lifecycle rsl tcb_span tl_expected parameter_traits generate_parameter_library".split()

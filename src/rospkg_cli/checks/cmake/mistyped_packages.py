@@ -26,7 +26,7 @@ class MistypedPackage:
     call: EvaluatedCommand
     kind: Literal["misspelt", "target"]
     near: str = ""
-    """The package that is certainly meant, of one that is misspelt."""
+    """The package that is certainly intended, of one that is misspelt."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Modules that an installed script imports from its own folder, and that are not installed beside it."""
+"""Modules that an installed script imports from its own folder, and that are not installed next to it."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
 
 
 def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:
-    """Return the file beside a script that an import means and that is not beside the installed script, else ""."""
+    """Return the file next to a script that an import means and that is not next to the installed script, else ""."""
     name, files = each.module.partition(".")[0], packages.package.cmake.package_files
     if each.level or each.is_optional or not name or name in STANDARD or name in packages.installed:
         return ""

@@ -1,4 +1,4 @@
-"""Commands that nobody defines and that are one or two letters off a command that everybody has."""
+"""Commands that no one defines and that are one or two letters off a command that everybody has."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class UnknownCommands:
     cmake: CMake
 
     def all(self) -> Iterator[tuple[EvaluatedCommand, str]]:
-        """Yield what is certainly called, each place once, and the command that is meant."""
+        """Yield what is certainly called, each place once, and the command that is intended."""
         if self.cmake.reads_unknown_files:
             return
         seen: set[tuple[str, int]] = set()
@@ -38,7 +38,7 @@ class UnknownCommands:
                 yield call, near
 
     def nearest(self, name: str) -> str | None:
-        """Return the command that is meant by one that is unknown.
+        """Return the command that is intended by one that is unknown.
 
         None where all its words are those of commands: `add_gtest` may be somebody's own.
         """

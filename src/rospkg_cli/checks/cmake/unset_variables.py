@@ -1,4 +1,4 @@
-"""Variables that nobody sets and that are nearly called like one that is set: they are empty."""
+"""Variables that no one sets and that are nearly called like one that is set: they are empty."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY"
             "TARGET": "TARGETS"}  # fmt: skip
 """What people write, and what ament_package() sets."""
 SHORTEST = 6
-"""Letters of a name that the package could have meant for one of its own; two may be wrong from twice that on."""
+"""Letters of a name that the package could have intended for one of its own; two may be wrong from twice that on."""
 
 
 @dataclass(frozen=True)
 class UnsetVariable:
     name: str
     near: str
-    """The variable that is meant; "" where none is near."""
+    """The variable that is intended; "" where none is near."""
     call: EvaluatedCommand
     span: Span
     before: str
@@ -88,7 +88,7 @@ class UnsetVariables:
                     yield UnsetVariable(name, "", rule.call, word.span, f"${{{name}}}", "")
 
     def nearest(self, name: str) -> str | None:
-        """Return the variable that is meant by one that nothing sets."""
+        """Return the variable that is intended by one that nothing sets."""
         if name in SET_BY_CMAKE or self.variables.may_be_set(name):
             return None
         alike = (each for each in SET_BY_CMAKE if digits(each) == digits(name))
@@ -111,7 +111,7 @@ class UnsetVariables:
         return {name.lower(): name for name in names if CERTAIN.fullmatch(name) or MESSAGES.fullmatch(name)}
 
     def near_own(self, name: str) -> str | None:
-        """Return a variable that the package itself sets, where no other one can be meant."""
+        """Return a variable that the package itself sets, where no other one can be intended."""
         if len(name) < SHORTEST or not self.variables.is_own(name):
             return None
         alike = (each for each in self.assigned if digits(each) == digits(name))

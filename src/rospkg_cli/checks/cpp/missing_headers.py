@@ -100,7 +100,7 @@ class MissingHeaders:
         return has_some and facts.knows("header_files") and not self.is_shared(f"{folder}/")
 
     def near(self, header: str, headers: frozenset[str], may_be_made: bool) -> str:
-        """Return the header that is meant, in the same folder or of the same name in another one.
+        """Return the header that is intended, in the same folder or of the same name in another one.
 
         Where others may be made, only one that is a letter or two off.
         """

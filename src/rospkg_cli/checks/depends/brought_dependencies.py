@@ -39,7 +39,7 @@ class Brought:
     perhaps: Mapping[str, str]
     """What comes with them on some distributions, or under a condition."""
     unknown: tuple[str, ...]
-    """Packages among them whose own dependencies nobody here knows: anything may come with them."""
+    """Packages among them whose own dependencies no one here knows: anything may come with them."""
     unknown_keys: tuple[str, ...]
     """Keys of rosdep among them, likewise: a package of the system, or of PyPI, brings no package of ROS."""
 

@@ -43,7 +43,7 @@ class MissingOwnName:
 
 @dataclass(frozen=True)
 class OwnImports:
-    """The imports of installed modules and of what runs beside them, and the modules of the workspace."""
+    """The imports of installed modules and of what runs next to them, and the modules of the workspace."""
 
     facts: PackageFacts
     workspace: Workspace

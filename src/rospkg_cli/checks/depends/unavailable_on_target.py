@@ -42,7 +42,7 @@ class UnavailableName:
 
     @property
     def is_told(self) -> bool:
-        """Whether it is certain enough to be told, though packages of the workspace may not be here."""
+        """Whether it is certain enough to be reported, though packages of the workspace may not be here."""
         if self.workspace.is_complete or NO_PACKAGE.fullmatch(self.name):
             return True
         if self.workspace.may_lack(self.name):

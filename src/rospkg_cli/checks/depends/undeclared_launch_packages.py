@@ -28,7 +28,7 @@ from .undeclared_imports import ImportDependencies
 
 EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test)s?(?:[_.-]|$)")
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
-"""Packages that nobody installs a robot for."""
+"""Packages that no one installs a robot for."""
 STARTER = "ros2launch"
 ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 

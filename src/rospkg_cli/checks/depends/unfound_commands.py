@@ -82,7 +82,7 @@ class UnfoundCommands:
         return any(ROS_NAME.fullmatch(name) and not workspace.index.is_key(name) for name in self.found)
 
     def is_told_elsewhere(self, call: EvaluatedCommand, package: str) -> bool:
-        """Return whether DEP104 tells it (a package for tests that is not declared), DEP107 (one that is linked), or
+        """Return whether DEP104 reports it (a package for tests that is not declared), DEP107 (one that is linked), or
         CMK117 (one that is looked for under a misspelt name)."""
         if near_names(package, self.found):
             return True
@@ -96,6 +96,6 @@ class UnfoundCommands:
 
     @cached_property
     def undeclared(self) -> frozenset[str]:
-        """The packages of commands for tests that DEP104 tells."""
+        """The packages of commands for tests that DEP104 reports."""
         commands = CommandsForTests(self.missing.declared, self.package.cmake)
         return frozenset(each.package for each in commands.undeclared())

@@ -87,7 +87,7 @@ class UnusedDependencies:
     def in_cmake_package(self) -> Iterator[UnusedDependency]:
         """Yield the ROS packages that are declared for the build, as tools for tests or as interfaces, without a trace.
 
-        A trace in documents or tests shows that a package is meant, and not that it is needed for the build.
+        A trace in documents or tests shows that a package is intended, and not that it is needed for the build.
         """
         for dependency in self.declared.manifest.dependencies:
             name, tag = dependency.name, dependency.tag

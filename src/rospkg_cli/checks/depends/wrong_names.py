@@ -1,4 +1,4 @@
-"""Names of dependencies that are wrong in any case, with or without a fetched index, and what is meant (DEP001)."""
+"""Names of dependencies that are wrong in any case, with or without a fetched index, and what is intended (DEP001)."""
 
 from __future__ import annotations
 

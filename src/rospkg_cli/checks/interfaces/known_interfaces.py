@@ -50,7 +50,7 @@ class KnownInterfaces:
         return self.is_here(package) or self.meant(package, kind, name) is not None
 
     def meant(self, package: str, kind: str, name: str) -> str | None:
-        """Return the interface that is meant, as `package.kind.Name`, where exactly one is near."""
+        """Return the interface that is intended, as `package.kind.Name`, where exactly one is near."""
         known = self.of(package) or {}
         base = base_name(name)
         other = next((each for each in KINDS if base in known.get(each, ())), "")
@@ -71,7 +71,7 @@ class KnownInterfaces:
         return alike[0] if len(alike) == 1 else None
 
     def meant_kind(self, package: str, word: str) -> str | None:
-        """Return the kind that a module of a package of interfaces is meant to be: `std_msgs.msgs`."""
+        """Return the kind that a module of a package of interfaces is intended to be: `std_msgs.msgs`."""
         known = self.of(package)
         if not known or word in KINDS:
             return None

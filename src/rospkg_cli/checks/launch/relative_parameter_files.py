@@ -20,7 +20,7 @@ class RelativeParameterFile:
     span: Span
     path: str
     installed: str
-    """The file that is probably meant, relative to the share directory."""
+    """The file that is probably intended, relative to the share directory."""
     is_default: bool
     """Whether it is the default of an argument."""
 

@@ -72,7 +72,7 @@ class UnregisteredNodes:
 
     @cached_property
     def started(self) -> frozenset[tuple[str, str]]:
-        """What the launch files of the workspace start: LCH002 tells what of it is not there."""
+        """What the launch files of the workspace start: LCH002 reports what of it is not there."""
         return frozenset(pair for facts in self.package.workspace.packages for pair in facts.started_nodes)
 
     def main_of(self, module: str) -> Span | None:

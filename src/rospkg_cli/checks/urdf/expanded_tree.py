@@ -124,7 +124,7 @@ def name_of(node: Node) -> str:
 def own_place(node: Node, span: Span, name: str, *, again: bool = False) -> tuple[Source, Span] | None:
     """Return where a fault of an element is told: in a file of this package, or at the call of a macro that made it.
 
-    An element that is made `again` is told at the call, and a name that a call gives is told there.
+    An element that is made `again` is reported at the call, and a name that a call gives is reported there.
     """
     calls = [(source, tag_span(source, call.span)) for source, call in node.calls]
     for source, call in node.calls if name != node.source.slice(span) and not again else ():

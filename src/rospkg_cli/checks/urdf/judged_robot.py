@@ -27,7 +27,7 @@ class JudgedRobot:
 
 
 def once_each(faults: Iterable[Fault]) -> list[Fault]:
-    """Return the faults of each kind as one: the same sentence, with the other places beside it."""
+    """Return the faults of each kind as one: the same sentence, with the other places next to it."""
     found: dict[tuple[str, Level | None], Fault] = {}
     for fault in faults:
         key = (fault.message, fault.level)

@@ -23,7 +23,7 @@ class LivePackages:
     above: dict[str, Set[str]] = field(default_factory=dict)
     """The paths outside of each package that it asked for."""
     given: str = ""
-    """What all findings depend on beside the packages: rules, settings, what lies around."""
+    """What all findings depend on besides the packages: rules, settings, what lies around."""
 
     def forget(self, paths: Iterable[str], folders: Iterable[str]) -> None:
         """Forget what was made from some paths (from the root of the run), there or not, of packages in some folders.

@@ -64,7 +64,7 @@ class EntryPoint:
 
     @property
     def meant_group(self) -> str:
-        """The group of scripts that is meant and misspelt; "" for all other groups."""
+        """The group of scripts that is intended and misspelt; "" for all other groups."""
         return meant_group(self.group)
 
 

@@ -14,7 +14,7 @@ SCRIPTS = ("console_scripts", "gui_scripts")
 
 @dataclass(frozen=True, slots=True)
 class MisspeltArgument:
-    """An argument of setup() with the one that is meant."""
+    """An argument of setup() with the one that is intended."""
 
     argument: Argument
     meant: str

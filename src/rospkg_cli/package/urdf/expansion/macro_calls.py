@@ -12,7 +12,7 @@ from .values import Stored, Value, XacroBlock, XacroPlace, XacroScope, XacroUnkn
 
 
 def bound_scope(state: ExpansionState, call: Element, macro: Macro, context: Context) -> XacroScope | None:
-    """Return the names of a macro's body; None where xacro refuses the call, which is told."""
+    """Return the names of a macro's body; None where xacro refuses the call, which is reported."""
     scope = XacroScope(context.scope)
     faultless = given_parameters(state, call, macro, scope, context)
     faultless = faultless and given_blocks(state, call, macro, scope, context)
