@@ -178,6 +178,8 @@ CASES = {
         config("talker:   {a: 1,\n  b: 2}\n? [x]\n: 1\ntalker2:\n  a: 1 # one\n"),
     ),
     "PRM004": (
+        *(parsed(loads, text="talker:\n  ros__parameters:\n    a: [1, 2.5]\n")
+          for loads in ("yaml.safe_load(f)", "f.read()")),
         config("- a\n- b\n"),
         config("just text\n"),
         config("[x]: 1\ntalker:\n  ros__parameters:\n    a: 1\n  after: 1\n"),

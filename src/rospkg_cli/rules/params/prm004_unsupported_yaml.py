@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.rcl_validation import rcl_faults
+from ...checks.params.ros_parameters_key import ParameterFileUse
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Severity
-from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -25,7 +25,7 @@ def example(bad: str, good: str) -> Example:
 @rule(
     "PRM004",
     "unsupported-yaml",
-    over=ParameterFile,
+    over=ParameterFileUse,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "a list is empty, at which only C++ nodes stop"},
     examples=(
@@ -38,7 +38,7 @@ def example(bad: str, good: str) -> Example:
         example("«version»: 2\n", ""),
     ),
 )
-def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
+def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     """
     ## What it does
     Finds valid YAML in a parameter file that rcl does not accept.
@@ -51,12 +51,16 @@ def unsupported_yaml(file: ParameterFile) -> Iterator[Hit]:
     something else. At an empty list a C++ node throws "No parameter value set".
 
     ## When it is quiet
-    Files without `ros__parameters` that no launch file passes to a node may hold any YAML. rcl takes a list of mappings
+    Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
+    launch file parses itself, to hand on values. rcl takes a list of mappings
     with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
     """
+    file = use.file
+    if use.is_parsed_by_launch:
+        return
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
     for fault in rcl_faults(file):
         place = file.source.position(fault.span.start)[0], fault.message
