@@ -9,6 +9,7 @@ keys of which Debian has no package are left out.
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator, Mapping
@@ -67,14 +68,14 @@ def of_system(rule: object) -> tuple[str, ...]:
     return ()
 
 
-def brought(first: Iterable[str], needs: Mapping[str, list[str]], keys: Mapping[str, str]) -> set[str]:
-    """Return the keys of what comes with some packages, as far as no other key lies between."""
+def brought(own: str, first: Iterable[str], needs: Mapping[str, list[str]], keys: Mapping[str, str]) -> set[str]:
+    """Return the keys of what comes with the packages of a key, as far as no other key lies between."""
     found: set[str] = set()
     seen = set(first)
     waiting = [*first]
     while waiting:
         for other in needs.get(waiting.pop(), ()):
-            if other in keys:
+            if keys.get(other, own) != own:
                 found.add(keys[other])
             elif other not in seen:
                 seen.add(other)
@@ -87,8 +88,12 @@ def main(rosdistro: Path) -> None:
     listed = dict(apt_packages(rosdistro))
     keys = {found[0]: key for key, found in sorted(listed.items(), reverse=True) if len(found) == 1}
     keys |= {key: key for key, found in listed.items() if found == (key,)}
+    for key, found in listed.items():  # of a library in several versions Debian has a name for the default one
+        first = needs.get(found[0], ()) if len(found) == 1 else ()
+        if len(first) == 1 and re.sub(r"[\d.]+", "", first[0]) == found[0]:
+            keys.setdefault(first[0], key)
     rows = {
-        key: brought(found, needs, keys) | {keys[each] for each in found if each in keys}
+        key: brought(key, found, needs, keys) | {keys[each] for each in found if each in keys}
         for key, found in listed.items()
         if all(each in needs for each in found)
     }

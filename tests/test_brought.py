@@ -155,6 +155,10 @@ def test_what_another_missing_one_brings_is_no_warning() -> None:
     assert found_levels == {"rclpy": "warning", "python3-opencv": "warning", "rcl_interfaces": "info"}
 
 
+def test_a_library_of_boost_brings_the_headers_of_all() -> None:
+    assert brought_by(["libboost-thread-dev"], Workspace())["libboost-dev"] == "libboost-thread-dev"
+
+
 def test_of_two_that_bring_each_other_one_is_asked_for() -> None:
     workspace = Workspace((package("a", "b"), package("b", "a"), package("c", "d"), package("d")))
     assert brought_by_others(["a", "b", "c", "d"], workspace) == {"a": "b", "d": "c"}

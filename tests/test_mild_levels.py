@@ -231,3 +231,38 @@ def test_a_metapackage_opens_no_folder(is_metapackage: bool, level: str) -> None
     files |= {} if is_metapackage else {"b/src/b.cpp": "int main() {}\n"}
     (finding,) = [each for each in lint_files(files, ["CMK101"]).findings if "config" in each.message]
     assert finding.severity.value == level
+
+
+QT = "macro(qt_wrap_ui)\n  {}(${{ARGN}})\nendmacro()\n"
+
+
+@pytest.mark.parametrize(("command", "count"), [("qt5_wrap_ui", 0), ("message", 1)])
+def test_a_command_of_qt_may_be_defined_by_the_one_of_a_version(command: str, count: int) -> None:
+    text = CMAKE.replace("ament_package", QT.format(command) + "ament_package")
+    assert len(found_all("CMK116", {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": text})) == count
+
+
+@pytest.mark.parametrize(("path", "count"), [("plugins/own", 0), ("other", 1)])
+def test_a_plugin_in_a_submodule_that_is_not_there_is_none_that_is_missing(path: str, count: int) -> None:
+    text = manifest("", "ament_cmake").replace(
+        "</build_type>\n", '</build_type>\n    <rqt_gui plugin="${prefix}/plugins/own/p.xml"/>\n'
+    )
+    files = {
+        "package.xml": text,
+        "CMakeLists.txt": CMAKE,
+        ".gitmodules": f'[submodule "a"]\n\tpath = {path}\n\turl = b\n',
+    }
+    assert len(found_all("XML306", files)) == count
+
+
+def test_a_text_with_a_line_end_is_no_path_of_a_file() -> None:
+    code = (
+        "from os.path import join\nfrom ament_index_python.packages import get_package_share_directory\n\n"
+        "ALL = join(get_package_share_directory('my_pkg'), 'package.xm')"
+    )
+    codes = [len(found_all("DEP113", {**PYTHON, "my_pkg/a.py": code + end})) for end in ("\n", " + '\\n'\n")]
+    assert codes == [1, 0]
+
+
+def found_all(code: str, files: dict[str, str]) -> list[Finding]:
+    return list(lint_files(files, [code]).findings)

@@ -101,3 +101,25 @@ def test_a_file_that_cannot_be_read_hides_no_other() -> None:
     files = {"package.xml": manifest(), "urdf/a.xacro": f"{HEAD}{BAD}</robot>\n", "urdf/b.xacro": "<robot"}
     found = lint_files(files, ["URD001"]).findings
     assert [finding.location.path for finding in found] == ["urdf/a.xacro"]
+
+
+@pytest.mark.parametrize(
+    ("include", "launch", "count"),
+    [
+        ('<xacro:include filename="arms/$(arg arm).xacro"/>', "", 0),
+        ('<xacro:include filename="${place}"/>', "", 0),
+        ('<xacro:include filename="arms/other_$(arg arm).xacro"/>', "", 1),
+        ('<xacro:include filename="arms/$(arg arm).xacro"/>', "ROBOT = 'arm.xacro'\n", 1),
+    ],
+)
+def test_what_may_be_included_under_a_computed_name_has_what_its_includer_sets(
+    include: str, launch: str, count: int
+) -> None:
+    files = {
+        "package.xml": manifest(),
+        "urdf/robot.xacro": f'{HEAD}<xacro:property name="offset" value="1"/><link name="a"/>{include}</robot>\n',
+        "urdf/arms/arm.xacro": f'{HEAD}<link name="l_${{offset_}}"/></robot>\n'.replace("offset_", "offset"),
+        "launch/a.launch.py": launch,
+    }
+    found = [each for each in lint_files(files, ["URD001"]).findings if "offset" in each.message]
+    assert [each.severity.value for each in found] == ["error"] * count

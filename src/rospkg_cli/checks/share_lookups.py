@@ -97,7 +97,7 @@ class ShareLookups:
             for found in PathJoiner(file, share_of).paths():
                 path = posixpath.normpath(found.text.lstrip("/"))
                 facts = self.facts if found.base == self.facts.name else self.workspace.named(found.base)
-                if facts is not None and found.text.startswith("/") and is_file(path):
+                if facts is not None and found.text.startswith("/") and is_file(path) and path.isprintable():
                     missing = self.missing(file, file.span(found.node), facts, path)
                     yield from [missing] if missing is not None else []
 

@@ -10,6 +10,7 @@ from ...languages.cmake.commands import COMMANDS
 from ...languages.cmake.file import CMakeFile
 from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.read_table import words
@@ -23,6 +24,10 @@ class RedefinedCommand:
     span: Span
     calls_itself: bool
     """Whether its body calls the command, which is then itself, without end."""
+
+
+OF_QT = regex(r"qt\d?_\w+")
+"""Commands that Qt has with and without its version: who writes for several defines one by the other."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +45,8 @@ class RedefinedCommands:
         for argument in block.command.arguments[:1]:
             name = argument.text.lower()
             called = {each.name for each in inside(block)}
-            if name in self.known and f"_{name}" not in called:
+            is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
+            if name in self.known and f"_{name}" not in called and not is_wrapper:
                 yield RedefinedCommand(name, file.path, argument.span, name in called)
 
     @cached_property

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -22,6 +23,11 @@ CALL = regex(r"<xacro:([^\s<>/\"']+)")
 EXPRESSION = regex(r"\$\{([^}]*)")
 WORD = regex(r"[A-Za-z_]\w*")
 INSERTED = regex(r"<xacro:insert_block\s+name=\"([^\"]*)\"")
+INCLUDED = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']([^\"']*)")
+COMPUTED = regex(r"\$\{[^}]*\}|\$\([^()]*\)")
+STARTS = (".py", ".launch", ".launch.xml", ".yaml")
+"""Files that start robots under their names."""
+
 CONDITIONS = ("xacro:if", "xacro:unless")
 
 
@@ -51,8 +57,15 @@ class XacroCalls:
         """Return whether the root of a file has a name, and no other file mentions the file."""
         name = document.source.path.rpartition("/")[2]
         named = document.root.get("name") is not None
-        texts = (text for text in self.texts if text is not document.source.text and "xacro:include" in text)
-        return named and not any(name in text for text in texts)
+        texts = [text for text in self.texts if text is not document.source.text and "xacro:include" in text]
+        if not named or any(name in text for text in texts):
+            return False
+        return self.is_launched(name) or not any(may_include(text, name) for text in texts)
+
+    def is_launched(self, name: str) -> bool:
+        """Return whether code or a launch file names a robot."""
+        paths = (path for path in self.files.paths if path.endswith(STARTS))
+        return any(name in self.files.readable_text(path) for path in paths)
 
     def is_defined(self, name: str) -> bool:
         """Return whether any file defines a macro, a property, a parameter or an argument of a name."""
@@ -89,6 +102,15 @@ class XacroCalls:
     def texts(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith((".xacro", ".urdf", ".xml")))
         return tuple(map(self.files.readable_text, paths))
+
+
+def may_include(text: str, name: str) -> bool:
+    """Return whether a file includes another one by a computed path that may be this one's name."""
+    for match in INCLUDED.finditer(text):
+        last = COMPUTED.sub("*", match.group(1)).rpartition("/")[2]
+        if "*" in last and fnmatchcase(name, last):
+            return True
+    return False
 
 
 def read_in(text: str) -> Counter[str]:

@@ -79,6 +79,8 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         what = f"`{path}`, exported to `{element.tag}`,"
         if "$" in path or not may_hold(element.get("condition"), package.targets.environments()):
             continue
+        if package.files.absent.is_expected(path):
+            continue
         if not package.files.exists(path):
             meant = suggested(package, path)
             hint = f" (did you mean `{meant}`?)" if meant else ""
