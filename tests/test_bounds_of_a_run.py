@@ -57,9 +57,9 @@ def test_bytes_of_a_list_and_of_submodules(tmp_path: Path, monkeypatch: pytest.M
     (tmp_path / "a.repos").write_text(listed := "repositories: {arm: 1}")
     monkeypatch.setattr(incomplete_workspace, "MAX_BYTES", len(listed))
     missing = incomplete_workspace.missing_of_list(tmp_path / "a.repos", tmp_path)
-    assert missing == "`a.repos` lists repositories that are not here (arm)"
+    assert missing.why == "`a.repos` lists repositories that are not here (arm)"
     monkeypatch.setattr(incomplete_workspace, "MAX_BYTES", len(listed) - 1)
-    assert incomplete_workspace.missing_of_list(tmp_path / "a.repos", tmp_path).endswith("and can't be read")
+    assert incomplete_workspace.missing_of_list(tmp_path / "a.repos", tmp_path).why.endswith("and can't be read")
     (tmp_path / ".gitmodules").write_text(modules := '[submodule "a"]\n\tpath = a\n[submodule "b"]\n\tpath = b\n')
     (tmp_path / "a").mkdir()
     (tmp_path / "a/x").touch()
@@ -70,7 +70,8 @@ def test_bytes_of_a_list_and_of_submodules(tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.setattr(incomplete_workspace, "MAX_BYTES", 1_000)
     for limit, missing in ((2, "the submodule `b` is empty"), (1, "none")):
         monkeypatch.setattr(incomplete_workspace, "MAX_SUBMODULES", limit)
-        assert (incomplete_workspace.missing_below(tmp_path, tmp_path) or "none").startswith(missing)
+        found = [each.why for each in incomplete_workspace.missing_below(tmp_path, tmp_path)]
+        assert (found or ["none"])[0].startswith(missing)
 
 
 def test_folders_that_are_searched_for_a_pattern(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -84,7 +84,7 @@ def test_a_hostile_baseline_is_one_sentence(tmp_path: Path, text: str) -> None:
 @pytest.mark.parametrize("text", ["\n" * 300_000, "path" + " " * 300_000, " " * 300_000, "path = x\0y\n" * 9])
 def test_lists_of_submodules_are_read_in_steps_that_grow_with_them(tmp_path: Path, text: str) -> None:
     (tmp_path / ".gitmodules").write_text(text)
-    assert bool(missing_below(tmp_path, tmp_path)) == ("\0" in text)
+    assert any(missing_below(tmp_path, tmp_path)) == ("\0" in text)
 
 
 def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> None:
@@ -108,4 +108,5 @@ def test_a_lone_carriage_return_is_no_crash(tmp_path: Path, write, clean) -> Non
 )
 def test_a_hostile_list_of_repositories_may_name_anything(tmp_path: Path, text: str) -> None:
     (tmp_path / "a.repos").write_text(text)
-    assert missing_below(tmp_path, tmp_path) == "`a.repos` lists repositories and can't be read"
+    (found,) = missing_below(tmp_path, tmp_path)
+    assert found.why == "`a.repos` lists repositories and can't be read"

@@ -151,7 +151,7 @@ def test_a_file_too_large_is_skipped_and_said(tmp_path: Path, write, clean) -> N
     package = write(tmp_path / "pkg", clean)
     (package / "setup.py").write_text(clean["setup.py"] + "#" * MAX_BYTES)
     found = Session(DiskTree(package), Scope(("",), frozenset({""})), CODES | {"RPK007"}).run().findings
-    assert [(f.code, f.severity.value, f.location.path) for f in found] == [("RPK007", "warning", "setup.py")]
+    assert [(f.code, f.severity.value, f.location.path) for f in found] == [("RPK007", "info", "setup.py")]
     assert found[0].message == "`setup.py` is not read: it has 4.0 MB, more than the limit of 4 MB"
 
 

@@ -80,7 +80,7 @@ TRAPS: dict[str, dict[str, str]] = {
     },
     "modules of the package itself": {
         **PYTHON,
-        "my_pkg/yaml.py": "",
+        "my_pkg/yaml.py": "x = y = 1\n",
         "my_pkg/node.py": "from . import yaml\nfrom my_pkg.yaml import x\nfrom .yaml import y\n",
     },
     "ament_auto takes what is declared": built(

@@ -137,7 +137,7 @@ def test_what_to_do_with_a_name_that_nobody_has() -> None:
 @pytest.mark.parametrize(
     "name, missing, level",
     [
-        ("rosserial_python", COMPLETE, ["warning"]),
+        ("rosserial_python", COMPLETE, ["info"]),
         ("rosserial_python", NAMED, ["info"]),
         ("rosserial_python", UNNAMED, []),
         ("navigation_stage", NAMED, []),
@@ -166,7 +166,7 @@ def test_what_only_a_variable_asks_for_is_an_info() -> None:
     assert levels == ["info"]
     both = need("my_companys_driver", "$OURS == 1") + need("my_companys_driver")
     assert [f.severity.value for f in lint(both, fetched=True)] == ["warning"]
-    assert [f.severity.value for f in lint(need("std_msg", "$OURS == 1"))] == ["warning"]
+    assert [f.severity.value for f in lint(need("std_msg", "$OURS == 1"))] == ["info"]
 
 
 def test_a_package_of_ros_1_that_is_here_was_ported() -> None:

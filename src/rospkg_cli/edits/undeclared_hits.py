@@ -48,12 +48,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
 
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
-    """Return the fix that declares a dependency: safe for a name that can be installed without pip.
-
-    It is unsafe for a package that uses this one, too: with a dependency each way colcon could not order them.
-    """
-    is_safe = source_of(declared, name) == "released" and not declared.is_used_by(name)
-    safety = Safety.SAFE if is_safe else Safety.UNSAFE
+    """Return the fix that declares a dependency: safe only for a name that can be installed without pip."""
+    safety = Safety.SAFE if source_of(declared, name) == "released" else Safety.UNSAFE
     return Fix(f"add <{tag}>{name}</{tag}>", (add_dependency(declared.manifest, tag, name),), safety)
 
 

@@ -172,12 +172,6 @@ class DeclaredDependencies:
                 return True
         return False
 
-    def is_used_by(self, name: str) -> bool:
-        """Return whether a package of the workspace starts or loads something of this one: it may declare that too."""
-        facts = self.workspace.named(name)
-        started = facts.started_nodes | facts.loaded_components if facts is not None else frozenset()
-        return any(package == self.facts.name for package, _ in started)
-
 
 def metapackage_members(name: str, facts: PackageFacts | None) -> Iterable[str]:
     """Return the members of a metapackage of the workspace or of the table; nothing for any other package."""

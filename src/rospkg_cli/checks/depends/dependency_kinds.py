@@ -20,6 +20,10 @@ from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_la
 Need = Literal["import", "launch", "include", "find"]
 
 
+RUNTIME_OF_INTERFACES = "rosidl_default_runtime"
+"""By ROS's own tutorials an exec_depend, also where CMake looks for it."""
+
+
 @dataclass(frozen=True, slots=True)
 class KindUse:
     """A place that uses a dependency, and the tag that such a use requires."""
@@ -100,5 +104,6 @@ class DependencyKinds:
                 yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)
         for found in self.includes.cmake.packages:
             names = self.includes.find_packages.needed_providers(found)
-            if names and not found.call.testing and found.name not in TEST_PACKAGES:  # those are CMK107's
+            others = {*TEST_PACKAGES, RUNTIME_OF_INTERFACES}  # the first are CMK107's
+            if names and not found.call.testing and found.name not in others:
                 yield KindUse(names, "find", found.word.path, found.word.span, found.name)

@@ -122,8 +122,9 @@ class LaunchParameters:
             for block in file.blocks:
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
-                    is_only = len(file.blocks) == 1 and self.is_only_for_named(file)
-                    found = [each for each in without_block if is_only or is_near(key, each.name or "")]
+                    found = [each for each in without_block if is_near(key, each.name or "")]
+                    if not found and len(file.blocks) == 1 and self.is_only_for_named(file):
+                        found = without_block
                     if found and len({each.name for each in found}) == 1:
                         yield file, block, found[0]
 
