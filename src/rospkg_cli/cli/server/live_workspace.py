@@ -13,10 +13,11 @@ from ...engine.fixing.overlay import Overlay
 from ...engine.live.live_packages import LivePackages
 from ...engine.live.noting_pool import NotingPool
 from ...engine.run.session import Results, Session, no_progress
+from ...engine.run.worker import Worker
 from ...light_dataclasses import dataclass, field, replace
 from ...lookup.world import LookupWorld
 from ...package.package_facts import PackageFacts
-from ...tree import TreeEntry
+from ...tree import Tree, TreeEntry
 from ..lint.lint_options import LintOptions
 from ..lint.session import make_session
 
@@ -106,8 +107,9 @@ class LiveWorkspace:
         known = {path: id(text) for path, text in list(self.texts.items())}
         if self._world is None or session is not self._world_of or known != self._known:
             changed = {path for path in {*known, *self._known} if known.get(path) != self._known.get(path)}
-            workspace = session.link(sorted(self.facts.values(), key=lambda each: each.folder))
-            world = LookupWorld(self.overlay(DiskTree(self.root, session.scope.folders), self.root), workspace)
+            tree = self.overlay(DiskTree(self.root, session.scope.folders), self.root)
+            facts = [*self.facts.values(), *self.facts_of_others(tree)]
+            world = LookupWorld(tree, session.link(sorted(facts, key=lambda each: each.folder)))
             if self._world is not None and session.scope.folders == self._world_folders:
                 world.keep(
                     self._world, {package_of(path, self.root, session.scope.folders) for path in changed | self.stale}
@@ -115,6 +117,14 @@ class LiveWorkspace:
             self._world, self._world_of, self._known = world, session, known
             self._world_folders, self.stale = session.scope.folders, set()
         return self._world
+
+    def facts_of_others(self, tree: Tree) -> list[PackageFacts]:
+        """Return the facts of the packages that no run has read yet, collected as they are asked for."""
+        if self.session is None:
+            return []
+        scope, targets = self.session.scope, self.session.targets
+        unread = set(scope.folders) - self.facts.keys()
+        return Worker(tree, sorted(unread), targets, name=scope.name, selected=frozenset()).collect_facts(unread)
 
     def overlay(self, tree: DiskTree, root: Path) -> Overlay:
         """Return a tree below a root with the texts of the editor over it."""
