@@ -195,6 +195,17 @@ def test_the_library_of_a_package_of_ours_is_linked() -> None:
     comes_back(files, draft, "node", "clock")
 
 
+def test_a_library_of_ours_gets_nodes() -> None:
+    from planned import plan, texts
+
+    files = texts(plan("my_pkg", template="library"))
+    for node in ("talker:publisher", "ear:subscriber:python"):
+        draft = added(files, "node", node)
+        assert executables(draft) == {node.partition(":")[0]}
+        assert new_findings(files, draft) == []
+        comes_back(files, draft, "node", node.partition(":")[0])
+
+
 def test_python_in_a_package_that_cmake_builds() -> None:
     files = cmake_package(LOWER)
     draft = added(files, "node", "ear:subscriber:python")

@@ -128,6 +128,13 @@ def test_every_description_is_too(name: str, launch: str, distro: str, license: 
     faultless(plan(name, template="description", **options))
 
 
+@pytest.mark.parametrize("depends", DEPENDS.values())
+@pytest.mark.parametrize("tests", TEST_LEVELS)
+@pytest.mark.parametrize("distro, license", [("humble", "MIT"), ("jazzy", "LGPL-3.0-only"), ("lyrical", "Apache-2.0")])
+def test_every_library_is_too(distro: str, license: str, tests: str, depends: tuple[str, ...]) -> None:
+    faultless(plan("a" * 60, template="library", distro=distro, license=license, tests=tests, depends=depends))
+
+
 @pytest.mark.parametrize("form", ["py", "xml", "yaml"])
 def test_a_description_shows_the_robot_in_every_form(form: str) -> None:
     planned = plan("my_robot_description", template="description", launch=form)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPES = ("ament_python", "ament_cmake", "mixed", "interfaces", "description", "bringup")
+TYPES = ("ament_python", "ament_cmake", "mixed", "library", "interfaces", "description", "bringup")
 TYPE = f"{', '.join(TYPES[:-1])} or {TYPES[-1]}."
 NODE = (
     "A node; repeatable. In a mixed package also its language: planner:timer:python. "
