@@ -61,6 +61,24 @@ MAIN = (
 PART = '<?xml version="1.0"?>\n{}<robot name="part">\n  {}<link name="base"/>\n</robot>\n'
 
 
+WRONG_MODULE = """\
+from launch import LaunchDescription
+from {} import {}
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+MODULES = (
+    ("launch.action", "DeclareLaunchArgument, LogInfo"),
+    ("launch_ros.acton", "Node"),
+    ("launch.action", "Action"),
+    ("launch_xml.action", "Node"),
+    ("launch.plugins", "LogInfo"),
+    ("launch.actions.log_info", "LogInfo"),
+)
+
+
 CASES = {
     "LCH003": (Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: NO_SLASH}, good={}),),
     "LCH001": (python(IN_COMMENTS),),
@@ -95,6 +113,7 @@ CASES = {
     "LCH013": (
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "LogInof(msg='x')")),
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "something_else")),
+        *(python(WRONG_MODULE.format(module, name)) for module, name in MODULES),
     ),
     "LCH014": (python(lch014.BAD.replace("package='tf2_ros', executable=", "").replace("arguments=", "")),),
 }

@@ -14,6 +14,7 @@ from ...suggest import nearest
 
 OPEN = frozenset({"launch_ros.parameter_descriptions", "ament_index_python.packages"})
 """Modules that are one file, with whatever it imports itself."""
+TOPS = frozenset({"launch", "launch_ros"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,25 +29,25 @@ class WrongImport:
 
 
 def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
-    """Yield imports of names that another module of launch has, or that are misspelt."""
-    meant: dict[tuple[str, str], tuple[str, str]] = {}
+    """Yield imports of names that another module of launch has, or that are misspelt, and from misspelt modules."""
     optional = {each.module for each in file.imports if each.is_optional}
     for node in nodes_of(file.tree):
-        if not isinstance(node, ast.ImportFrom) or node.level or not node.module:
-            continue
-        module = node.module
-        if module not in EXPORTS or module in OPEN or module in optional:
-            continue
-        for alias in node.names:
-            if alias.name in EXPORTS[module] or alias.name == "*":
-                continue
-            start = file.span(alias).start
-            span = Span(start, start + len(alias.name))
-            if (module, alias.name) not in meant:
-                meant[module, alias.name] = meant_by(module, alias.name)
-            home, near = meant[module, alias.name]
-            if home or near:
-                yield WrongImport(alias.name, module, span, home, near)
+        if isinstance(node, ast.ImportFrom) and not node.level and node.module and node.module not in optional:
+            module = node.module
+            near = "" if module in EXPORTS else nearest(module, siblings(module), 2) or ""
+            for alias in node.names:
+                home, meant = (near if alias.name in EXPORTS.get(near, ()) else "", "")
+                if module in EXPORTS and module not in OPEN and alias.name not in (*EXPORTS[module], "*"):
+                    home, meant = meant_by(module, alias.name)
+                if home or meant:
+                    start = file.span(alias).start
+                    yield WrongImport(alias.name, module, Span(start, start + len(alias.name)), home, meant)
+
+
+def siblings(module: str) -> list[str]:
+    """Return the known modules of launch and launch_ros in the same package as one."""
+    package = module.rpartition(".")[0]
+    return [each for each in EXPORTS if package in TOPS and each.rpartition(".")[0] == package]
 
 
 def meant_by(module: str, name: str) -> tuple[str, str]:

@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.cpp.file import CppFile
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ...package.params.cpp_parameters import read_in
 from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
-from ...source import Span
-from ...suggest import near_names, nearest
+from ...suggest import near_names
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -25,9 +21,6 @@ ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
 ALMOST = 0.8
 """The same, where it is about what a block does not set."""
-ALLOWED = regex(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
-"""Options of a node that has parameters which no code declares."""
-MILD = regex(r"\bcatch\b|\bhas_parameter\b")
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 
@@ -75,16 +68,6 @@ class ParameterGroup:
 
 
 @dataclass(frozen=True, slots=True)
-class UnknownRead:
-    path: str
-    span: Span
-    name: str
-    suggestion: str
-    throws: bool
-    """Whether it certainly throws: it gets one parameter by its name, and nothing in the file may catch that."""
-
-
-@dataclass(frozen=True, slots=True)
 class IncompleteBlock:
     file: ParameterFile
     block: NodeBlock
@@ -96,10 +79,9 @@ class IncompleteBlock:
 
 @dataclass(frozen=True)
 class ParameterContext:
-    """The parameter files of a package, its code, and the code of its neighbours."""
+    """The parameter files of a package, and what its code and that of its neighbours declares."""
 
     files: tuple[ParameterFile, ...]
-    cpp: tuple[CppFile, ...]
     package: PackageFacts
     workspace: Workspace
 
@@ -141,32 +123,6 @@ class ParameterContext:
                         if enough and missing and facts.folder != self.package.folder:
                             yield IncompleteBlock(file, block, facts, path, tuple(sorted(missing)))
 
-    def unknown_reads(self) -> Iterator[UnknownRead]:
-        """Yield what a C++ file gets and no code declares, where the same file declares something that no code gets.
-
-        It has a similar name, or there is only one of each.
-        """
-        reads = [read for file in self.cpp for read, _ in read_in(file)]
-        for file in self.cpp if not any(ALLOWED.search(each.source.text) for each in self.cpp) else ():
-            own = [each for each in self.package.parameters if each.path == file.path]
-            unread = {each.name for each in own if not any(same(each, read) for read in reads)}
-            unmatched = [
-                (read, call)
-                for read, call in read_in(file)
-                if unread and is_its_own(read.name) and not self.is_declared(read)
-            ]
-            for read, call in unmatched:
-                only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
-                suggestion = next(iter(unread)) if only else nearest(read.name, unread)
-                if suggestion is not None and call.arguments:
-                    throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
-                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
-
-    def is_declared(self, read: DeclaredParameter) -> bool:
-        if any(same(each, read) for each in self.package.parameters):
-            return True
-        return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
-
     def owners(self, names: frozenset[str]) -> list[PackageFacts]:
         """Return the packages that declare most of the names.
 
@@ -182,11 +138,6 @@ class ParameterContext:
                 found.append(facts)
                 is_certain = is_certain or own or facts.name in near or count > 2
         return found if is_certain else []
-
-
-def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:
-    """Return whether a read may mean what is declared."""
-    return declared.name == read.name or declared.fits(read.name) or read.fits(declared.name)
 
 
 def is_its_own(name: str) -> bool:

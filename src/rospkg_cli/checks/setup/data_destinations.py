@@ -7,6 +7,7 @@ from functools import cached_property
 from ...light_dataclasses import dataclass
 from ...package.setup.data_files import DataEntry
 from ...ros.share_layout import FOLDERS, SHARED
+from ...suggest import near_names
 from .share_files import ShareFiles
 
 
@@ -33,4 +34,7 @@ class DataDestinations:
                 own = [first, *rest] if first in FOLDERS else rest
                 why = "is a folder right below the install prefix, where nothing is looked for"
                 found.append((entry, "/".join(("share", self.shared.package.name, *own)), why))
+            elif rest[:1] == [self.shared.package.name] and near_names(first, ["share"]):
+                why = "is below no folder that anything searches: `share` is meant"
+                found.append((entry, "/".join(("share", *rest)), why))
         return tuple(found)

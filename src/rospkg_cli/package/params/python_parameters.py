@@ -7,37 +7,76 @@ from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
+from ...source import Span
 from .declared_parameter import DeclaredParameter
 
 RCL_TYPES = {
     "BOOL": "bool", "INTEGER": "int", "DOUBLE": "double", "STRING": "string", "BOOL_ARRAY": "bool[]",
     "INTEGER_ARRAY": "int[]", "DOUBLE_ARRAY": "double[]", "STRING_ARRAY": "string[]",
 }  # fmt: skip
+READS = frozenset({"get_parameter", "get_parameter_or"})
 PLAIN_TYPES = {bool: "bool", int: "int", float: "double", str: "string"}
 
 
 def declared_in(file: PythonFile) -> Iterator[DeclaredParameter]:
     """Yield what a file declares under literal names."""
-    for node in nodes_of_kind(file.tree, ast.Call):
-        if isinstance(node.func, ast.Attribute):
-            if node.func.attr == "declare_parameter":
-                given = {keyword.arg: keyword.value for keyword in node.keywords}
-                name = node.args[0] if node.args else given.get("name")
-                value = node.args[1] if len(node.args) > 1 else given.get("value")
-                yield from declaration(file, "", name, value)
-            elif node.func.attr == "declare_parameters":
-                yield from several(file, node)
+    for call in nodes_of_kind(file.tree, ast.Call):
+        if isinstance(call.func, ast.Attribute):
+            yield from declared_by(file, call, call.func.attr)
+
+
+def declared_by(file: PythonFile, call: ast.Call, method: str) -> Iterator[DeclaredParameter]:
+    """Yield what one call declares under literal names."""
+    if method == "declare_parameter":
+        given = {keyword.arg: keyword.value for keyword in call.keywords}
+        name = call.args[0] if call.args else given.get("name")
+        value = call.args[1] if len(call.args) > 1 else given.get("value")
+        yield from declaration(file, "", name, value)
+    elif method == "declare_parameters":
+        yield from several(file, call)
 
 
 def several(file: PythonFile, call: ast.Call) -> Iterator[DeclaredParameter]:
     given = {keyword.arg: keyword.value for keyword in call.keywords}
     space = call.args[0] if call.args else given.get("namespace")
-    listed = call.args[1] if len(call.args) > 1 else given.get("parameters")
+    listed = listed_in(call)
     if isinstance(space, ast.Constant) and isinstance(space.value, str) and isinstance(listed, ast.List | ast.Tuple):
         prefix = f"{space.value}." if space.value else ""
         for each in listed.elts:
             if isinstance(each, ast.Tuple | ast.List) and each.elts:
                 yield from declaration(file, prefix, each.elts[0], each.elts[1] if len(each.elts) > 1 else None)
+
+
+def listed_in(call: ast.Call) -> ast.expr | None:
+    """Return the list of a `declare_parameters`."""
+    named = [keyword.value for keyword in call.keywords if keyword.arg == "parameters"]
+    return call.args[1] if len(call.args) > 1 else next(iter(named), None)
+
+
+def read_in(file: PythonFile) -> Iterator[tuple[DeclaredParameter, Span, bool]]:
+    """Yield the parameters that a file gets by a literal name, where it stands, and whether an unknown one raises."""
+    for node in nodes_of_kind(file.tree, ast.Call):
+        if (
+            isinstance(node.func, ast.Attribute)
+            and node.func.attr in ("get_parameter", "get_parameter_or")
+            and node.args
+        ):
+            name = node.args[0]
+            if isinstance(name, ast.Constant) and isinstance(name.value, str) and name.value:
+                read = DeclaredParameter(name.value, False, "", False, file.source.path)
+                yield read, file.span(name), node.func.attr == "get_parameter"
+
+
+def has_computed_names(file: PythonFile) -> bool:
+    """Return whether a file declares parameters under names that are only known at run time."""
+    for call in nodes_of_kind(file.tree, ast.Call):
+        method = call.func.attr if isinstance(call.func, ast.Attribute) else ""
+        if method in ("declare_parameter", "declare_parameters"):
+            listed = listed_in(call) if method == "declare_parameters" else None
+            wanted = len(listed.elts) if isinstance(listed, ast.List | ast.Tuple) else 1
+            if len(list(declared_by(file, call, method))) < wanted:
+                return True
+    return False
 
 
 def declaration(

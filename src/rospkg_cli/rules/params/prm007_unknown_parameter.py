@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import ParameterContext, ParameterGroup, given_type
+from ...checks.params.declaring_packages import ParameterGroup, given_type
+from ...checks.params.unknown_reads import UnknownParameters, UnknownRead
 from ...edits.plain_names import only_plain_names
-from ...example import Example
+from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.params.parameter_file import Parameter
 from ...rule import rule
@@ -24,6 +25,17 @@ public:
   }
 };
 """
+NEEDED = manifest("  <exec_depend>rclpy</exec_depend>\n")
+PYTHON = """\
+import rclpy.node
+
+
+class Talker(rclpy.node.Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 10.0)
+        self.rate = self.get_parameter({}).value
+"""
 GOOD = """\
 talker:
   ros__parameters:
@@ -36,9 +48,9 @@ talker:
 @rule(
     "PRM007",
     "unknown-parameter",
-    over=ParameterContext,
+    over=UnknownParameters,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "C++ code gets a parameter that is not declared, and nothing may catch what it throws"},
+    levels={Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws"},
     examples=(
         Example(
             on="config",
@@ -54,14 +66,18 @@ talker:
             bad={"include/my_pkg/talker.hpp": NODE.replace("  }\n", '    get_parameter(«"verbos"», verbose_);\n  }\n')},
             good={"include/my_pkg/talker.hpp": NODE.replace("  }\n", '    get_parameter("verbose", verbose_);\n  }\n')},
         ),
+        Example(
+            bad={"package.xml": NEEDED, "my_pkg/talker.py": PYTHON.format("«'rat'»")},
+            good={"my_pkg/talker.py": PYTHON.format("'rate'")},
+        ),
     ),
 )
-def unknown_parameter(scope: ParameterContext) -> Iterator[Hit]:
+def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     """
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it. In C++ `get_parameter` is checked likewise: a name that is not declared, in a file that declares a similar one
+    it. In code `get_parameter` is checked likewise: a name that is not declared, in a file that declares a similar one
     without getting it.
 
     ## Why is this bad?
@@ -70,23 +86,31 @@ def unknown_parameter(scope: ParameterContext) -> Iterator[Hit]:
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where nodes allow undeclared parameters, C++ code is left alone. A parameter that is got into a
-    variable, or where the file may catch what is thrown, is a warning.
+    three names. Where nodes allow undeclared parameters, code is left alone, and Python code that declares
+    any under a computed name. A parameter that is got into a variable or has an alternative, or where the file may
+    catch what is thrown, is a warning.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type than the declared one is not renamed, a single
     one that should be a list is put into brackets.
     """
-    for group in scope.groups():
+    for group in scope.given.groups():
         for parameter, meant in group.unknown():
             last, start = meant.rpartition(".")[2], f"`{group.owners[0].name}` declares no parameter `{parameter.name}`"
             message = f"{start}: the value is dropped; did you mean `{last}`?"
             fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, fix=fix)
-    for read in scope.unknown_reads():
-        ends = "the node stops with ParameterNotDeclaredException" if read.throws else "the variable is never set"
-        message = f"nothing declares the parameter `{read.name}`: {ends}; this file declares `{read.suggestion}`"
-        yield Hit(read.path, read.span, f"{message} and never gets it", Severity.ERROR if read.throws else None)
+    for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
+        message = f"nothing declares the parameter `{read.name}`: {ending(read)}; this file declares"
+        hit = f"{message} `{read.suggestion}` and never gets it"
+        yield Hit(read.path, read.span, hit, Severity.ERROR if read.throws else None)
+
+
+def ending(read: UnknownRead) -> str:
+    """Return what comes of a parameter that nothing declares."""
+    if read.throws:
+        return "the node stops with ParameterNotDeclaredException"
+    return "the value that is set for it is never seen" if read.is_python else "the variable is never set"
 
 
 def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:

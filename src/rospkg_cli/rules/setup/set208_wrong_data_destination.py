@@ -31,6 +31,7 @@ GOOD = config("share/my_pkg/config")
         Example(bad={**YAML, "setup.py": config("«share/your_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
         Example(bad={**YAML, "setup.py": config("«share/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
         Example(bad={**YAML, "setup.py": config("«config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+        Example(bad={**YAML, "setup.py": config("«shre/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
         Example(bad={**YAML, "setup.py": config("«/share/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
     ),
 )
@@ -38,8 +39,8 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
     """
     ## What it does
     Finds destinations in `data_files` that ROS tools do not search.
-    It is the share folder of another package, `share/launch` without the package, a folder right below the prefix, or a
-    path that begins with a slash.
+    It is the share folder of another package, `share/launch` without the package, a folder right below the prefix, a
+    mistyped `share`, or a path that begins with a slash.
 
     ## Why is this bad?
     `get_package_share_directory('my_pkg')` and `ros2 launch my_pkg` look below `share/my_pkg`. A destination in another

@@ -1,0 +1,101 @@
+"""Parameters that code gets and nothing declares, where the same file declares a similar one that no code gets."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
+from ...package.params.cpp_parameters import read_in
+from ...package.params.declared_parameter import DeclaredParameter
+from ...package.params.python_parameters import has_computed_names
+from ...package.params.python_parameters import read_in as read_in_python
+from ...package.python_modules import PythonModules
+from ...package.workspace import Workspace
+from ...source import Span
+from ...suggest import nearest
+from .declaring_packages import ParameterContext, is_its_own
+
+ALLOWED = regex(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
+"""Options of a node that has parameters which no code declares."""
+MILD = regex(r"\bcatch\b|\bhas_parameter\b|\bexcept\s*(?::|.*\b(?:Base)?Exception\b|.*\bParameter)")
+"""What may catch the exception, or ask before."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownRead:
+    path: str
+    span: Span
+    name: str
+    suggestion: str
+    throws: bool
+    """Whether it certainly throws: it gets one parameter by its name, and nothing in the file may catch that."""
+    is_python: bool = False
+
+
+@dataclass(frozen=True)
+class ParameterReads:
+    """What the code of a package gets, and what its code and that of its neighbours declares."""
+
+    cpp: tuple[CppFile, ...]
+    modules: PythonModules
+    package: PackageFacts
+    workspace: Workspace
+
+    def in_cpp(self) -> Iterator[UnknownRead]:
+        """Yield what a C++ file gets and nothing declares; its name is similar, or there is only one of each."""
+        reads = [read for file in self.cpp for read, _ in read_in(file)]
+        for file in self.cpp if not any(ALLOWED.search(each.source.text) for each in self.cpp) else ():
+            unread = self.unread(file.path, reads)
+            unmatched = [
+                (read, call)
+                for read, call in read_in(file)
+                if unread and is_its_own(read.name) and not self.is_declared(read)
+            ]
+            for read, call in unmatched:
+                only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
+                suggestion = next(iter(unread)) if only else nearest(read.name, unread)
+                if suggestion is not None and call.arguments:
+                    throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
+                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
+
+    def in_python(self) -> Iterator[UnknownRead]:
+        """Yield what a Python file gets and nothing declares, where it declares one similar name by a literal."""
+        paths = sorted({each.path for each in self.package.parameters if each.path.endswith(".py")})
+        files = [file for path in paths if (file := self.modules.at(path))]
+        reads = [read for file in files for read, _, _ in read_in_python(file)]
+        if any(ALLOWED.search(file.source.text) or has_computed_names(file) for file in files):
+            return
+        for file in files:
+            unread = self.unread(file.source.path, reads)
+            for read, span, throws in read_in_python(file) if unread else ():
+                if is_its_own(read.name) and not self.is_declared(read):
+                    suggestion = nearest(read.name, unread)
+                    if suggestion is not None:
+                        throws = throws and not MILD.search(file.source.text)
+                        yield UnknownRead(file.source.path, span, read.name, suggestion, throws, True)
+
+    def unread(self, path: str, reads: Collection[DeclaredParameter]) -> set[str]:
+        """Return the names that a file declares and no code of the package gets."""
+        own = [each for each in self.package.parameters if each.path == path]
+        return {each.name for each in own if not any(same(each, read) for read in reads)}
+
+    def is_declared(self, read: DeclaredParameter) -> bool:
+        if any(same(each, read) for each in self.package.parameters):
+            return True
+        return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
+
+
+@dataclass(frozen=True)
+class UnknownParameters:
+    """What files give and code gets, and what code declares (PRM007)."""
+
+    given: ParameterContext
+    reads: ParameterReads
+
+
+def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:
+    """Return whether a read may mean what is declared."""
+    return declared.name == read.name or declared.fits(read.name) or read.fits(declared.name)
