@@ -167,6 +167,18 @@ def test_lists_of_plugins(names: str, said: str) -> None:
     assert all(said in message for message in found)
 
 
+def test_lists_of_plugins_beside_a_single_one() -> None:
+    """`progress_checker_plugin: progress_checker` names a group as well, and of several the near one is meant."""
+    block = PLUGINS.format(names="[spin, back_up]") + "    check: {plugin: a::Check}\n"
+    single = "    check_plugin: check\n"
+    for text in (block, block + single):
+        (message,) = messages(package("<launch/>\n", text), "PRM008")
+        assert "did you mean `backup`" in message
+    far = PLUGINS.format(names="[spin, z]") + "    check: {plugin: a::Check}\n"
+    assert not messages(package("<launch/>\n", far), "PRM008")
+    assert messages(package("<launch/>\n", far + single), "PRM008")
+
+
 def test_a_copy_of_a_parameter_file_that_was_left_behind() -> None:
     theirs = {
         f"src/talker/{path}": text for path, text in package("<launch/>\n", f"/**:\n  ros__parameters:\n{ALL}").items()

@@ -16,8 +16,19 @@ def values(*lines: str) -> Example:
     return config(NODE + "".join(f"    {line}\n" for line in lines))
 
 
+def called_text(*names: str) -> str:
+    return "".join(f"{name}:\n  ros__parameters:\n    a: 1\n" for name in names)
+
+
 def called(*names: str) -> Example:
-    return config("".join(f"{name}:\n  ros__parameters:\n    a: 1\n" for name in names))
+    return config(called_text(*names))
+
+
+CONTROLLED = "controller_manager:\n  ros__parameters:\n    {}: {{type: my_pkg/Wheel}}\n"
+
+
+def controlled(listed: str, *names: str) -> Example:
+    return config(CONTROLLED.format(listed) + called_text(*names))
 
 
 PARSED = """\
@@ -206,6 +217,17 @@ CASES = {
         values("a: [{b: 1}]", "c: [{d: [1, 2.5]}]"),
     ),
     "PRM005": (values(*(f"p{number}: {each}" for number, each in enumerate(NUMBERS))),),
+    "PRM003": (
+        called("controller_managr", "contoller_server"),
+        called("controller_managr", "controller_manager"),
+        called("planer_servr", "map_sever", "map_server_2", "amc", "/ns/map_serve", "map_seve$(var x)"),
+        *(controlled(listed, *names) for listed, names in (
+            ("left_wheel", ("left_whel", "left_wheeel")), ("left_wheel", ("left_wheel", "left_whel")),
+            ("arm_1", ("arm_2",)), ("left_wheel", ("right_wheel",)), ("map_servr", ("map_servr",)))),
+        Example(bad={"config/robot.yaml": CONTROLLED.format("left_wheel") + called_text("left_whel"),
+                     "launch/a.launch.xml": '<launch>\n  <let name="a" value="left_whel"/>\n</launch>\n'},
+                good={}, on="config"),
+    ),
     "PRM009": (
         defined("default_value: 1", "type: int", "type: int, deflt: 1", "type: itn", "type: something",
                 "type: int_array",

@@ -16,8 +16,8 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
 from .declaring_packages import ParameterContext
+from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
 
-WILD = ("*", "**")
 MAX_DEPTH = 5
 SHARE = "\0share"
 
@@ -128,6 +128,14 @@ class LaunchParameters:
                     if found and len({each.name for each in found}) == 1:
                         yield file, block, found[0]
 
+    def mistyped(self) -> Iterator[tuple[ParameterFile, MistypedBlock]]:
+        """Yield the blocks of nodes that are not here, with nearly the name of a controller or a well-known node."""
+        started = {each.name for each in self.node_arguments}
+        texts = [launch.source.text for launch in self.launches]
+        told = {id(block) for _, block, _ in self.misnamed()}
+        for file in self.files:
+            yield from ((file, each) for each in mistyped_blocks(file, started, texts) if id(each.block) not in told)
+
     def is_only_for_named(self, file: ParameterFile) -> bool:
         """Return whether all nodes that may get a file have a literal name, and nothing else opens or passes it on."""
         given = [each for each in self.node_arguments if file in each.files]
@@ -158,11 +166,6 @@ class MissingParameters:
 
     launched: LaunchParameters
     code: ParameterContext
-
-
-def last(block: NodeBlock) -> str:
-    """Return the name of a block's node, without its namespace."""
-    return block.name.rpartition("/")[2]
 
 
 def is_near(key: str, name: str) -> bool:

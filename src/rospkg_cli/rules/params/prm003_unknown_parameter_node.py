@@ -8,6 +8,7 @@ from ...checks.params.launch_parameters import LaunchParameters
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...rule import rule
 
 LAUNCH = """\
@@ -22,6 +23,15 @@ GOOD = """\
 sim_node:
   ros__parameters:
     background_r: 0
+"""
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    diff_controller:
+      type: diff_drive_controller/DiffDriveController
+{}:
+  ros__parameters:
+    wheel_separation: 0.3
 """
 
 
@@ -42,6 +52,15 @@ sim_node:
             good={"config/robot.yaml": GOOD},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            on="config",
+            bad={
+                "config/robot.yaml": CONTROLLERS.format("«diff_controler»"),
+                "package.xml": manifest("  <exec_depend>diff_drive_controller</exec_depend>\n", "ament_cmake"),
+            },
+            good={"config/robot.yaml": CONTROLLERS.format("diff_controller")},
+            fix=Safety.UNSAFE,
+        ),
     ),
 )
 def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
@@ -49,7 +68,9 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     ## What it does
     Finds parameters for a node that no launch file starts, where a similar node lacks them.
     The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
-    in it, has a similar name; or the file has this block alone, and goes to no other node.
+    in it, has a similar name; or the file has this block alone, and goes to no other node. It also finds blocks that
+    have nearly the name of a controller that the same file gives `controller_manager`, or of a node that everybody uses
+    (`controller_manager`, those of nav2), and that has no block there.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
@@ -57,7 +78,8 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
 
     ## When it is quiet
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
-    node which lacks one: nodes that other packages start may read them.
+    node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
+    those that differ by a number.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -66,9 +88,25 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
         key = block.key.text
         name = given.name or ""
         message = f"no node is called `{key}`: the one that `{given.launch.path}` gives this file to is `{name}`"
-        fix = None
-        if file.source.slice(block.key.span) == key and key == block.name.rpartition("/")[2]:
-            fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
         where = (Related(given.launch.path, given.node.span, "the node"),)
         what = f"{message}, and it never reads the block"
-        yield Hit(file.path, block.key.span, what, related=where, fix=only_plain_names(fix, name))
+        yield Hit(file.path, block.key.span, what, related=where, fix=renaming(file, block, name))
+    for file, wrong in launched.mistyped():
+        owner = (
+            f"`{wrong.by}` starts `{wrong.meant}`"
+            if wrong.is_controller
+            else f"that of `{wrong.by}` is `{wrong.meant}`"
+        )
+        message = (
+            f"no node is called `{wrong.block.key.text}`: {owner}, which has no block here and runs with its defaults"
+        )
+        yield Hit(file.path, wrong.block.key.span, message, fix=renaming(file, wrong.block, wrong.meant))
+
+
+def renaming(file: ParameterFile, block: NodeBlock, name: str) -> Fix | None:
+    """Return the fix that writes another name of a node; None where the key is not just its name."""
+    key = block.key.text
+    if file.source.slice(block.key.span) != key or key != block.name.rpartition("/")[2]:
+        return None
+    fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
+    return only_plain_names(fix, name)
