@@ -59,6 +59,44 @@ def test_skip_writes_what_is_missing(there: Path, capsys: pytest.CaptureFixture[
     assert "; `setup.py` lacks what would be written there: --diff shows it, " in said
 
 
+def test_each_file_has_a_status_and_those_left_alone_say_what_they_lack(capsys: pytest.CaptureFixture[str]) -> None:
+    more = Request("my_robot_nav", nodes=("my_robot_nav_node", "extra:timer"), **ADA)
+    assert new(more, existing="skip") == 0
+    said = capsys.readouterr().out
+    assert "created    my_robot_nav/extra.py\nidentical  my_robot_nav/greeting.py\n" in said
+    lacking = said.partition("skipped    setup.py   differs, and lacks:\n")[2].splitlines()
+    assert lacking[0].strip().startswith("# Copyright 2026 Ada Lovelace")
+    assert lacking[6].strip().startswith("and ")
+    assert lacking[6].endswith(" more: --diff shows them")
+    assert "skipped    README.md   differs, and lacks:\n" in said
+    assert "             ### extra\n" in said
+    assert "skipped    .rospkg-answers.toml   holds other answers; `rospkg new --update` merges\n" in said
+    assert "├" not in said
+    assert "Next" in said
+
+
+@pytest.mark.parametrize(("how", "word"), [("skip", "skipped"), ("force", "replaced")])
+def test_a_file_that_differs_without_a_line_less_or_is_no_text(
+    capsys: pytest.CaptureFixture[str], how: str, word: str
+) -> None:
+    (PACKAGE / "README.md").write_text((PACKAGE / "README.md").read_text() + "more\n")
+    (PACKAGE / "setup.cfg").write_bytes(b"\xff\xfe\x00")
+    assert again(existing=how) == 0
+    said = capsys.readouterr().out
+    assert f"{word:<9}  README.md" in said
+    assert ("README.md   differs, and lacks no line\n" in said) is (how == "skip")
+    assert ("setup.cfg   differs, and is no text\n" in said) is (how == "skip")
+
+
+def test_a_refusal_shows_which_files_are_in_conflict(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(UsageError, match=r"--force .*, `rospkg new --update my_robot_nav` merges"):
+        again()
+    said = capsys.readouterr().err
+    assert "identical  package.xml\n" in said
+    assert "conflict   setup.py   differs, and lacks:\n" in said
+    assert "created    launch/my_robot_nav.launch.py\n" in said
+
+
 def test_skip_is_silent_of_files_that_are_as_they_should_be(there: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert again(existing="force") == 0
     (PACKAGE / "launch/my_robot_nav.launch.py").unlink()

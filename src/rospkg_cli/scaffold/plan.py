@@ -19,7 +19,7 @@ from .launch_format import check_typed, launch_format, notes_on_launch
 from .maintainer import Maintainer, check_for_cmake, find_maintainer
 from .minimal import minimal_request, minimal_template
 from .names import check_package_name
-from .node import nodes_of
+from .node import default_nodes, nodes_of
 from .render import RenderedFile, render, render_line
 from .resolve_request import depends_of, distro_of, license_of, requested_interfaces, version_of
 from .self_lint import lint_written
@@ -46,6 +46,8 @@ class Plan:
     """What our own linter says of what was asked for (an unknown key, say); never an error."""
     notes: tuple[str, ...]
     """What the user should hear: guesses, and what follows from what was asked for."""
+    asked: Request
+    """What was asked for, with what was taken where nothing was."""
 
 
 def make_plan(
@@ -84,7 +86,24 @@ def plan_with(
     if maintainer.guessed:
         notes.append(where_guessed(maintainer, files))
     commands = tuple(render_line(template, line, answers) for line in template.commands)
-    return Plan(answers, template, files, commands, findings, tuple(notes))
+    return Plan(answers, template, files, commands, findings, tuple(notes), understood(request, answers, template))
+
+
+def understood(request: Request, answers: Answers, template: Template) -> Request:
+    """Return a request that asks for the same on another day, in another place, and under another config."""
+    return replace(
+        request,
+        nodes=request.nodes or tuple(default_nodes(request.name, template)),
+        msgs=request.msgs or (("Status",) if template.interfaces and not (request.srvs or request.actions) else ()),
+        launch=(request.launch or LAUNCH) if template.launches else "",
+        tests=answers.tests,
+        license=answers.license.spdx,
+        maintainer=answers.maintainer.text,
+        email=answers.email,
+        version=answers.version,
+        distro=answers.distro.name,
+        year=answers.year,
+    )
 
 
 def template_of(name: str) -> Template:

@@ -57,12 +57,12 @@ def remove_leftovers(folder: Path) -> None:
                 shutil.rmtree(each, ignore_errors=True)
 
 
-def refuse_existing(target: Path) -> None:
-    """Raise ScaffoldError where something has the name already."""
+def refuse_existing(target: Path, more: str = "") -> None:
+    """Raise ScaffoldError where something has the name already; `more` is what else can be done, after a comma."""
     if is_there(target):
         raise ScaffoldError(
             f"`{target}` exists already and was left alone; --diff shows what would change, --skip writes what is "
-            "missing, --force replaces and keeps what was there"
+            f"missing, --force replaces and keeps what was there{more}"
         )
 
 

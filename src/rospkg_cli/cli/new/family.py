@@ -8,6 +8,7 @@ from pathlib import Path
 from ...report.color import wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
+from ...scaffold.answers_record import with_record
 from ...scaffold.family import plan_family, write_family
 from ...scaffold.target_folder import hidden_from_colcon
 from .. import UsageError
@@ -17,14 +18,21 @@ from .run import NOTHING, command_lines, defaults, file_lines, finding_text, tre
 
 
 def new_family(
-    request: Request, into: Path = Path(), dry_run: bool = False, color: str = "auto", confirm: bool = False
+    request: Request,
+    into: Path = Path(),
+    dry_run: bool = False,
+    color: str = "auto",
+    confirm: bool = False,
+    record: bool = True,
 ) -> int:
-    """Write all packages into a folder, or show every file; return the exit status. `confirm` asks before it writes.
+    """Write all packages into a folder, or show every file; return the exit status. `confirm` asks before it writes,
+    `record` keeps the answers in each package.
 
     Raises UsageError and ConfigError for what can't be done as asked.
     """
     try:
         plans = plan_family(request, into, defaults(into))
+        plans = [with_record(plan) for plan in plans] if record else plans
         if confirm and not dry_run and not is_confirmed(plans, into, sum(len(plan.files) for plan in plans)):
             return 0
         if not dry_run:

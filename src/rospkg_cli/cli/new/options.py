@@ -34,6 +34,8 @@ WITH = "ci, pre-commit, devcontainer, docs (comma-separated)."
 DEPENDS = "Packages and rosdep keys that it depends on (comma-separated)."
 DISTRO = "$ROS_DISTRO, or the newest LTS"
 DIFF = "Show what would change in an existing folder; exit with status 1 if anything would."
+UPDATE = "Merge what would be written today, with the other options, into a package that was written so."
+RECORD = "Keep the answers in the package, for --update."
 FORCE = "Replace files that differ there; the old ones are kept in NAME.orig."
 
 MAINTAINER, EMAIL = ("--maintainer", "--maintainer-name"), ("--email", "--maintainer-email")
@@ -108,6 +110,8 @@ def new(
     diff: Annotated[bool, where(DIFF, "--diff")] = False,
     force: Annotated[bool, where(FORCE, "--force")] = False,
     skip: Annotated[bool, where("Write only files that are missing there.", "--skip")] = False,
+    update: Annotated[Path | None, where(UPDATE, "--update", metavar="PACKAGE", default=False)] = None,
+    record: Annotated[bool, where(RECORD, "--record/--no-record", default=False)] = True,
     interactive: Annotated[bool, Option("--interactive", "-i", help="Ask for everything that was not given.")] = False,
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
@@ -125,6 +129,8 @@ def new(
         params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
         minimal,
     )  # fmt: skip
+    if update is not None:
+        return update_at(update, request, dry_run, diff, color, force or skip or family or interactive or not record)
     check_together(request, diff or force or skip, force and skip, family)
     if interactive:
         request = ask_all(request, into)
@@ -133,9 +139,23 @@ def new(
     if family:
         from .family import new_family
 
-        return new_family(request, into, dry_run, color, interactive)
+        return new_family(request, into, dry_run, color, interactive, record)
     existing = "force" if force else "skip" if skip else ""
-    return write_new(request, into, dry_run, color, existing, diff, interactive)
+    return write_new(request, into, dry_run, color, existing, diff, interactive, record)
+
+
+def update_at(package: Path, request: Request, dry_run: bool, diff: bool, color: str, others: bool) -> int:
+    """Update a package; raises UsageError for options that are for new ones (`others`)."""
+    from .update import update
+
+    if request.name:
+        raise UsageError(f"--update keeps the name of the package; leave `{request.name}` out")
+    if others or request.minimal:
+        raise UsageError(
+            "--update goes with --dry-run, --diff and the answers; leave --force, --skip, --family, --minimal, "
+            "--no-record and -i out"
+        )
+    return update(package, request, dry_run, diff, color)
 
 
 def check_together(request: Request, existing: bool, both: bool, family: bool) -> None:

@@ -12,13 +12,16 @@ from ...finding import Finding
 from ...report.color import paint, wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
+from ...scaffold.answers_record import RECORD, with_record
 from ...scaffold.existing_folder import FolderDifference, compare
 from ...scaffold.file_tree import LINES, TreeRow, in_ascii, tree_rows
 from ...scaffold.names import check_package_name
 from ...scaffold.plan import Plan, make_plan
 from ...scaffold.target_folder import check_target, hidden_from_colcon, workspace_of
+from ...scaffold.write import refuse_existing
 from .. import UsageError
 from ..streams import afterwards, can_encode, say
+from .file_status import folder_status, status_lines
 from .place import is_empty
 from .write_package import show_difference, write_plan
 
@@ -33,11 +36,12 @@ def new(
     existing: str = "",
     diff: bool = False,
     confirm: bool = False,
+    record: bool = True,
 ) -> int:
     """Write the package into a folder, or show every file; return the exit status.
 
     `existing` is `force` or `skip` where there may be such a folder; `diff` shows what would change there.
-    `confirm` asks before anything is written.
+    `confirm` asks before anything is written; `record` says whether the answers are kept in the package.
 
     Raises UsageError and ConfigError for what can't be done as asked.
     """
@@ -45,9 +49,12 @@ def new(
     try:
         check_package_name(request.name)
         existing = existing or ("skip" if is_empty(target) else "")
-        check_target(into, target, bool(existing) or diff)
+        check_target(into, target, bool(existing) or diff or (target.is_dir() and not target.is_symlink()))
         plan = make_plan(request, into, defaults(into))
+        plan = with_record(plan) if record else plan
         there = compare(target, plan.files)
+        if not (existing or diff):
+            refuse_folder(target, there)
         if diff:
             return show_difference(plan, there, existing)
         if confirm and not dry_run and not is_wanted(plan, there, into, existing):
@@ -63,13 +70,22 @@ def new(
     ):
         say(line)
     painted = wants_color(color, sys.stdout)
-    tree = tree_lines(plan, painted)
+    had_files = bool(there.same or there.other)
+    tree = status_lines(folder_status(there, existing), painted) if had_files else tree_lines(plan, painted)
     if dry_run:
         print("\n".join((*tree, *file_lines(plan, painted), NOTHING)))
     else:
         lines = (*tree, *command_lines(plan, into, painted))
         afterwards(lambda: print("\n".join(lines)), "the package is written")
     return 0
+
+
+def refuse_folder(target: Path, there: FolderDifference) -> None:
+    """Raise ScaffoldError where something has the name already, and show what would become of its files."""
+    if there.same or there.other:
+        for line in status_lines(folder_status(there, ""), wants_color("auto", sys.stderr)):
+            print(line, file=sys.stderr)
+    refuse_existing(target, f", `rospkg new --update {target}` merges" if (target / RECORD).is_file() else "")
 
 
 def is_wanted(plan: Plan, there: FolderDifference, into: Path, existing: str) -> bool:
