@@ -118,3 +118,23 @@ def test_headers_of_a_package_that_only_tests_are_built_of_are_tests() -> None:
     assert said(lines) == ["DEP201"]
     assert said(f"if(BUILD_TESTING)\n{lines}endif()\n") == []
     assert said(f"if(BUILD_TESTING)\n{lines}target_sources(t PRIVATE ${{UNKNOWN}})\nendif()\n") == []
+
+
+def test_an_executable_that_is_installed_and_not_made_is_told_once() -> None:
+    lines = (
+        "find_package(rclcpp REQUIRED)\ntarget_link_libraries(talker rclcpp::rclcpp)\n"
+        "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+        "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
+    )
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package", lines + "ament_package"),
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+        "src/node.cpp": "#include <rclcpp/rclcpp.hpp>\nint main(int c, char ** v) {rclcpp::init(c, v);}\n",
+        "launch/a.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n',
+    }
+    found = lint_files(files, ["CMK110", "CMK202", "LCH002"]).findings
+    assert [(f.code, len(f.related)) for f in found] == [("CMK110", 1)]
+    made = files["CMakeLists.txt"].replace("target_link", "add_executable(talker src/other.cpp)\ntarget_link")
+    assert [f.code for f in lint_files({**files, "CMakeLists.txt": made}, ["CMK202"]).findings] == ["CMK202"]
+    into_bin = {**files, "CMakeLists.txt": files["CMakeLists.txt"].replace("lib/${PROJECT_NAME}", "bin")}
+    assert "LCH002" in [f.code for f in lint_files(into_bin, ["LCH002"]).findings]

@@ -30,8 +30,8 @@ repositories:
 
 @pytest.fixture
 def workspace(tmp_path, write, clean) -> Path:
-    """Two packages that depend on names nobody knows."""
-    for name, needs in (("one", ["acme_a", "acme_b"]), ("two", ["acme_b", "acme_c", "acme_d"])):
+    """Two packages that depend on names nobody knows, and one on nothing at all, which XML210 tells."""
+    for name, needs in (("one", ["", "acme_a", "acme_b"]), ("two", ["acme_b", "acme_c", "acme_d"])):
         lines = "".join(f"  <exec_depend>{need}</exec_depend>\n" for need in needs)
         text = clean["package.xml"].replace("my_pkg", name).replace("  <export>", f"{lines}  <export>")
         write(tmp_path / "ws/src" / name, {"package.xml": text})

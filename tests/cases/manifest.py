@@ -76,6 +76,15 @@ CASES = {
         with_line("stray words"),
         with_line("<depend>rclpy<b/></depend>"),
         Example(bad={"package.xml": manifest("  <depend>rclpy</depend>\n").replace('"3"', '"1"')}, good={}),
+        Example(
+            bad={
+                "package.xml": manifest(
+                    "  <depend>rclpy</depend>\n  <exec_depend>a</exec_depend>\n  <depend>b</depend>\n"
+                    "  <depend>c</depend>\n  <doc_depend>d</doc_depend>\n  <maintainr>Ada</maintainr>\n"
+                ).replace('"3"', '"1"')
+            },
+            good={},
+        ),
         instead("<license>", '<license file="LICENSE" colour="red">'),
     ),
     "XML002": (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
 from typing import Literal
 
@@ -102,3 +102,11 @@ class TargetReferences:
 
         known = {*COMMANDS, *MAKERS, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]
+
+
+def by_name(references: Iterable[TargetReference]) -> Iterable[list[TargetReference]]:
+    """Return the references to each name together, in the order of the first ones: they have one cause."""
+    found: dict[tuple[str, str], list[TargetReference]] = {}
+    for each in references:
+        found.setdefault((each.kind, each.word.text), []).append(each)
+    return found.values()

@@ -16,6 +16,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.file_role import role_of
 from ...source import Span
+from ..cmake.target_references import TargetReferences
 from ..depends.compiled_sources import are_sources_known, own_compiled
 
 SOURCES = (".cpp", ".cc", ".cxx", ".c++")
@@ -45,6 +46,8 @@ class UncompiledSources:
         is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.reads_unknown_files
         if not self.package.is_ament or not is_known or next(foreign_commands(cmake), None) is not None:
             return
+        if any(each.kind == "target" for each in TargetReferences(cmake).broken()):
+            return  # CMK110 tells of the target, which would compile the file
         compiled = own_compiled(cmake, self.sources) or set()
         for source in self.sources:
             if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
+from ...package.schema.violation import Violation, ViolationKind
 from ...ros.manifest import INSIDE_EXPORT, NEW_IN, ORDER
 from ...suggest import did_you_mean, nearest
 
@@ -31,3 +32,14 @@ def misplaced_tag(manifest: Manifest, tag: str, top: bool) -> str:
     if tag in NEW_IN[2]:
         return f'`<{tag}>` came with format 2, and this is format {format}; write `<package format="3">`'
     return f"`<{tag}>` is no tag of package.xml{did_you_mean(tag, TAGS)}; tools' own tags belong inside `<export>`"
+
+
+def is_of_format_2(manifest: Manifest, violation: Violation) -> bool:
+    """Return whether it is a tag of format 2 in one of format 1: all of them have one cause."""
+    is_top = violation.kind is ViolationKind.CHILD and violation.element in manifest.root.children
+    return is_top and manifest.schema_format == 1 and violation.element.tag in NEW_IN[2]
+
+
+def is_group(violation: Violation) -> bool:
+    """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
+    return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]

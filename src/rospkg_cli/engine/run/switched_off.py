@@ -17,7 +17,7 @@ def switched_off(workspace: Workspace) -> Iterator[CheckSwitchedOff]:
     found: dict[str, tuple[str, Span]] = {}
     for facts in workspace.packages:
         for each in facts.dependencies if facts.folder in workspace.selected else ():
-            if each.name not in found and is_unsure(workspace, each.name):
+            if each.name and each.name not in found and is_unsure(workspace, each.name):
                 found[each.name] = facts.at("package.xml"), each.span
     why = workspace.incomplete or ("" if isinstance(workspace.index, FetchedNames) else NO_INDEX)
     if found and why:

@@ -76,11 +76,19 @@ class CMakeTableBuilder:
     def targets(self, rule: InstallRule) -> Iterator[InstalledFile]:
         for word in rule.items:
             target = self.cmake.target(word.text)
+            if target is None and word.is_known and (missing := self.missing_executable(rule, word)):
+                yield missing
             place = self.artifacts.destination(rule, target) if target is not None and target.is_built else None
             if target is not None and place is not None:
                 yield self.row(
                     posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
                 )
+
+    def missing_executable(self, rule: InstallRule, word: Word) -> InstalledFile | None:
+        """Return the row of a target that nothing makes, so that only this is told, and not also who starts it."""
+        destinations = rule.destinations or {}
+        place = destinations.get("RUNTIME", destinations.get(""))
+        return self.row(f"{place}/{word.text}", "", word, rule.call) if place == f"lib/{self.name}" else None
 
     def automatic(self) -> Iterator[InstalledFile]:
         """What ament_auto_package installs of itself: the targets of ament_auto_add_*, and include/."""

@@ -1,4 +1,4 @@
-"""Files and folders that CMake commands refer to: sources of targets, tests, parameters, and what is installed."""
+"""Files and folders that CMake commands refer to: sources, tests, parameters, folders, and what is installed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .cmake_project import CMake
 from .made_paths import MadePaths
 from .needed_files import needed_files
 
-Use = Literal["source", "install", "folder", "test", "parameters"]
+Use = Literal["source", "install", "folder", "test", "parameters", "subdirectory", "include"]
 
 
 @dataclass(frozen=True)
@@ -58,10 +58,20 @@ class ReferencedPaths:
         for call in self.cmake.calls:
             for purpose, words in needed_files(call) if call.name not in self.cmake.functions else ():
                 yield from self.named(words, purpose, call)
+        yield from self.read_files()
         for rule in self.cmake.installs:
             if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not rule.optional and rule.call.name in INSTALLERS:
                 use: Use = "folder" if rule.kind == "DIRECTORY" else "install"
                 yield from self.named(rule.items, use, rule.call)
+
+    def read_files(self) -> Iterator[ReferencedPath]:
+        """Yield the files that `add_subdirectory()` and `include()` read."""
+        for call in self.cmake.named("add_subdirectory"):
+            for named in self.named(call.words[:1], "subdirectory", call):
+                yield replace(named, path=f"{named.path}/CMakeLists.txt".lstrip("/"))
+        for call in self.cmake.named("include"):
+            if call.words and call.texts[0].endswith(".cmake") and "OPTIONAL" not in call.texts:
+                yield from self.named(call.words[:1], "include", call)
 
     def named(self, words: Iterable[Word], use: Use, call: EvaluatedCommand) -> Iterator[ReferencedPath]:
         for word in words:

@@ -60,9 +60,10 @@ TEST = CMAKE.replace(
 def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds files and folders that CMake installs or compiles and that do not exist.
+    Finds files and folders that CMake reads, installs or compiles and that do not exist.
     It reads `install()`, `add_executable()` and `add_library()`, tests (`ament_add_gtest()`, `ament_add_pytest_test()`,
-    `add_launch_test()` and the like) and the YAML of `generate_parameter_library()`. What CMake or the build writes
+    `add_launch_test()` and the like), the YAML of `generate_parameter_library()`, and what `add_subdirectory()` and
+    `include()` read. What CMake or the build writes
     itself is left alone.
 
     ## Why is this bad?
@@ -76,7 +77,10 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     that can't be evaluated, and with OPTIONAL.
     """
     for named, for_everyone in MissingPaths(package.cmake).all():
-        near = did_you_mean(named.path, package.cmake.package_files.paths)
+        paths = package.cmake.package_files.paths
+        if named.use == "subdirectory":
+            paths = tuple(path for path in paths if path.endswith("/CMakeLists.txt"))
+        near = did_you_mean(named.path, paths)
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
         yield Hit(named.word.path, named.word.span, message, None if for_everyone else Severity.WARNING)
 
@@ -87,6 +91,10 @@ def consequence(named: ReferencedPath) -> str:
             return 'CMake stops with "Cannot find source file"; name an existing file, or remove it'
         case "test":
             return f"`{named.call.name}` stops CMake, since colcon builds with tests on; name an existing test"
+        case "subdirectory":
+            return "`add_subdirectory` stops CMake; name a folder with a CMakeLists.txt"
+        case "include":
+            return "`include` stops CMake; name an existing file"
         case "parameters":
             return "the build stops, since nothing makes it; name an existing file of parameters"
         case "folder":

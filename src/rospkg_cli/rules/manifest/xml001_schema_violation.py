@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.misplaced_tag import RENAMED, meant_tag, misplaced_tag
+from ...checks.manifest.misplaced_tag import RENAMED, is_group, is_of_format_2, meant_tag, misplaced_tag
 from ...checks.manifest.schema_tests import SchemaTests
 from ...checks.manifest.schema_values import before, faulty_value
 from ...edits.manifest import rename_element
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.xml.elements import Element
 from ...package.manifest import Manifest
 from ...package.schema.violation import Violation, ViolationKind
@@ -17,6 +17,7 @@ from ...ros.manifest import NEW_IN
 from ...rule import rule
 from ...source import Span
 
+MAX_RELATED = 3
 LOST = "colcon builds the folder as a plain package, which ROS does not find"
 ELSEWHERE = {("name", ""), ("version", ""), ("maintainer", "email"), ("author", "email"), ("url", "type")}
 """Values that other rules judge; an attribute of any other tag is theirs as well."""
@@ -82,7 +83,10 @@ def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
     """
     manifest = tests.manifest
     newer = {each for each, _ in manifest.features_of_3} if manifest.schema_format < 3 else set()
+    too_new = tuple(v.element for v in manifest.verdict.violations if is_of_format_2(manifest, v))
     for violation in manifest.verdict.violations:
+        if violation.element in too_new[1:]:
+            continue
         described = describe(manifest, violation)
         if described is not None and not (
             violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
@@ -92,7 +96,9 @@ def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
             harm = LOST if lost else "" if is_group(violation) else tests.harm
             level = None if lost else mild
             fix = rename(manifest, violation.element) if violation.kind is ViolationKind.CHILD else None
-            yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level, fix=fix)
+            same = too_new[1 : MAX_RELATED + 1] if violation.element in too_new else ()
+            related = tuple(Related(manifest.path, each.span, "and here") for each in same)
+            yield Hit(manifest.path, span, f"{what}; {harm}".rstrip("; "), level, related=related, fix=fix)
 
 
 def rename(manifest: Manifest, element: Element) -> Fix | None:
@@ -131,8 +137,3 @@ def describe(manifest: Manifest, violation: Violation) -> tuple[Span, str, bool]
 
 def empty_group(element: Element) -> bool:
     return element.tag in NEW_IN[3] and not element.text
-
-
-def is_group(violation: Violation) -> bool:
-    """Return whether it is the name of a group, which only REP-149's text forbids, and no tool."""
-    return violation.kind is ViolationKind.VALUE and violation.element.tag in NEW_IN[3]

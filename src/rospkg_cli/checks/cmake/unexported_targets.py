@@ -1,0 +1,63 @@
+"""Sets of targets that `install(TARGETS … EXPORT set)` fills and that nothing hands on to other packages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.foreign_commands import foreign_commands
+from .target_references import EXPORTS, TargetReferences
+
+
+@dataclass(frozen=True)
+class UnexportedSet:
+    word: Word
+    """The name of the set, where it is first filled."""
+    library: str
+    """The first library in it, as others would link it."""
+    is_handed_on: bool
+    """Whether libraries are handed on without targets, by `ament_export_libraries`."""
+
+
+@dataclass(frozen=True)
+class UnexportedTargets:
+    package: CMakePackage
+
+    def all(self) -> Iterator[UnexportedSet]:
+        """Yield each set with a library once; nothing where any command may hand it on."""
+        cmake = self.package.cmake
+        is_clear = cmake.is_complete and not cmake.reads_unknown_files and cmake.ends_a_package
+        if not self.package.is_ament or not is_clear or next(foreign_commands(cmake), None) is not None:
+            return
+        seen = set(self.named())
+        if UNKNOWN in seen or any(each.kind == "export" for each in TargetReferences(cmake).broken()):
+            return  # the name of the set may be misspelt, which CMK110 tells
+        for rule in cmake.installs:
+            word, library = rule.export, next(filter(self.is_library, rule.items), None)
+            if word is None or library is None or not word.is_known or word.text in seen or rule.call.maybe:
+                continue
+            seen.add(word.text)
+            target = cmake.export_names.get(library.text, library.text)
+            handed_on = bool(cmake.named("ament_export_libraries"))
+            yield UnexportedSet(word, f"{cmake.project_name}::{target}", handed_on)
+
+    def is_library(self, word: Word) -> bool:
+        target = self.package.cmake.target(word.text)
+        return target is not None and target.is_library
+
+    def named(self) -> Iterator[str]:
+        """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may be given any set."""
+        for call in (*self.package.cmake.calls, *self.package.cmake.unreachable):
+            if not fills(call):
+                yield from call.texts if call.name not in EXPORTS else map(or_unknown, call.texts)
+
+
+def fills(call: EvaluatedCommand) -> bool:
+    return call.name == "install" and call.texts[:1] == ("TARGETS",)
+
+
+def or_unknown(text: str) -> str:
+    return UNKNOWN if UNKNOWN in text else text

@@ -1,0 +1,64 @@
+"""CMK119 unexported-targets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.unexported_targets import UnexportedTargets
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...rule import rule
+
+LIBRARY = """\
+add_library(core SHARED src/core.cpp)
+install(TARGETS core EXPORT «core_targets» DESTINATION lib)
+"""
+EXPORT = "ament_export_targets(core_targets HAS_LIBRARY_TARGET)\n"
+OLD = "ament_export_libraries(core)\n"
+SOURCE = {"src/core.cpp": "int core() {return 1;}\n"}
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", lines + "ament_package")
+
+
+@rule(
+    "CMK119",
+    "unexported-targets",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(LIBRARY), **SOURCE},
+            good={"CMakeLists.txt": cmake(LIBRARY.replace("«", "").replace("»", "") + EXPORT)},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(LIBRARY + OLD), **SOURCE},
+            good={"CMakeLists.txt": cmake(LIBRARY.replace("EXPORT «core_targets» ", "") + OLD)},
+            on="ament_cmake",
+        ),
+    ),
+)
+def unexported_targets(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds sets of targets that are installed for other packages and that nothing exports.
+    `install(TARGETS … EXPORT set)` fills such a set.
+    `ament_export_targets()` exports it, or `install(EXPORT …)`.
+
+    ## Why is this bad?
+    The build is green, and packages that link `my_pkg::library` stop: "the target was not found". It is what is left
+    when the line is lost in a merge, or when only the first half was copied.
+
+    ## When it is quiet
+    Where any other command is given the name of the set, where a macro of another package or a file that can't be read
+    may export it, and for sets of executables alone.
+    """
+    for found in UnexportedTargets(package).all():
+        name = found.word.text
+        message = f"nothing exports the set `{name}`: packages that link `{found.library}` stop, as it is not found"
+        level = Severity.INFO if found.is_handed_on else None
+        yield Hit(found.word.path, found.word.span, f"{message}; add `ament_export_targets({name})`", level)
