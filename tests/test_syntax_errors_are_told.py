@@ -22,3 +22,37 @@ def test_a_syntax_error_is_told(path: str) -> None:
     found = [each for each in lint_files(files, None).findings if each.code == "RPK001"]
     assert [each.location.path for each in found] == [path]
     assert found[0].severity.value == "error"
+
+
+TEST = "def test_it():\n    assert (1\n"
+REGISTERED = "find_package(ament_cmake_pytest REQUIRED)\n{}\nament_package()"
+
+
+@pytest.mark.parametrize("path", ["test/test_it.py", "test/it_test.py", "tests/deep/test_it.py"])
+def test_a_test_that_pytest_cannot_read_is_told(path: str) -> None:
+    assert broken({**BACKDROPS["ament_python"], path: TEST}) == [path]
+
+
+@pytest.mark.parametrize("path", ["test/helper.py", "scripts/test_it.py"])
+def test_what_pytest_does_not_find_may_be_broken(path: str) -> None:
+    assert broken({**BACKDROPS["ament_python"], path: TEST}) == []
+
+
+@pytest.mark.parametrize(
+    ("call", "path", "is_told"),
+    [
+        ("ament_add_pytest_test(it test/it.py)", "test/it.py", True),
+        ("add_launch_test(test/it.py TIMEOUT 60)", "test/it.py", True),
+        ("add_ros_test(${CMAKE_CURRENT_SOURCE_DIR}/test/it.py)", "test/it.py", True),
+        ("ament_add_pytest_test(it test/${name})", "test/it.py", False),
+        ("ament_add_gtest(it test/it.py)", "test/it.py", False),
+        ("ament_add_pytest_test(it test/it)", "test/test_it.py", False),
+    ],
+)
+def test_a_test_that_cmake_registers_is_told(call: str, path: str, is_told: bool) -> None:
+    text = BACKDROPS["ament_cmake"]["CMakeLists.txt"].replace("ament_package()", REGISTERED.format(call))
+    assert broken({**BACKDROPS["ament_cmake"], "CMakeLists.txt": text, path: TEST}) == [path] * is_told
+
+
+def broken(files: dict[str, str]) -> list[str]:
+    return [each.location.path for each in lint_files(files, ["RPK001"]).findings]

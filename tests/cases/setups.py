@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import SETUP_PY, Example, scripts, setup_py
+from rospkg_cli.example import SETUP_CFG, SETUP_PY, Example, scripts, setup_py
 from rospkg_cli.rules.setup import set001_missing_setup_cfg as set001
 from rospkg_cli.rules.setup import set002_wrong_script_dir as set002
 from rospkg_cli.rules.setup import set101_entry_point_module_missing as set101
@@ -150,6 +150,16 @@ CASES = {
     "SET302": (
         python({"setup.py": LISTED}),
         python({"setup.py": LISTED, ".gitignore": "my_pkg/speech\n"}),
+        python({"setup.py": set302.NONE}),
+        *(python({"my_pkg/talker.py": MAIN, "setup.py": set302.NONE, **files}) for files in (
+            {"resource/my_pkg": None, "pyproject.toml": "[project]\nname = 'my_pkg'\n"},
+            {"resource/my_pkg": None},
+            {"my_pkg/__init__.py": None},
+            {"setup.cfg": SETUP_CFG + "[options]\npackages = my_pkg\n"},
+            *({"setup.py": set302.NONE.replace("zip_safe", f"{each}\n    zip_safe")} for each in (
+                "package=['my_pkg'],", "py_modules=['my_pkg.talker'],", "ext_modules=[None],",
+                "packages=[],", scripts("talker = my_pkg.talker:main"))),
+        )),
     ),
     "SET308": tuple(
         python({"setup.py": start + SETUP_PY.replace("    name=package_name,\n", f"    name=package_name,\n{lines}")})

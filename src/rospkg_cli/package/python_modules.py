@@ -5,11 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..files import PackageFiles, ReaderInput
+from ..languages.cmake.evaluated_command import path_in_package
 from ..languages.python.file import PythonFile, parse_python
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass, field
 from ..unreadable import Unreadable, UnreadableError
+from .cmake.cmake_project import CMake
+from .file_role import role_of
 from .install_table import InstallTable
 from .setup.setup_py import SetupPy
+
+TEST = regex(r"test_.*\.py|.*_test\.py")
+"""The names by which pytest finds tests."""
+REGISTERS = frozenset({"ament_add_pytest_test", "add_launch_test", "add_ros_test"})
 
 
 @dataclass(frozen=True)
@@ -41,12 +49,25 @@ def read_modules(reading: ReaderInput) -> Iterator[PythonModules]:
 
 
 def read_installed_modules(reading: ReaderInput) -> Iterator[PythonFile | Unreadable]:
-    """Read every module and script that is installed: one that can't be parsed is a fault that shows at run time."""
+    """Read every module and script that is installed, and every test: what can't be parsed fails when it is run."""
     setup, modules = reading.parts(SetupPy).only, reading.parts(PythonModules).only
     table = reading.parts(InstallTable).only
     rows = table.rows if table is not None else ()
     paths = {row.source for row in rows if row.what in ("module", "executable") and row.source.endswith(".py")}
     paths |= set(setup.modules.values()) if setup is not None else set()
+    paths |= set(tests_of(reading))
     if modules is not None:
         for path in sorted(paths):
             yield modules.read(path)
+
+
+def tests_of(reading: ReaderInput) -> Iterator[str]:
+    """Yield the files that `colcon test` certainly reads: pytest by their names, CTest as CMake registers them."""
+    if reading.parts(SetupPy).only is not None:
+        names = (path for path in reading.files.paths if TEST.fullmatch(path.rpartition("/")[2]))
+        yield from (path for path in names if role_of(path) == "test")
+    cmake = reading.parts(CMake).only
+    for call in cmake.calls if cmake is not None else ():
+        if call.name in REGISTERS:
+            paths = {path for word in call.words if (path := path_in_package(word.text, call.folder))}
+            yield from (path for path in paths if path.endswith(".py") and reading.files.exists(path))

@@ -32,6 +32,22 @@ class ModuleTree:
         absent = self.package.files.absent
         return tuple(said for said, folder in folders if setup.kind(folder) is None and not absent.is_expected(folder))
 
+    @property
+    def has_unnamed_package(self) -> bool:
+        """Return whether setup() names no packages and no modules at all, beside a package of the manifest's name.
+
+        pyproject.toml may name them, extension modules are modules too, and a misspelt argument and entry points are
+        told themselves.
+        """
+        setup, own = self.setup, self.package.name
+        named = setup.packages or setup.py_modules or setup.argument("packages") or setup.argument("py_modules")
+        init = posixpath.join(setup.folder_of(own), "__init__.py")
+        if named or setup.argument("ext_modules") or setup.call is None or setup.misspelt_arguments:
+            return False
+        has_modules = any(module.startswith(f"{own}.") for module in self.package.on_disk)
+        is_elsewhere = self.package.files.exists("pyproject.toml") or self.not_installed()
+        return has_modules and setup.kind(init) == "file" and not is_elsewhere
+
     def not_installed(self) -> dict[str, list[tuple[EntryPoint, str]]]:
         """Return the entry points whose module lies in a package that is not listed, each with its file, by package."""
         found: dict[str, list[tuple[EntryPoint, str]]] = {}

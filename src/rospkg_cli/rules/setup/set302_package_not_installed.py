@@ -16,6 +16,7 @@ FILES = {
     "my_pkg/speech/words.py": "GREETING = 'hello'\n",
 }
 FOUND = "find_packages(exclude=['test'])"
+NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_packages, setup", "import setup")
 
 
 @rule(
@@ -23,7 +24,7 @@ FOUND = "find_packages(exclude=['test'])"
     "package-not-installed",
     over=ModuleTree,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing that is installed imports it"},
+    levels={Severity.WARNING: "nothing that is installed imports it, or a newer setuptools finds it"},
     examples=(
         Example(
             bad={**FILES, "setup.py": SETUP_PY.replace(FOUND, "«[package_name]»")},
@@ -34,18 +35,23 @@ FOUND = "find_packages(exclude=['test'])"
             bad={"setup.py": SETUP_PY.replace(FOUND, "[package_name, '«my_pkg.speech»']")},
             good={"setup.py": SETUP_PY.replace(FOUND, "[package_name]")},
         ),
+        Example(
+            bad={"my_pkg/talker.py": "RATE = 10.0\n", "setup.py": NONE.replace("setup(", "«setup»(")},
+            good={"setup.py": SETUP_PY},
+        ),
     ),
 )
 def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python packages that `packages=[…]` leaves out, and listed ones that do not exist.
-    Packages below a listed one are checked.
+    Packages below a listed one are checked, and whether `packages` is there at all.
 
     ## Why is this bad?
     `packages=[package_name]` holds that one package, none of those below it: the build is green and at run time there
     is "No module named 'my_pkg.speech'". Of a listed folder that is not there, setuptools says "package directory …
-    does not exist" and stops.
+    does not exist" and stops. Without `packages`, setuptools before 61 (Humble) installs no module, and newer ones stop
+    at `resource/`, which they take for a second package ("Multiple top-level packages discovered").
 
     ## When it is quiet
     Where `packages` can't be evaluated or is found by `find_packages()`, where setup.py may write files, in folders
@@ -60,6 +66,11 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         todo = f"did you mean `{own}`?" if is_meant else "list packages that are there"
         message = f"there is no folder `{setup.folder_of(said.text)}`: setuptools stops; {todo}"
         yield Hit(said.path, said.shown, message)
+    if tree.has_unnamed_package:
+        own, has_resource = tree.package.name, setup.kind("resource") == "dir"
+        ends = "a newer setuptools stops, and one before 61" if has_resource else "setuptools before 61"
+        message = f"setup() has no `packages`: {ends} installs nothing of `{own}`; add `packages=find_packages()`"
+        yield Hit(setup.path, setup.span, message, level=None if has_resource else Severity.WARNING)
     argument = setup.argument("packages")
     for name in tree.unlisted if argument else ():
         edits = add_package(setup, name)

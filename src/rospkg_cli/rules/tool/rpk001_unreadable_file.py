@@ -47,18 +47,19 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## What it does
     Reports a file that is needed and can't be read.
     It is XML that is not well-formed, CMake, Python or YAML with a syntax error, or bytes that are no text, in a file
-    that the build or an installed file reads. There is one finding for a file, at the exact place; rules that need the
-    file are skipped until it is fixed.
+    that the build, an installed file or `colcon test` reads. There is one finding for a file, at the exact place; rules
+    that need the file are skipped until it is fixed.
 
     ## Why is this bad?
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a
     warning, and `ros2 run` doesn't find it.
 
     ## When it is quiet
-    Files that neither the build nor an installed file reads may be broken. A file of interfaces is reported by its own
-    rules, a file that is too large by RPK007. A robot is a warning where no file of the package names it, and where
-    urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain `.urdf`. It is
-    an info where a description of plugins has a `<` in the value of an attribute, which pluginlib takes.
+    Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
+    interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
+    the package names it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
+    element, in a plain `.urdf`. It is an info where a description of plugins has a `<` in the value of an attribute,
+    which pluginlib takes.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
