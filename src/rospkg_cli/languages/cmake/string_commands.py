@@ -88,13 +88,27 @@ def run_get_filename_component(interpreter: Interpreter, call: EvaluatedCommand)
     interpreter.set_text(name, None if UNKNOWN in text else path_component(text, wanted, interpreter.frame.folder))
 
 
+def parent(text: str) -> str:
+    """Return the folder of a path; above the folder of the package it is written with `..`."""
+    if not text.startswith(SOURCE):
+        return posixpath.dirname(text)
+    path = posixpath.normpath(text[len(SOURCE) :].lstrip("/") or ".")
+    is_above = path in (".", "..") or path.endswith("/..")
+    return f"{SOURCE}/{posixpath.normpath(f'{path}/..') if is_above else posixpath.dirname(path)}".rstrip("/")
+
+
 def path_component(text: str, wanted: str, folder: str) -> str | None:
     base = posixpath.basename(text)
     match wanted:
+        case "DIRECTORY" | "PATH":
+            return parent(text)
+        case "ABSOLUTE" | "REALPATH":
+            path = path_in_package(text, folder)
+            return posixpath.join(SOURCE, path).rstrip("/") if path is not None else None
+        case _ if "\1" in base or base == "..":
+            return None
         case "NAME":
             return base
-        case "DIRECTORY" | "PATH":
-            return posixpath.dirname(text)
         case "NAME_WE":
             return base[0:1] + base[1:].split(".", 1)[0]
         case "NAME_WLE":
@@ -103,8 +117,5 @@ def path_component(text: str, wanted: str, folder: str) -> str | None:
             return base[base.index(".", 1) :] if "." in base[1:] else ""
         case "LAST_EXT":
             return posixpath.splitext(base)[1]
-        case "ABSOLUTE" | "REALPATH":
-            path = path_in_package(text, folder)
-            return posixpath.join(SOURCE, path).rstrip("/") if path is not None else None
         case _:
             return None

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
-from ...languages.cmake.values import BINARY, UNKNOWN, Word
+from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import replace
 from ...source import Span
 from ...tree import LINKED
@@ -69,7 +69,7 @@ class CMakeTableBuilder:
         for copy in copied_files(rule, self.cmake.package_files):
             yield self.row(copy.destination, copy.source, copy.item, rule.call)
         if rule.kind in ("FILES", "PROGRAMS") and rule.destination is not None:
-            for word in filter(made_by_the_build, rule.items):
+            for word in (each for each in rule.items if lies_outside(each, rule.call.folder)):
                 name = rule.rename.text if rule.rename else posixpath.basename(word.text)
                 yield self.row(posixpath.normpath(posixpath.join(rule.destination, name)), "", word, rule.call)
 
@@ -132,7 +132,7 @@ class CMakeTableBuilder:
         if rule.kind == "TARGETS":
             items = [word for word in items if self.variables.empty_variable(word) is None]
         if rule.kind == "DIRECTORY":
-            items += [word for word in rule.items if made_by_the_build(word) or self.is_link(word, rule)]
+            items += [word for word in rule.items if lies_outside(word, rule.call.folder) or self.is_link(word, rule)]
         if not is_unclear and not items:
             return
         whats = {self.what(f"{place}/x") for place in places if place is not None} if not is_unclear else set(ALL)
@@ -155,8 +155,9 @@ class CMakeTableBuilder:
         return call.name in INSTALLS_ON_ITS_OWN or ("install" in call.name and not known)
 
 
-def made_by_the_build(word: Word) -> bool:
-    return word.is_known and word.text.startswith(BINARY)
+def lies_outside(word: Word, folder: str) -> bool:
+    """Return whether a path leads out of the package or to the build folder: what is there is not looked at."""
+    return word.is_known and path_in_package(word.text, folder) is None
 
 
 ALL: tuple[InstallKind, ...] = ("executable", "share", "module", "library", "header", "other")
