@@ -48,9 +48,10 @@ def test_all_that_is_brought_is_one_info_and_one_fix() -> None:
     assert texts == ["<exec_depend>rcl_interfaces</exec_depend>\n  ", "\n  <exec_depend>std_msgs</exec_depend>"]
 
 
-@pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("test_depend", "warning"),
-                                        ("build_depend", "warning"), ("build_export_depend", "info")])  # fmt: skip
-def test_only_what_is_there_at_run_time_brings_something(tag: str, level: str) -> None:
+@pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("test_depend", "info"),
+                                        ("build_depend", "info"), ("build_export_depend", "info"),
+                                        ("doc_depend", "warning")])  # fmt: skip
+def test_what_rosdep_installs_for_a_workspace_brings_something(tag: str, level: str) -> None:
     (finding,) = found("DEP101", declared("sensor_msgs", tag=tag), my_pkg__a_DOT_py="import std_msgs.msg\n")
     assert finding.severity.value == level
 

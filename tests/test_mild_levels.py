@@ -266,3 +266,27 @@ def test_a_text_with_a_line_end_is_no_path_of_a_file() -> None:
 
 def found_all(code: str, files: dict[str, str]) -> list[Finding]:
     return list(lint_files(files, [code]).findings)
+
+
+@pytest.mark.parametrize(
+    ("path", "line", "level"),
+    [
+        ("CMakeLists.txt", b"# \xa9\xb6\n", "info"),
+        ("CMakeLists.txt", b"#[[\n\xa9\\ ]]\n", "info"),
+        ("CMakeLists.txt", b"# \xa9\nmessage(\xa9)\n", "error"),
+        ("CMakeLists.txt", b'message("\xa9")\n', "error"),
+        ("package.xml", b"<!-- \xa9 -->\n", "error"),
+    ],
+)
+def test_bytes_that_are_no_text_in_comments_of_cmake(path: str, line: bytes, level: str) -> None:
+    (finding,) = lint_files({**NATIVE, path: NATIVE[path].encode() + line}, ["RPK001"]).findings
+    assert finding.severity.value == level
+    assert finding.message.endswith("; CMake reads past these bytes, since only comments hold them") is (
+        level == "info"
+    )
+
+
+def test_an_included_file_of_cmake_with_bytes_that_are_no_text() -> None:
+    lines = CMAKE.replace("ament_package", "include(cmake/a.cmake)\nament_package")
+    found = lint_files({**NATIVE, "CMakeLists.txt": lines, "cmake/a.cmake": b"# \xa9\n"}, ["RPK001"]).findings
+    assert [each.severity.value for each in found] == ["info"]

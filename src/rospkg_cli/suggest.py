@@ -72,6 +72,14 @@ def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     return Effort.answers[question]
 
 
+def is_misspelt(word: str, name: str) -> bool:
+    """Return whether two names have the same words, but for some letters: `acme_test` is none of `acme_arm`."""
+    words, others = word.split("_"), name.split("_")
+    if len(words) != len(others):
+        return word.replace("_", "") == name.replace("_", "")
+    return all(own == other or near_names(own, [other]) for own, other in zip(words, others, strict=True))
+
+
 def compare(word: str, names: frozenset[str], limit: int) -> str | None:
     """Return what `nearest` does, found out anew."""
     different = names - {word}

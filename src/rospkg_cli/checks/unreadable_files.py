@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from ..files import PackageFiles
+from ..languages.cmake.lexer import tokens
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.plugins.read_descriptions import is_like_one
 from ..read_problem import ReadProblem
@@ -12,6 +14,10 @@ from .urdf.opened_robots import OpenedRobots
 
 TAKEN_BY_URDFDOM = frozenset({ReadProblem.XML_PREFIX, ReadProblem.XML_AFTER_ROOT})
 """What tinyxml2, which knows no prefixes and takes several root elements, reads all the same."""
+
+COMMENTS = ("comment", "bracket comment")
+LOST = regex("[\udc80-\udcff]")
+"""What `surrogateescape` makes of bytes that are no text."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +37,14 @@ class UnreadableFile:
         before = self.files.readable_text(self.file.path)[: self.file.span.start]
         return before[before.rfind("<") :].count('"') % 2 == 1
 
+    @property
+    def is_in_comments(self) -> bool:
+        """Whether it is a file of CMake whose bytes that are no text stand in comments alone."""
+        if not self.file.path.endswith(("CMakeLists.txt", ".cmake")):
+            return False
+        text = self.files.tree.entry(self.file.path).data.decode("utf-8", "surrogateescape")
+        return not any(LOST.search(token.text) for token in tokens(text) if token.kind not in COMMENTS)
+
     def level(self) -> tuple[Level | None, str]:
         """Return the level, None for the rule's own, and why it is another: a robot may be read, or by nothing."""
         path = self.file.path
@@ -40,4 +54,6 @@ class UnreadableFile:
             return "info", "; pluginlib takes it in the value of an attribute, other tools do not"
         if path.endswith((".urdf", ".xacro")) and not self.opened.has(path):
             return "warning", "; no file of the package opens it"
+        if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
+            return "info", "; CMake reads past these bytes, since only comments hold them"
         return None, ""

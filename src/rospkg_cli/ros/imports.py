@@ -27,7 +27,10 @@ class Providers:
 
 
 def providers(module: str, names: Names = BUILT_IN) -> Providers:
-    """Return the dependencies that install a dotted module; none for a standard or an unknown module."""
+    """Return the dependencies that install a dotted module; none for a standard or an unknown module.
+
+    Where a package and a key of Python have the name, the package is the C++ library: the key comes first.
+    """
     table = rows("imports.txt")
     for prefix in prefixes(module):
         if prefix in table:
@@ -36,9 +39,8 @@ def providers(module: str, names: Names = BUILT_IN) -> Providers:
     top = module.partition(".")[0]
     if top in STANDARD:
         return Providers()
-    if names.is_package(top):
-        return Providers((top,))
-    return Providers(tuple(key for key in keys_called_like(top) if names.is_key(key)))
+    keys = tuple(key for key in keys_called_like(top) if names.is_key(key))
+    return Providers((*keys, top) if names.is_package(top) else keys)
 
 
 def prefixes(module: str) -> Iterator[str]:

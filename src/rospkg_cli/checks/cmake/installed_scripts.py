@@ -14,6 +14,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...ros.share_layout import LAUNCH
+from .module_imports import is_only_imported
 
 SHELL = (".sh", ".bash")
 """Scripts that are mostly helpers of developers."""
@@ -63,7 +64,9 @@ class InstalledScripts:
         seen = {copy.source for copy in self.copies if copy.is_executable}
         for copy in self.copies:
             wrong = self.wrong(copy)
-            if wrong is not None and (copy.source not in seen or wrong.startswith("no ")):
+            if wrong is None or is_only_imported(copy.source, self.package.cmake.package_files):
+                continue
+            if copy.source not in seen or wrong.startswith("no "):
                 seen.add(copy.source)
                 yield BrokenScript(copy, wrong)
 

@@ -16,7 +16,7 @@ from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RELATIONS, R
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from .brought_dependencies import WITH_COLCON, Bringer, Brought, brought, brought_by_others
+from .brought_dependencies import COLCON, WITH_COLCON, Bringer, Brought, brought, brought_by_others
 
 MAX_DEPTH = 20
 
@@ -114,8 +114,14 @@ class DeclaredDependencies:
         return Bringer(perhaps, is_certain=False) if perhaps else None
 
     def bringers(self, names: Iterable[str], *, runs: bool) -> Mapping[str, Bringer]:
-        """Return what brings each of some missing packages: a declared dependency, or another one of them."""
+        """Return what brings each of some missing packages: a declared dependency, or another one of them.
+
+        What those for the build or tests bring for certain is there too: `rosdep install` installs it.
+        """
         every = {name: found for name in names if (found := self.bringer([name], runs=runs))}
+        sure = {name for name, found in every.items() if found.is_certain}
+        built = {name: self.bringer([name], runs=False) for name in names if runs and name not in sure}
+        every |= {name: found for name, found in built.items() if found and found.is_certain and found.name != COLCON}
         certain = {name: found for name, found in every.items() if found.is_certain}
         others = brought_by_others(set(names) - certain.keys(), self.workspace)
         return every | {name: Bringer(other) for name, other in others.items()} | certain

@@ -17,7 +17,7 @@ from ...package.python.python_imports import PackageImports, own_modules
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
-from ...suggest import nearest
+from ...suggest import is_misspelt, nearest
 from ..launch.idle_actions import contains, never_added
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by
@@ -29,6 +29,8 @@ from .undeclared_imports import ImportDependencies
 EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test)s?(?:[_.-]|$)")
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 """Packages that no one installs a robot for."""
+OF_VARIABLES = regex(r"_(?:dir|path|pkg|package|share)$")
+"""What is put behind a package's name to call the variable that holds it, or its folder."""
 STARTER = "ros2launch"
 ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 
@@ -91,9 +93,13 @@ class LaunchDependencies:
         return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
 
     def meant(self, name: str) -> str | None:
-        """Return the known package that an unknown name is a slip of; a slip in the first letter is rare."""
+        """Return the known package that an unknown name is a slip of; a slip in the first letter is rare.
+
+        Another word makes another package: one of the same vendor, which is not here. A variable's `_dir` makes none.
+        """
         near = nearest(name, self.known_names) if self.is_unknown_package(name) else None
-        return near if near and near[0] == name[0] else None
+        is_meant = near and near[0] == name[0] and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)
+        return near if is_meant else None
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return each package that is needed and not declared, with the places that need it."""

@@ -63,8 +63,9 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     with `colcon build --symlink-install` there is no copy, and the bit of the source counts.
 
     ## When it is quiet
-    For files that another installed script imports, that hold only definitions, or that a launch file hands to
-    `python3`. For what is installed under a condition that can't be evaluated, or for tests.
+    For files that another installed script imports, or any Python file by a dotted name (`my_pkg.moves.turn`) where
+    they don't start themselves; that hold only definitions, or that a launch file hands to `python3`. For what is
+    installed under a condition that can't be evaluated, or for tests.
     """
     if not scripts.package.is_ament:
         return

@@ -10,7 +10,6 @@ from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_ot
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
-from ...suggest import nearest
 
 TAG = "exec_depend"
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
@@ -80,10 +79,10 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     brought: list[BroughtUse] = []
     for name, uses in robots.missing().items():
         first = uses[0]
-        if bringer := declared.bringer([name], runs=True):
+        if bringer := declared.bringers([name], runs=True).get(name):
             brought.append(BroughtUse(name, bringer, TAG, first.path, first.span))
             continue
-        meant = nearest(name, robots.launch.known_names) if robots.launch.is_unknown_package(name) else None
+        meant = robots.launch.meant(name)
         todo = f"did you mean `{meant}`?" if meant else advice(declared, TAG, name)
         message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
         fix = None if meant else declaration(declared, TAG, name)

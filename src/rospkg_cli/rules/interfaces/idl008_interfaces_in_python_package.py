@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
@@ -21,10 +22,14 @@ SHOWN = 3
     "interfaces-in-python-package",
     over=FactsAndFiles,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "only another package may import them, since it depends on this one",
+        Severity.INFO: "no Python file imports them",
+    },
     examples=(
         Example(
-            bad={"msg/Battery.msg": "«»float32 level\n"},
-            good={"msg/Battery.msg": None},
+            bad={"msg/Battery.msg": "«»float32 level\n", "my_pkg/charge.py": "from my_pkg.msg import Battery\n"},
+            good={"msg/Battery.msg": None, "my_pkg/charge.py": None},
         ),
     ),
 )
@@ -40,7 +45,8 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where another package of the workspace has interfaces of these names: the files are what was left when they moved.
-    Files in other folders than `msg/`, `srv/` and `action/` are data. Without a setup.py the build type is wrong, which
+    Files in other folders than `msg/`, `srv/` and `action/` are data. What no Python file of the package imports is an
+    info, a warning where another package depends on this one. Without a setup.py the build type is wrong, which
     XML303 and XML304 tell.
     """
     if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
@@ -59,7 +65,18 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
         f"ModuleNotFoundError; move {'them' if paths[1:] else 'it'}: `rospkg new {name}_interfaces --type interfaces`"
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
-    yield Hit(paths[0], Span(0, 0), message, related=related)
+    level = None if is_imported(package) else Severity.WARNING if package.workspace.is_needed(name) else Severity.INFO
+    yield Hit(paths[0], Span(0, 0), message, level, related)
+
+
+def is_imported(package: FactsAndFiles) -> bool:
+    """Return whether a Python file of the package imports interfaces of it."""
+    name = re.escape(package.facts.name)
+    wanted = re.compile(
+        rf"^[ \t]*(?:from|import)[ \t]+{name}(?:\.|[ \t]+import[ \t(]+)(?:msg|srv|action)\b", re.MULTILINE
+    )
+    paths = (path for path in package.files.paths if path.endswith(".py"))
+    return any(wanted.search(package.files.readable_text(path)) for path in paths)
 
 
 def is_interface(path: str) -> bool:

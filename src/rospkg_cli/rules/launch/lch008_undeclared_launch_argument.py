@@ -8,7 +8,7 @@ from ...checks.launch.unset_configurations import LaunchConfigurations
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
-from ...suggest import did_you_mean
+from ...suggest import did_you_mean, is_misspelt
 
 BAD = """\
 <launch>
@@ -79,7 +79,8 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
             better = "add it"
         else:
-            message = f"no file declares the launch argument `{each.name}`{did_you_mean(each.name, each.declared)}"
+            alike = [name for name in each.declared if is_misspelt(each.name, name)]
+            message = f"no file declares the launch argument `{each.name}`{did_you_mean(each.name, alike)}"
             better = "declare it, or give it a default"
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
         ends = f'unless given, the launch stops ("{raised}")'

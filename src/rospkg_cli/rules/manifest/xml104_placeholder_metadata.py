@@ -67,25 +67,34 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     refused by colcon itself.
 
     ## When it is quiet
-    A description that only repeats the name harms no one: it is an info. Text around a `TODO`, and addresses that are
-    not a template's, are left alone.
+    A description that only repeats the name harms no one: it is an info. Text around a `TODO`, addresses that are not
+    a template's, and packages of ROS 1, which catkin builds, are left alone.
     """
     manifest = package.manifest
+    is_left = is_for_ros1(manifest)
     for element in manifest.all("description"):
         shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
         if not shown and not element.children:
             message = "the description is empty: colcon builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
-        elif TODO.fullmatch(shown) or repeats(manifest.name, shown):
+        elif not is_left and (TODO.fullmatch(shown) or repeats(manifest.name, shown)):
             level = None if TODO.fullmatch(shown) else Severity.INFO
             yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}", level)
-    for element in manifest.all("license"):
+    for element in manifest.all("license") if not is_left else ():
         if TODO.fullmatch(element.text):
             text = license_text(package.files)
-            harm = f"`{text}` says more, and tools read this line" if text else "no one may use this package"
+            harm = (
+                f"`{text}` says more, and tools read this line" if text else "it does not say who may use the package"
+            )
             message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
             yield Hit(manifest.path, manifest.span(element), message)
-    yield from people(manifest)
+    yield from people(manifest) if not is_left else ()
+
+
+def is_for_ros1(manifest: Manifest) -> bool:
+    """Return whether catkin builds the package, and nothing of ament."""
+    tools = {each.name for each in manifest.dependencies if each.tag == "buildtool_depend"}
+    return "catkin" in tools and not any(name.startswith("ament_") for name in tools)
 
 
 def license_text(files: PackageFiles) -> str:

@@ -25,6 +25,7 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
     "wrong-script-dir",
     over=ScriptDir,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "only `[develop]` is wrong, which `colcon build --symlink-install` alone reads"},
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
         Example(
@@ -57,20 +58,22 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"
+    linked = all(section == "develop" for section, _, _ in home.wrong)
+    when, level = (" with `--symlink-install`", Severity.WARNING) if linked else ("", None)
     for _, key, value in home.wrong:
         if value is not None:
             message = (
-                f"`{key}` puts executables into `{value.text}`: `ros2 run {name} …` and launch files look in "
+                f"`{key}` puts executables into `{value.text}`{when}: `ros2 run {name} …` and launch files look in "
                 f"`lib/{name}`; write `{wanted}`"
             )
             fix = Fix(f"write `{wanted}`", (replace_value(value, wanted),))
-            yield Hit(value.path, value.shown, message, fix=fix)
+            yield Hit(value.path, value.shown, message, level, fix=fix)
     missing = [(section, key) for section, key, value in home.wrong if value is None]
     if missing and home.cfg is not None:
         shown = " and ".join(f"`[{section}] {key}`" for section, key in missing)
         message = (
-            f"setup.cfg lacks {shown}: executables go to bin/, where `ros2 run {name} …` and launch files don't look; "
-            f"set it to `{wanted}`"
+            f"setup.cfg lacks {shown}:{when} executables go to bin/, where `ros2 run {name} …` and launch files don't "
+            f"look; set it to `{wanted}`"
         )
         fix = Fix(f"set {shown} to `{wanted}`", put_option(home.cfg, missing, wanted))
-        yield Hit(home.cfg.path, home.cfg.span, message, fix=fix)
+        yield Hit(home.cfg.path, home.cfg.span, message, level, fix=fix)
