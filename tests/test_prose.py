@@ -20,7 +20,7 @@ from rospkg_cli.rule import all_rules
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
 from rospkg_cli.scaffold.node_kinds import listed_kinds, offered_kinds
-from rospkg_cli.scaffold.template import template_names
+from rospkg_cli.scaffold.template import WORKSPACE, template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 ROOT = Path(__file__).parents[1]
@@ -97,7 +97,7 @@ def refilled(paragraph: str) -> str:
 
 
 def test_what_else_new_lets_one_choose() -> None:
-    types, forms = set(template_names()), set(LAUNCH_FORMATS)
+    types, forms = {*template_names(), WORKSPACE}, set(LAUNCH_FORMATS)
     assert set(names(help_of("new", "--type"))) == types
     assert set(words("docs/new.md", r"\| `--type`, `-t` \| ([^|]*)")) == types
     assert set(names(help_of("new", "--with").partition("(")[0])) == set(all_extras())

@@ -28,7 +28,7 @@ from rospkg_cli.scaffold.node import known_kind
 from rospkg_cli.scaffold.node_kinds import OF, all_kinds, offered_kinds
 from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.render import in_order
-from rospkg_cli.scaffold.template import load_template, template_names
+from rospkg_cli.scaffold.template import WORKSPACE, load_template, template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 from rospkg_cli.scaffold.workspace import WorkspacePackages
 
@@ -190,7 +190,7 @@ def test_the_year_is_the_one_that_was_asked_for() -> None:
     assert "# Copyright 1999 Ada Lovelace\n" in texts(plan(year=1999))["setup.py"]
 
 
-@pytest.mark.parametrize("name", template_names())
+@pytest.mark.parametrize("name", [*template_names(), WORKSPACE])
 def test_every_file_of_a_template_is_written_by_it(name: str) -> None:
     template = load_template(name)
     own = template.folders[0]
@@ -201,7 +201,7 @@ def test_every_file_of_a_template_is_written_by_it(name: str) -> None:
 
 def test_every_file_of_the_templates_ends_in_j2() -> None:
     """Otherwise pip compiles it, git obeys it, or colcon takes it for a package."""
-    for name in (*template_names(), "_shared"):
+    for name in (*template_names(), WORKSPACE, "_shared"):
         folder = load_template("ament_python").folders[1] / name
         names = {path.name for path in folder.rglob("*") if path.is_file()}
         others = {"kinds.toml", "extras.toml"} if name == "_shared" else {"template.toml"}

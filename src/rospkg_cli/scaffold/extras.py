@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from ..light_dataclasses import replace
 from ..resources import resources
@@ -22,16 +23,36 @@ OF_GITHUB = "ci"
 
 
 @cache
+def extras_table() -> dict[str, Any]:
+    table: dict[str, Any] = tomllib.loads((resources("templates") / "_shared" / "extras.toml").read_text("utf-8"))
+    return table
+
+
+@cache
 def all_extras() -> dict[str, tuple[TemplateFile, ...]]:
     """Return the files of every extra by its name."""
-    data = tomllib.loads((resources("templates") / "_shared" / "extras.toml").read_text("utf-8"))
-    return {name: tuple(replace(file, brackets=True) for file in files_of(row["files"])) for name, row in data.items()}
+    table = extras_table().items()
+    return {name: tuple(replace(file, brackets=True) for file in files_of(row["files"])) for name, row in table}
 
 
-def with_extras(template: Template, asked: tuple[str, ...]) -> Template:
-    """Return a template that writes the extras too; raises ScaffoldError for unknown ones."""
-    known = all_extras()
+@cache
+def workspace_extras() -> dict[str, tuple[TemplateFile, ...]]:
+    """Return the files of the extras that the root of a workspace may have."""
+    sources = {name: row["workspace"] for name, row in extras_table().items() if "workspace" in row}
+    return {name: tuple(replace(file, source=sources[name]) for file in all_extras()[name]) for name in sources}
+
+
+def with_extras(
+    template: Template, asked: tuple[str, ...], known: Mapping[str, tuple[TemplateFile, ...]] | None = None
+) -> Template:
+    """Return a template that writes the extras too, those of a package unless others are known.
+
+    Raises ScaffoldError for unknown ones.
+    """
+    known = all_extras() if known is None else known
     for name in asked:
+        if name in all_extras() and name not in known:
+            raise ScaffoldError(f"`{name}` is for a package; leave it out of --with here: {', '.join(known)} remain")
         if name not in known:
             raise ScaffoldError(f"--with knows no `{name}`{did_you_mean(name, known)}; known: {', '.join(known)}")
     extra = [file for name in dict.fromkeys(asked) for file in known[name]]

@@ -11,6 +11,7 @@ from ..light_dataclasses import replace
 from ..tree import MemoryTree
 from . import ScaffoldError
 from .answers import Request
+from .family_root import FamilyRoot
 from .maintainer import find_maintainer
 from .names import LONGEST, check_package_name
 from .node import default_nodes
@@ -66,6 +67,7 @@ def check_family(name: str, template: Template) -> None:
 def members(request: Request, template: Template) -> list[Request]:
     """Return the requests for the packages, each with what it depends on."""
     name = request.name
+    request = replace(request, extras=())
     plain = replace(request, nodes=(), depends=(), msgs=(), srvs=(), actions=(), description="")
     plain = replace(plain, launch="" if request.launch == "none" else request.launch)
     nodes = request.nodes or own_nodes(request, template)
@@ -95,16 +97,18 @@ def own_nodes(request: Request, template: Template) -> tuple[str, ...]:
     return tuple(f"{node}:{message}" for node in default_nodes(request.name, template))
 
 
-def write_family(plans: Sequence[Plan], into: Path) -> None:
-    """Write all packages into a folder, or none; raises ScaffoldError."""
+def write_family(plans: Sequence[Plan], into: Path, root: FamilyRoot) -> None:
+    """Write all packages into a folder, and what belongs to all of them, or nothing; raises ScaffoldError."""
     made, written = missing_parents(into / "any"), []
     for plan in plans:
         check_target(into, into / plan.answers.name)
+    root.compared()
     with stopped_by_signals():
         try:
             for plan in plans:
                 write_folder(into / plan.answers.name, plan.files)
                 written.append(into / plan.answers.name)
+            root.write()
         except BaseException:
             with signals_ignored():
                 for folder in written:

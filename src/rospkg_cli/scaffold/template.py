@@ -17,6 +17,9 @@ else:
     import tomli as tomllib
 
 
+WORKSPACE = "workspace"
+"""The template that writes no package."""
+
 ALL = "all"
 """The word for all kinds of nodes that can be written in the languages of a template."""
 
@@ -84,8 +87,8 @@ class Template:
 
 
 def template_names() -> tuple[str, ...]:
-    """Return the names of all templates."""
-    return tuple(sorted(path.parent.name for path in resources("templates").glob("*/template.toml")))
+    """Return the names of all templates of packages."""
+    return tuple(sorted({path.parent.name for path in resources("templates").glob("*/template.toml")} - {WORKSPACE}))
 
 
 def load_template(name: str) -> Template:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPES = ("ament_python", "ament_cmake", "mixed", "library", "interfaces", "description", "bringup")
+TYPES = ("ament_python", "ament_cmake", "mixed", "library", "interfaces", "description", "bringup", "workspace")
 TYPE = f"{', '.join(TYPES[:-1])} or {TYPES[-1]}."
 NODE = (
     "A node; repeatable. In a mixed package also its language: planner:timer:python. "
@@ -132,6 +132,8 @@ def new(
     if update is not None:
         return update_at(update, request, dry_run, diff, color, force or skip or family or interactive or not record)
     check_together(request, diff or force or skip, force and skip, family)
+    if interactive and type == "workspace":
+        raise UsageError("-i asks for packages; a workspace is written without questions")
     if interactive:
         request = ask_all(request, into)
     elif not name:
@@ -168,8 +170,11 @@ def check_together(request: Request, existing: bool, both: bool, family: bool) -
         raise UsageError("--force replaces what --skip leaves alone; choose one of them")
     if family and request.own_template:
         raise UsageError("--family writes our own types of packages; leave --template out")
-    if family and request.extras:
-        raise UsageError("--with is for a package that is a repository of its own; leave it out with --family")
+    if family and request.template == "workspace":
+        raise UsageError(
+            f"the workspace comes first: `rospkg new {request.name} --type workspace`, and then "
+            f"`rospkg new ROBOT --family --into {request.name}/src`"
+        )
     if family and existing:
         raise UsageError(
             "--family writes packages that are not there yet; --diff, --force and --skip require a single package"

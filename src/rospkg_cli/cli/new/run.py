@@ -17,7 +17,9 @@ from ...scaffold.existing_folder import FolderDifference, compare
 from ...scaffold.file_tree import LINES, TreeRow, in_ascii, tree_rows
 from ...scaffold.names import check_package_name
 from ...scaffold.plan import Plan, make_plan
+from ...scaffold.render import RenderedFile
 from ...scaffold.target_folder import check_target, hidden_from_colcon, workspace_of
+from ...scaffold.template import WORKSPACE
 from ...scaffold.write import refuse_existing
 from .. import UsageError
 from ..streams import afterwards, can_encode, say
@@ -47,11 +49,10 @@ def new(
     """
     target = into / request.name
     try:
-        check_package_name(request.name)
+        check_name(request)
         existing = existing or ("skip" if is_empty(target) else "")
         check_target(into, target, bool(existing) or diff or (target.is_dir() and not target.is_symlink()))
-        plan = make_plan(request, into, defaults(into))
-        plan = with_record(plan) if record else plan
+        plan = planned(request, into, record)
         there = compare(target, plan.files)
         if not (existing or diff):
             refuse_folder(target, there)
@@ -71,13 +72,31 @@ def new(
         say(line)
     painted = wants_color(color, sys.stdout)
     had_files = bool(there.same or there.other)
-    tree = status_lines(folder_status(there, existing), painted) if had_files else tree_lines(plan, painted)
+    tree = (
+        status_lines(folder_status(there, existing), painted)
+        if had_files
+        else tree_lines(request.name, plan.files, painted)
+    )
     if dry_run:
-        print("\n".join((*tree, *file_lines(plan, painted), NOTHING)))
+        print("\n".join((*tree, *file_lines(request.name, plan.files, painted), NOTHING)))
     else:
         lines = (*tree, *command_lines(plan, into, painted))
         afterwards(lambda: print("\n".join(lines)), "the package is written")
     return 0
+
+
+def check_name(request: Request) -> None:
+    if request.template != WORKSPACE:
+        check_package_name(request.name)
+
+
+def planned(request: Request, into: Path, record: bool) -> Plan:
+    if request.template == WORKSPACE:
+        from ...scaffold.workspace_plan import plan_workspace
+
+        return plan_workspace(request, into, defaults(into))
+    plan = make_plan(request, into, defaults(into))
+    return with_record(plan) if record else plan
 
 
 def refuse_folder(target: Path, there: FolderDifference) -> None:
@@ -103,8 +122,8 @@ def finding_text(finding: Finding) -> str:
     return f"{finding.location.path}:{finding.location.line}: {finding.message} ({finding.code})"
 
 
-def tree_lines(plan: Plan, color: bool) -> Iterable[str]:
-    rows = tree_rows(plan.answers.name, {visible(file.path): visible(file.about) for file in plan.files})
+def tree_lines(name: str, files: Iterable[RenderedFile], color: bool) -> Iterable[str]:
+    rows = tree_rows(visible(name), {visible(file.path): visible(file.about) for file in files})
     rows = rows if can_encode(sys.stdout, LINES) else in_ascii(rows)
     width = max(len(row.drawn) for row in rows)
     for row in rows:
@@ -120,17 +139,17 @@ def bold_folder(row: TreeRow, color: bool) -> str:
 
 
 def command_lines(plan: Plan, into: Path, color: bool) -> Iterable[str]:
-    workspace = workspace_of(into)
+    workspace = (into / plan.answers.name).absolute() if plan.template.name == WORKSPACE else workspace_of(into)
     here = workspace == Path.cwd()
     yield "\nNext:" if here else f"\nNext, in {visible(str(workspace))}:"
     for command in plan.commands:
         yield f"  {paint(visible(command), 'cyan', color)}"
 
 
-def file_lines(plan: Plan, color: bool) -> Iterable[str]:
+def file_lines(name: str, files: Iterable[RenderedFile], color: bool) -> Iterable[str]:
     line = "──" if can_encode(sys.stdout, LINES) else "--"
-    for file in plan.files:
+    for file in files:
         text = without_workflow_commands(visible_lines(file.entry.text.text))
-        yield paint(f"\n{line} {plan.answers.name}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)
+        yield paint(f"\n{line} {visible(name)}/{visible(file.path)}{'' if text else ' (empty)'}", "bold", color)
         if text:
             yield text.removesuffix("\n")
