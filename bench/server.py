@@ -1,15 +1,19 @@
 """The language server over random edits: its diagnostics against a fresh lint, its latency, its memory.
 
-    python -m bench.server REPOSITORY [--edits 500] [--check-every 25] [--seed 1]
+    python -m bench.server REPOSITORY [--edits 500] [--check-every 25] [--seed 1] [--pause 0.3]
 
-Works on a copy. Each edit goes to the server as unsaved text and is followed by a hover; every so often the text is
-saved, linted afresh by the command, and compared with what the server has published by then.
+Works on a copy. Each edit goes to the server as unsaved text and is followed by a request (hover, definition or
+completion) at the place of the edit, and by a pause of up to twice `--pause` seconds, so that the run over the last
+edit often goes on beside the next ones. Every so often all texts are saved, linted afresh by the command, and compared
+with what the server has published by then. At most OPEN files are open at once: others are saved and closed.
 """
 
 from __future__ import annotations
 
 import argparse
+import asyncio
 import json
+import os
 import random
 import shutil
 import statistics
@@ -17,8 +21,9 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
+from typing import Any
 
 from lsprotocol import types
 
@@ -27,6 +32,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from editor import Editor  # type: ignore[import-not-found]  # the tests' own
 
 NAMES = (".xml", ".txt", ".py", ".yaml", ".msg", ".srv", ".action", ".cfg", ".cpp", ".hpp", ".xacro", ".urdf")
+
+OPEN = 20
+"""Files that are open at once."""
 
 Seen = set[tuple[str, int, int, str, str]]
 
@@ -77,32 +85,79 @@ def memory(editor: Editor) -> float:
     return int(status.partition("VmRSS:")[2].split()[0]) / 1024
 
 
-def hover_seconds(editor: Editor, path: Path, line: int) -> float:
+def asked(editor: Editor, path: Path, line: int, kind: int) -> float:
+    """Ask for something at a line, and return the seconds until it is answered."""
+    document, position = types.TextDocumentIdentifier(path.as_uri()), types.Position(line, 12)
+    at: dict[str, Any] = {"text_document": document, "position": position}
+    client = editor.client
+    requests: tuple[Callable[[], Coroutine[Any, Any, Any]], ...] = (
+        lambda: client.text_document_hover_async(types.HoverParams(**at)),
+        lambda: client.text_document_definition_async(types.DefinitionParams(**at)),
+        lambda: client.text_document_completion_async(types.CompletionParams(**at)),
+    )
     began = time.perf_counter()
-    at = types.HoverParams(types.TextDocumentIdentifier(path.as_uri()), types.Position(line, 3))
-    editor.run(editor.client.text_document_hover_async(at))
+    editor.run(requests[kind]())
     return time.perf_counter() - began
 
 
-def run(root: Path, edits: int, every: int, chance: random.Random) -> Iterator[str]:
-    import os
+class Session:
+    """An editor over a copy of a repository, whose texts are edited here and there."""
 
-    editor = Editor(root, PATH=os.environ["PATH"], HOME=os.environ.get("HOME", "/"), XDG_CACHE_HOME="/dev/null")
-    editor.settle()
-    began, latencies, wrong, checks = memory(editor), [], 0, 0
-    texts = {path: path.read_text(errors="surrogateescape") for path in files(root)}
+    def __init__(self, root: Path, chance: random.Random) -> None:
+        kept = {name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ}
+        self.editor, self.root, self.chance = Editor(root, **kept, XDG_CACHE_HOME="/dev/null"), root, chance
+        self.editor.settle()
+        self.paths = files(root)
+        self.open: dict[Path, str] = {}
+        self.latencies: list[tuple[float, str]] = []
+
+    def edit(self) -> None:
+        """Edit one file, mostly one that is open, and ask for something at once."""
+        path = self.chance.choice(list(self.open) if self.open and self.chance.random() < 0.7 else self.paths)
+        if path not in self.open:
+            if len(self.open) == OPEN:
+                self.close(next(iter(self.open)))
+            path.write_text(path.read_text(errors="surrogateescape"), encoding="utf-8", errors="replace")
+            self.open[path] = path.read_text()
+            self.editor.open(path)
+        before = self.open[path]
+        self.open[path] = edited(before, self.chance)
+        self.editor.type(path, self.open[path])
+        lines = [*zip(before.split("\n"), self.open[path].split("\n"), strict=False)]
+        line = next((number for number, (old, new) in enumerate(lines) if old != new), 0)
+        self.latencies.append((asked(self.editor, path, line, self.chance.randrange(3)), path.name))
+
+    def save(self) -> None:
+        for path, text in self.open.items():
+            path.write_text(text)
+
+    def close(self, path: Path) -> None:
+        path.write_text(self.open.pop(path))
+        self.editor.close(path)
+
+    def quality(self) -> Iterator[str]:
+        """Yield how fast it was."""
+        seconds = sorted(each for each, _ in self.latencies)
+        late = ", ".join(f"{name} {each:.2f}" for each, name in sorted(self.latencies, reverse=True)[:5])
+        median, most = statistics.median(seconds), seconds[int(len(seconds) * 0.95)]
+        yield f"an answer right after an edit: median {median:.3f} s, 95 % {most:.3f} s, worst {seconds[-1]:.3f} s"
+        yield f"above 0.2 s: {sum(each > 0.2 for each in seconds)} of {len(seconds)}; the slowest: {late}"
+
+
+def run(root: Path, edits: int, every: int, pause: float, chance: random.Random) -> Iterator[str]:
+    began = time.perf_counter()
+    session = Session(root, chance)
+    editor = session.editor
+    yield f"all packages judged after {time.perf_counter() - began:.1f} s, memory {memory(editor):.0f} MiB"
+    wrong = checks = 0
     for number in range(1, edits + 1):
-        path = chance.choice(sorted(texts))
-        before, texts[path] = texts[path], edited(texts[path], chance)
-        if path not in editor.versions:
-            path.write_text(before, errors="surrogateescape")
-            editor.open(path)
-        editor.type(path, texts[path])
-        latencies.append(hover_seconds(editor, path, chance.randrange(40)))
-        if number % every == 0:
+        session.edit()
+        editor.loop.run_until_complete(asyncio.sleep(2 * pause * chance.random()))
+        if number % max(1, edits // 10) == 0:
+            yield f"  after edit {number}: {memory(editor):.0f} MiB"
+        if every and number % every == 0:
             editor.settle()
-            for file, text in texts.items():
-                file.write_text(text, errors="surrogateescape")
+            session.save()
             checks += 1
             ours, theirs = published(editor, root), fresh(root)
             wrong += ours != theirs
@@ -110,10 +165,7 @@ def run(root: Path, edits: int, every: int, chance: random.Random) -> Iterator[s
                 for each in sorted(rest)[:3]:
                     yield f"  after edit {number}, {what}: {each}"
     yield f"{edits} edits, {checks} comparisons, {wrong} differ"
-    latencies.sort()
-    median, late = statistics.median(latencies), latencies[int(len(latencies) * 0.95)]
-    yield f"a hover right after an edit: median {median:.3f} s, 95 % {late:.3f} s, worst {latencies[-1]:.3f} s"
-    yield f"memory: {began:.0f} MiB at first, {memory(editor):.0f} MiB at the end"
+    yield from session.quality()
     editor.quit()
 
 
@@ -123,11 +175,12 @@ def main() -> None:
     parser.add_argument("--edits", type=int, default=500)
     parser.add_argument("--check-every", type=int, default=25)
     parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    parser.add_argument("--pause", type=float, default=0.3)
+    given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        root = Path(folder).resolve() / asked.repository.name
-        shutil.copytree(asked.repository, root, symlinks=True)
-        for line in run(root, asked.edits, asked.check_every, random.Random(asked.seed)):
+        root = Path(folder).resolve() / given.repository.name
+        shutil.copytree(given.repository, root, symlinks=True)
+        for line in run(root, given.edits, given.check_every, given.pause, random.Random(given.seed)):
             print(line, flush=True)
 
 

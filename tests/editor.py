@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import sys
 import time
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import unquote
@@ -22,14 +22,18 @@ T = TypeVar("T")
 class Editor:
     """A client with one folder open; `diagnostics` has the last ones of each file, by path."""
 
+    program: tuple[str, ...] = ("-m", "rospkg_cli", "server")
+    """What Python is called with."""
+
     def __init__(self, folder: Path, **environment: str) -> None:
-        self.loop = asyncio.new_event_loop()
+        self.loop, self.folder = asyncio.new_event_loop(), folder
         self.client = LanguageClient("editor", "1")
         self.diagnostics: dict[Path, tuple[types.Diagnostic, ...]] = {}
         self.messages: list[str] = []
         self.watched: list[types.Registration] = []
         """What the server wants to be told of."""
         self.versions: dict[Path, int] = {}
+        self.texts: dict[Path, str] = {}
         self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(lambda found: self.published(found))
         self.client.feature(types.WINDOW_SHOW_MESSAGE)(lambda found: self.shown(found))
         self.client.feature(types.WINDOW_LOG_MESSAGE)(lambda found: self.shown(found))
@@ -37,7 +41,7 @@ class Editor:
         self.run(self.start(folder, environment))
 
     async def start(self, folder: Path, environment: dict[str, str]) -> None:
-        await self.client.start_io(sys.executable, "-m", "rospkg_cli", "server", env=environment)
+        await self.client.start_io(sys.executable, *self.program, env=environment)
         folders = [types.WorkspaceFolder(folder.as_uri(), folder.name)]
         watching = types.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
         able = types.ClientCapabilities(types.WorkspaceClientCapabilities(did_change_watched_files=watching))
@@ -74,13 +78,14 @@ class Editor:
         return sorted(str(each.code) for each in self.diagnostics.get(path, ()))
 
     def open(self, path: Path) -> None:
-        self.versions[path] = 1
-        document = types.TextDocumentItem(path.as_uri(), "text", 1, path.read_text())
+        self.versions[path], self.texts[path] = 1, path.read_text()
+        document = types.TextDocumentItem(path.as_uri(), "text", 1, self.texts[path])
         self.client.text_document_did_open(types.DidOpenTextDocumentParams(document))
 
     def type(self, path: Path, text: str) -> None:
         """Make the text of an open file another, without saving it."""
         self.versions[path] += 1
+        self.texts[path] = text
         document = types.VersionedTextDocumentIdentifier(self.versions[path], path.as_uri())
         change = types.TextDocumentContentChangeWholeDocument(text)
         self.client.text_document_did_change(types.DidChangeTextDocumentParams(document, [change]))
@@ -94,6 +99,35 @@ class Editor:
         """Say that files were written on disk, or made, or removed."""
         changes = [types.FileEvent(path.as_uri(), types.FileChangeType.Changed) for path in paths]
         self.client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams(changes))
+
+    def change_folders(self, *, added: Sequence[Path] = (), removed: Sequence[Path] = ()) -> None:
+        new, gone = ([types.WorkspaceFolder(each.as_uri(), each.name) for each in some] for some in (added, removed))
+        event = types.WorkspaceFoldersChangeEvent(new, gone)
+        self.client.workspace_did_change_workspace_folders(types.DidChangeWorkspaceFoldersParams(event))
+
+    def place(self, path: Path, at: str) -> dict[str, Any]:
+        """Return what asks for a place of an open file: that of the `|` in a part of its text."""
+        before, _, after = at.partition("|")
+        start = self.texts[path].index(before + after) + len(before)
+        lines = self.texts[path][:start].split("\n")
+        position = types.Position(len(lines) - 1, len(lines[-1].encode("utf-16-le")) // 2)
+        return {"text_document": types.TextDocumentIdentifier(path.as_uri()), "position": position}
+
+    def hover(self, path: Path, at: str) -> str:
+        """Return what is told of a place; "" where nothing is."""
+        found = self.run(self.client.text_document_hover_async(types.HoverParams(**self.place(path, at))))
+        return str(getattr(found.contents, "value", "")) if found else ""
+
+    def definition(self, path: Path, at: str) -> list[str]:
+        """Return what defines what stands at a place: addresses, lines from 1, and columns from 0."""
+        asked = types.DefinitionParams(**self.place(path, at))
+        found: Any = self.run(self.client.text_document_definition_async(asked))
+        return [f"{unquote(each.uri)}:{each.range.start.line + 1}:{each.range.start.character}" for each in found or ()]
+
+    def completion(self, path: Path, at: str) -> list[str]:
+        asked = types.CompletionParams(**self.place(path, at))
+        found: Any = self.run(self.client.text_document_completion_async(asked))
+        return [each.label for each in found.items] if found else []
 
     def actions(self, path: Path, line: int = 0, last: int = 10_000) -> list[types.CodeAction]:
         at = types.Range(types.Position(line, 0), types.Position(last, 0))

@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rospkg_cli.cli.server.live_workspace import LiveWorkspace
+import pytest
+
+from rospkg_cli.cli.server import live_lint
+from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
+from rospkg_cli.cli.server.live_world import LiveWorld
+from rospkg_cli.cli.server.open_text import OpenText
+from rospkg_cli.engine.run import worker
 from rospkg_cli.example import Example
 from rospkg_cli.lookup.definition import definitions
 from rospkg_cli.lookup.mention import mention_at
+from rospkg_cli.package.run_events import RuleCrash
 
 MANIFEST = Example(bad={}, good={}).bad_files()["package.xml"]
 
@@ -17,12 +24,34 @@ def test_a_neighbour_is_found_before_it_is_linted(tmp_path: Path) -> None:
     for name, text in (("my_pkg", using), ("my_other", MANIFEST.replace("my_pkg", "my_other"))):
         (tmp_path / name).mkdir()
         (tmp_path / name / "package.xml").write_text(text)
-    live = LiveWorkspace(tmp_path, wanted={tmp_path / "my_pkg"})
-    live.put(tmp_path / "my_pkg/package.xml", using.encode())
-    live.lint()
-    assert not live.is_finished
-    world = live.world()
-    assert world
+    texts = {tmp_path / "my_pkg/package.xml": OpenText("", 1, using.encode())}
+    run = LiveLint(tmp_path).run(LintOrder(texts, frozenset(texts), frozenset({tmp_path / "my_pkg"})))
+    assert not run.is_finished
+    world = LiveWorld().at(run.scene, texts)
     mention = mention_at(world.package("my_pkg"), "package.xml", using.index("my_other"))
     assert mention
     assert [each.path for each in definitions(world, "my_pkg", mention)] == ["my_other/package.xml"]
+
+
+def test_a_package_on_which_a_rule_fails_keeps_none_from_being_judged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("broken", "good", "other"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(MANIFEST.replace("my_pkg", name))
+    real = worker.run_rules
+    monkeypatch.setattr(live_lint, "CHUNK", 1)
+    monkeypatch.setattr(
+        worker,
+        "run_rules",
+        lambda inputs, rules, builder: (
+            [RuleCrash("XML104", "broken", "package.xml", "KeyError")]
+            if builder.package == "broken"
+            else real(inputs, rules, builder)
+        ),
+    )
+    live = LiveLint(tmp_path)
+    runs = [live.run(LintOrder({}, frozenset(), frozenset({tmp_path / "broken"}))) for _ in range(4)]
+    assert [run.results.packages for run in runs] == [1, 2, 3, 3]
+    assert [run.is_finished for run in runs] == [False, False, True, True]
+    assert "RPK005" in [each.code for each in runs[-1].results.findings]

@@ -63,10 +63,9 @@ def executables(world: LookupWorld, _: str, __: str, around: str) -> Iterator[st
 
 
 def configurations(world: LookupWorld, folder: str, path: str, _: str) -> Iterator[str]:
-    for file in world.package(folder).parts(LaunchFile).good:
-        if file.path == path:
-            yield from (each.name.literal for each in file.arguments if each.name.literal)
-            yield from (each.literal for each in file.assigned if each.literal)
+    if file := world.package(folder).file(LaunchFile, path):
+        yield from (each.name.literal for each in file.arguments if each.name.literal)
+        yield from (each.literal for each in file.assigned if each.literal)
 
 
 def types(world: LookupWorld, folder: str, *_: str) -> Iterator[str]:

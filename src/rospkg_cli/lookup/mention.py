@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Literal, TypeVar
+from typing import Literal
 
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
@@ -11,15 +11,13 @@ from ..package.file_role import role_of
 from ..package.interfaces.interface_file import InterfaceFile
 from ..package.launch.launch_file import LaunchFile
 from ..package.manifest import Manifest
-from ..package.package import Package
 from ..package.params.parameter_file import ParameterFile
 from ..package.setup.setup_py import SetupPy
 from ..package.urdf.robot_file import RobotFile
 from ..source import Span
+from .lookup_package import LookupPackage, M
 
 MentionKind = Literal["package", "executable", "component", "file", "interface", "function", "parameter", "rule"]
-
-M = TypeVar("M", InterfaceFile, RobotFile, LaunchFile, ParameterFile)
 
 IGNORES = regex(r"rospkg: ignore\[([^\]\n]*)\]")
 CODE = regex(r"[A-Z]{3}[0-9]{3}")
@@ -35,13 +33,13 @@ class Mention:
     package: str = ""
 
 
-def mention_at(package: Package, path: str, offset: int) -> Mention | None:
+def mention_at(package: LookupPackage, path: str, offset: int) -> Mention | None:
     """Return what stands at an offset of a file of a package: the shortest, where one lies in another."""
     found = [each for each in mentions(package, path) if each.span.start <= offset <= each.span.end]
     return min(found, key=lambda each: each.span.end - each.span.start, default=None)
 
 
-def mentions(package: Package, path: str) -> Iterator[Mention]:
+def mentions(package: LookupPackage, path: str) -> Iterator[Mention]:
     """Yield what a file of a package names, in no order."""
     yield from ignored_rules(package, path)
     name = path.rpartition("/")[2]
@@ -59,14 +57,15 @@ def mentions(package: Package, path: str) -> Iterator[Mention]:
         yield from in_file(package, path, ParameterFile, in_parameters)
 
 
-def in_file(package: Package, path: str, kind: type[M], read: Callable[[M], Iterator[Mention]]) -> Iterator[Mention]:
-    """Yield what the models of a kind mention that were made of one file."""
-    for file in package.parts(kind).good:
-        if file.path == path:
-            yield from read(file)
+def in_file(
+    package: LookupPackage, path: str, kind: type[M], read: Callable[[M], Iterator[Mention]]
+) -> Iterator[Mention]:
+    """Yield what the model of one file mentions, if it is of a kind."""
+    file = package.file(kind, path)
+    yield from read(file) if file else ()
 
 
-def ignored_rules(package: Package, path: str) -> Iterator[Mention]:
+def ignored_rules(package: LookupPackage, path: str) -> Iterator[Mention]:
     try:
         text = package.files.source(path).text
     except (OSError, UnicodeError):
@@ -77,13 +76,13 @@ def ignored_rules(package: Package, path: str) -> Iterator[Mention]:
             yield Mention("rule", code.group(), Span(start, start + 6))
 
 
-def in_manifest(package: Package) -> Iterator[Mention]:
+def in_manifest(package: LookupPackage) -> Iterator[Mention]:
     for manifest in package.parts(Manifest).good:
         for each in manifest.dependencies:
             yield Mention("package", each.name, each.span)
 
 
-def in_setup(package: Package, path: str) -> Iterator[Mention]:
+def in_setup(package: LookupPackage, path: str) -> Iterator[Mention]:
     for setup in package.parts(SetupPy).good:
         for each in setup.entry_points:
             if each.path == path and each.module:

@@ -7,11 +7,11 @@ from collections.abc import Set
 from ..files import PackageFiles
 from ..light_dataclasses import dataclass, field
 from ..package.install_table import InstalledFile, InstallTable
-from ..package.package import Package
 from ..package.package_facts import NOWHERE, PackageFacts
 from ..package.workspace import Workspace
 from ..source import Source, Span
 from ..tree import Tree
+from .lookup_package import LookupPackage
 
 
 @dataclass(frozen=True)
@@ -26,12 +26,12 @@ class DefinitionSite:
 class LookupWorld:
     tree: Tree
     workspace: Workspace
-    _packages: dict[str, Package] = field(default_factory=dict, init=False, repr=False)
+    _packages: dict[str, LookupPackage] = field(default_factory=dict, init=False, repr=False)
 
-    def package(self, folder: str) -> Package:
+    def package(self, folder: str) -> LookupPackage:
         """Return the package in a folder."""
         if folder not in self._packages:
-            self._packages[folder] = Package(PackageFiles(self.tree.sub(folder), folder, self.tree))
+            self._packages[folder] = LookupPackage(PackageFiles(self.tree.sub(folder), folder, self.tree))
         return self._packages[folder]
 
     def keep(self, other: LookupWorld, changed: Set[str | None]) -> None:

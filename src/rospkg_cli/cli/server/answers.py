@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import asyncio
+from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TypeVar
 
 from lsprotocol import types
+from pygls.workspace import PositionCodec
 
 from .formatting import formatting
-from .language_server import PackageServer, path_of
-from .live_workspace import package_of
+from .language_server import PackageServer
+from .live_lint import Scene
+from .live_world import LiveWorld
 from .navigation import Navigation
+from .open_text import OpenText
+from .open_workspaces import path_of
+from .text_overlay import package_of
 
 T = TypeVar("T")
+
+Answer = Callable[[Navigation, str, str, types.Position], T]
 
 
 def offer_lookups(server: PackageServer) -> None:
     """Let the server answer questions about places, each from the texts that are in the editor now."""
 
     @server.feature(types.TEXT_DOCUMENT_DEFINITION)
-    def definition(asked: types.DefinitionParams) -> list[types.Location]:
-        return at_place(server, asked, Navigation.definition) or []
+    async def definition(asked: types.DefinitionParams) -> list[types.Location]:
+        return await at_place(server, asked, Navigation.definition) or []
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
-    def hover(asked: types.HoverParams) -> types.Hover | None:
-        return at_place(server, asked, Navigation.hover)
+    async def hover(asked: types.HoverParams) -> types.Hover | None:
+        return await at_place(server, asked, Navigation.hover)
 
     @server.feature(
         types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=[">", "'", '"', "=", "/", " "])
     )
-    def completion(asked: types.CompletionParams) -> types.CompletionList | None:
-        return at_place(server, asked, Navigation.completion)
+    async def completion(asked: types.CompletionParams) -> types.CompletionList | None:
+        return await at_place(server, asked, Navigation.completion)
 
     @server.feature(types.TEXT_DOCUMENT_FORMATTING)
     def formatted(asked: types.DocumentFormattingParams) -> list[types.TextEdit]:
@@ -40,19 +49,42 @@ def offer_lookups(server: PackageServer) -> None:
         return formatting(server.workspace.get_text_document(uri).source, server.workspace.position_codec)
 
 
-def at_place(
+async def at_place(
     server: PackageServer,
     asked: types.DefinitionParams | types.HoverParams | types.CompletionParams,
-    answer: Callable[[Navigation, str, str, types.Position], T],
+    answer: Answer[T | None],
 ) -> T | None:
-    """Return an answer about a place of a file of a package; None where there is no package or nothing is known yet."""
+    """Return an answer about a place of a file of a package; None where there is no package or no answer."""
     path = path_of(asked.text_document.uri)
-    live = server.workspace_at(path) if path else None
-    world = live.world() if live else None
-    if path is None or live is None or world is None:
+    live = server.workspaces.at(path) if path else None
+    if path is None or live is None:
         return None
-    folder = package_of(path, live.root, [each.folder for each in world.workspace.packages])
+    await server.lints.until(lambda: live.scene is not None or live.has_failed)
+    if live.scene is None:
+        return None
+    codec, loop = server.workspace.position_codec, asyncio.get_running_loop()
+    try:
+        return await loop.run_in_executor(
+            server.looking_up, look_up, live.world, live.scene, dict(live.texts), codec, path, asked.position, answer
+        )
+    except Exception:
+        server.crashed(live, path, answer.__name__)
+        return None
+
+
+def look_up(
+    live: LiveWorld,
+    scene: Scene,
+    texts: Mapping[Path, OpenText],
+    codec: PositionCodec,
+    path: Path,
+    position: types.Position,
+    answer: Answer[T],
+) -> T | None:
+    """Return an answer from the packages as they are now; None for a file of none of them."""
+    world = live.at(scene, texts)
+    folder = package_of(path, scene.root, [each.folder for each in world.workspace.packages])
     if folder is None:
         return None
-    navigation = Navigation(world, live.root, server.workspace.position_codec)
-    return answer(navigation, folder, path.relative_to(live.root).as_posix(), asked.position)
+    inner = path.relative_to(scene.root).as_posix()
+    return answer(Navigation(world, scene.root, codec), folder, inner, position)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+from typing import Protocol
 
 from lsprotocol import types
 from pygls.workspace import PositionCodec
@@ -19,26 +18,29 @@ SEVERITIES = {
     Severity.INFO: types.DiagnosticSeverity.Information,
 }
 
-Sources = Callable[[str], Source]
-"""From a path below the root to the text that was linted."""
+
+class LintedTexts(Protocol):
+    """The texts that were linted, by their paths below the root."""
+
+    def source(self, path: str) -> Source: ...
+
+    def uri(self, path: str) -> str: ...
 
 
-def diagnostic(finding: Finding, root: Path, sources: Sources, codec: PositionCodec) -> types.Diagnostic:
+def diagnostic(finding: Finding, texts: LintedTexts, codec: PositionCodec) -> types.Diagnostic:
     """Return a finding as a diagnostic of its file; `related` places lead to theirs, its code to the rule's page."""
     page = web_address(finding.code)
     return types.Diagnostic(
-        to_range(codec, sources(finding.location.path), finding.location),
+        to_range(codec, texts.source(finding.location.path), finding.location),
         finding.message,
         severity=SEVERITIES[finding.severity],
         code=finding.code,
         code_description=types.CodeDescription(page) if page else None,
         source="rospkg",
-        related_information=[related(root, at, why, sources, codec) for at, why in finding.related] or None,
+        related_information=[related(at, why, texts, codec) for at, why in finding.related] or None,
     )
 
 
-def related(
-    root: Path, at: Location, why: str, sources: Sources, codec: PositionCodec
-) -> types.DiagnosticRelatedInformation:
-    place = types.Location((root / at.path).as_uri(), to_range(codec, sources(at.path), at))
+def related(at: Location, why: str, texts: LintedTexts, codec: PositionCodec) -> types.DiagnosticRelatedInformation:
+    place = types.Location(texts.uri(at.path), to_range(codec, texts.source(at.path), at))
     return types.DiagnosticRelatedInformation(place, why)

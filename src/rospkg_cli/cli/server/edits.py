@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from difflib import SequenceMatcher
 
 from lsprotocol import types
-from pygls.workspace import PositionCodec
 
 from ...encoding import DecodedText
 from ...engine.fixing.apply import Changes
@@ -23,45 +22,41 @@ def is_possible(fix: Fix) -> bool:
     return not any(isinstance(each, Chmod) or (isinstance(each, Create) and each.executable) for each in fix.operations)
 
 
-def workspace_edit(operations: Iterable[Operation], linted: Linted, codec: PositionCodec) -> types.WorkspaceEdit:
+def workspace_edit(operations: Iterable[Operation], linted: Linted) -> types.WorkspaceEdit:
     """Return operations on files below the root of a run as one edit."""
     edits: dict[str, list[types.TextEdit | types.AnnotatedTextEdit | types.SnippetTextEdit]] = {}
     changes: list[Change] = []
     for each in operations:
         if isinstance(each, Edit):
-            at = span_range(codec, linted.source(each.path), each.span.start, each.span.end)
+            at = span_range(linted.codec, linted.source(each.path), each.span.start, each.span.end)
             edits.setdefault(each.path, []).append(types.TextEdit(at, each.text))
         else:
             changes += file_changes(each, linted)
-    changes += [document_edit(uri(linted, path), found) for path, found in edits.items()]
+    changes += [document_edit(linted.uri(path), found, linted.version(path)) for path, found in edits.items()]
     return types.WorkspaceEdit(document_changes=changes)
 
 
 def file_changes(operation: Operation, linted: Linted) -> Iterator[Change]:
     """Yield what makes, moves or removes a file."""
     if isinstance(operation, Create):
-        yield types.CreateFile(uri(linted, operation.path))
-        yield document_edit(uri(linted, operation.path), [types.TextEdit(START, operation.text)])
+        yield types.CreateFile(linted.uri(operation.path))
+        yield document_edit(linted.uri(operation.path), [types.TextEdit(START, operation.text)])
     elif isinstance(operation, Delete):
-        yield types.DeleteFile(uri(linted, operation.path))
+        yield types.DeleteFile(linted.uri(operation.path))
     elif isinstance(operation, Move):
-        yield types.RenameFile(uri(linted, operation.path), uri(linted, operation.to))
+        yield types.RenameFile(linted.uri(operation.path), linted.uri(operation.to))
 
 
 START = types.Range(types.Position(0, 0), types.Position(0, 0))
 
 
 def document_edit(
-    uri: str, edits: list[types.TextEdit | types.AnnotatedTextEdit | types.SnippetTextEdit]
+    uri: str, edits: list[types.TextEdit | types.AnnotatedTextEdit | types.SnippetTextEdit], version: int | None = None
 ) -> types.TextDocumentEdit:
-    return types.TextDocumentEdit(types.OptionalVersionedTextDocumentIdentifier(uri), edits)
+    return types.TextDocumentEdit(types.OptionalVersionedTextDocumentIdentifier(uri, version), edits)
 
 
-def uri(linted: Linted, path: str) -> str:
-    return (linted.root / path).as_uri()
-
-
-def edit_of_changes(changes: Changes, linted: Linted, codec: PositionCodec) -> types.WorkspaceEdit:
+def edit_of_changes(changes: Changes, linted: Linted) -> types.WorkspaceEdit:
     """Return what makes files what they are to be, by the lines that differ."""
     operations: list[Operation] = []
     for path, entry in changes.items():
@@ -72,7 +67,7 @@ def edit_of_changes(changes: Changes, linted: Linted, codec: PositionCodec) -> t
             operations.append(Create(path, entry.text.text))
         else:
             operations += line_edits(linted.source(path), entry.text)
-    return workspace_edit(operations, linted, codec)
+    return workspace_edit(operations, linted)
 
 
 def line_edits(before: Source, after: DecodedText) -> Iterator[Edit]:

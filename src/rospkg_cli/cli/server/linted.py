@@ -3,23 +3,45 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable
 from functools import cached_property
 from pathlib import Path
+
+from lsprotocol import types
+from pygls.workspace import PositionCodec
 
 from ...engine.run.session import Session
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
+from ...package.run_events import RuleCrash
+from ...report.told_once import told_once
 from ...source import Source
+from .diagnostics import diagnostic
+from .live_lint import LintRun
 
 
 @dataclass
 class Linted:
     """The findings of one run, and the texts that their places are in."""
 
-    session: Session
-    root: Path
+    run: LintRun
     findings: tuple[Finding, ...]
+    codec: PositionCodec
     _sources: dict[str, Source] = field(default_factory=dict, init=False, repr=False)
+
+    @classmethod
+    def of(cls, run: LintRun, codec: PositionCodec, crashes: Iterable[RuleCrash] = ()) -> Linted:
+        """Return what a run found, with what crashed beside it."""
+        found = run.scene.session.with_crashes(run.results, tuple(crashes))
+        return cls(run, told_once(found.findings), codec)
+
+    @property
+    def session(self) -> Session:
+        return self.run.scene.session
+
+    @property
+    def root(self) -> Path:
+        return self.run.scene.root
 
     def source(self, path: str) -> Source:
         """Return the text of a path below the root as it was linted; an empty one where it has none."""
@@ -31,6 +53,16 @@ class Linted:
             self._sources[path] = Source(path, text)
         return self._sources[path]
 
+    def uri(self, path: str) -> str:
+        """Return the address of a path below the root, as the editor writes it where it has the file open."""
+        text = self.run.order.texts.get(self.root / path)
+        return text.uri if text else (self.root / path).as_uri()
+
+    def version(self, path: str) -> int | None:
+        """Return the version of an open file that was linted: an editor refuses edits of another one."""
+        text = self.run.order.texts.get(self.root / path)
+        return text.version if text else None
+
     @cached_property
     def by_file(self) -> dict[Path, list[Finding]]:
         """The findings by the absolute path of their file."""
@@ -38,3 +70,8 @@ class Linted:
         for finding in self.findings:
             found[self.root / finding.location.path].append(finding)
         return dict(found)
+
+    @cached_property
+    def diagnostics(self) -> dict[Path, list[types.Diagnostic]]:
+        """The findings as an editor shows them, by the absolute path of their file."""
+        return {path: [diagnostic(each, self, self.codec) for each in found] for path, found in self.by_file.items()}

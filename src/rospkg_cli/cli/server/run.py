@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import gc
+import sys
 from importlib.util import find_spec
 
 from .. import UsageError
+
+SWITCH = 0.0005
+"""Seconds after which a run makes way for what the editor asks, a tenth of Python's own: messages pass many threads."""
 
 MISSING = "rospkg server needs pygls: pip install 'rospkg-cli[server]'"
 
@@ -15,11 +19,14 @@ def serve() -> int:
     if find_spec("pygls") is None:
         raise UsageError(MISSING)
     from .answers import offer_lookups
-    from .language_server import PackageServer, offer_actions, watch_texts
+    from .follow import follow_disk, follow_folders, follow_texts
+    from .language_server import PackageServer
+    from .offered_actions import offer_actions
 
     gc.set_threshold(10_000, 10, 10)  # unlike a run that ends soon, a server has to give back what it read
+    sys.setswitchinterval(SWITCH)
     server = PackageServer()
-    for let in (watch_texts, offer_actions, offer_lookups):
+    for let in (follow_texts, follow_folders, follow_disk, offer_actions, offer_lookups):
         let(server)
     server.start_io()
     return 0

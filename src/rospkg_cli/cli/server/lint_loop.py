@@ -1,0 +1,60 @@
+"""The runs that go on beside what an editor asks: soon after a change, and never two at once."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+PAUSE = 0.15
+"""Seconds without a change after which packages are linted."""
+
+PATIENCE = 5.0
+"""Seconds that a request waits for the run over the last texts."""
+
+
+class LintLoop:
+    """Calls `lint_all` whenever something has changed and then rested, and again until it returns True."""
+
+    def __init__(self, lint_all: Callable[[], Awaitable[bool]]) -> None:
+        self.lint_all = lint_all
+        self.has_changed = asyncio.Event()
+        self.is_settled = asyncio.Event()
+        """Set while the diagnostics are those of the texts in the editor, in all packages."""
+        self.went_on = asyncio.Event()
+        """Set, and another one put here, whenever a run has begun or ended."""
+        self.task: asyncio.Task[None] | None = None
+
+    def soon(self) -> None:
+        """Let a run follow."""
+        self.is_settled.clear()
+        self.has_changed.set()
+        if self.task is None or self.task.done():
+            self.task = asyncio.get_running_loop().create_task(self.go_on())
+
+    async def go_on(self) -> None:
+        while True:
+            await self.has_changed.wait()
+            is_finished = False
+            while self.has_changed.is_set() or not is_finished:
+                while self.has_changed.is_set():
+                    self.has_changed.clear()
+                    await asyncio.sleep(PAUSE)
+                is_finished = await self.lint_all()
+            self.is_settled.set()
+
+    def tell(self) -> None:
+        """Wake those that wait for a run."""
+        self.went_on.set()
+        self.went_on = asyncio.Event()
+
+    async def until(self, holds: Callable[[], bool]) -> bool:
+        """Wait until something holds, looking after each step of a run; False where it still doesn't after PATIENCE."""
+        try:
+            await asyncio.wait_for(self._until(holds), PATIENCE)
+        except asyncio.TimeoutError:
+            return False
+        return True
+
+    async def _until(self, holds: Callable[[], bool]) -> None:
+        while not holds():
+            await self.went_on.wait()
