@@ -335,6 +335,32 @@ def test_what_an_include_gives_is_what_the_file_takes(inner: str, given: list[st
 
 
 @pytest.mark.parametrize(
+    "given, found",
+    [
+        (["speeed"], True),
+        (["speeed", "speed"], False),
+        (["speed"], False),
+        (["sped"], False),
+        (["speed_limits"], False),
+        (["camera_2"], False),
+        (["fingers"], False),
+    ],
+)
+def test_a_mistyped_argument_of_a_file_that_includes_what_is_not_here(given: list[str], found: bool) -> None:
+    outer = '<include file="$(find-pkg-share elsewhere)/launch/a.launch.xml"/>'
+    inner = '<include file="$(find-pkg-share my_pkg)/launch/hand.launch.xml"/>'
+    declared = "".join(f'<arg name="{name}" default="1"/>' for name in ("speed", "camera_1", "finger", "fed"))
+    files = {
+        **BASE,
+        "launch/arm.launch.xml": f"<launch>{declared}{outer}{inner}</launch>",
+        "launch/hand.launch.xml": '<launch><arg name="fingers" default="1"/></launch>',
+        "launch/robot.launch.xml": include(*given),
+    }
+    findings = [f for f in lint_files(files, ["LCH015"]).findings if f.location.path == "launch/robot.launch.xml"]
+    assert [f.severity.value for f in findings] == ["info"] * found
+
+
+@pytest.mark.parametrize(
     "body, found",
     [
         ("return LaunchDescription([DeclareLaunchArgument('a')])", 1),

@@ -128,6 +128,7 @@ def test_another_way_to_get_a_module_is_seen() -> None:
     assert may_serve("python3-simple-pid-pip", "simple_pid.PID")
     assert may_serve("python-yaml", "yaml")
     assert not may_serve("python3-numpy", "yaml")
+    assert not any(may_serve(name, name) for name in ("git", "msgpack", "vlc", "yaml"))
 
 
 @pytest.mark.parametrize(

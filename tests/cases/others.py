@@ -65,6 +65,7 @@ DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim'
 CASES = {
     "DEP101": (
         python("", setup_DOT_py="import numpy\n" + setup_py()),
+        python("  <exec_depend>yaml</exec_depend>\n", my_pkg__a_DOT_py="import yaml\n"),
         python("  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
     ),
     "DEP102": (python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),),

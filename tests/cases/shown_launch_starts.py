@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, SETUP_PY_FOR_ALL, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.launch import lch002_unknown_executable as lch002
+from rospkg_cli.rules.launch import lch015_include_argument_mismatch as lch015
 
 from .shown_launch import xml
 from .shown_launch_calls import HEAD, node, python
@@ -196,6 +197,18 @@ RELATIVE = Example(
     good={},
 )
 
+UNKNOWN_INSIDE = Example(
+    bad={
+        **lch015.FILES,
+        "launch/arm.launch.xml": lch015.ARM.replace(
+            "</launch>", '  <include file="$(find-pkg-share elsewhere)/launch/a.launch.xml"/>\n</launch>'
+        ),
+        "launch/robot.launch.xml": lch015.GIVEN.replace('"speed"', '"speeed"').replace("«", "").replace("»", ""),
+    },
+    good={},
+)
+
+
 CASES = {
     "LCH002": (WITHOUT_PACKAGE, OPEN_CALL, UNUSED_TEST, ON_PATH),
     "LCH003": (ABSENT, RELATIVE),
@@ -206,7 +219,7 @@ CASES = {
         looked_up("    context.launch_configurations.update(unknown)\n"),
     ),
     "LCH014": (SINGLE,),
-    "LCH015": (PATHS,),
+    "LCH015": (PATHS, UNKNOWN_INSIDE),
     "LCH018": (
         ACTIONS,
         unused("node = Node(package='my_pkg', executable='e')", "more = Node(package='my_pkg', executable=first)"),

@@ -14,6 +14,9 @@ STANDARD = frozenset(sys.stdlib_module_names) | words("standard_modules.txt")
 
 NO_PYTHON = "?"
 
+NO_MODULES = frozenset({"git", "msgpack", "vlc", "yaml"})
+"""Keys of rosdep that install a program or a library for C, and no module of their name."""
+
 
 @dataclass(frozen=True, slots=True)
 class Providers:
@@ -58,5 +61,7 @@ def keys_called_like(module: str) -> tuple[str, str]:
 
 def may_serve(dependency: str, module: str) -> bool:
     """Return whether a declared name may be another dependency that installs a module, so that none is missing."""
+    if dependency in NO_MODULES:
+        return False
     bare = dependency.lower().removeprefix("python3-").removeprefix("python-").removesuffix("-pip")
     return bare.replace("-", "_").replace(".", "_") == module.partition(".")[0].lower()

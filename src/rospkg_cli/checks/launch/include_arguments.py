@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.file_references import references_in
 from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import near_names, nearest
 from .missing_references import LaunchContext
+
+SHORTEST = 5
+DIGITS = regex(r"\d")
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +27,8 @@ class ArgumentMismatch:
     is_missing: bool
     """Whether it is required and missing; else it is passed and unknown."""
     suggestion: str | None = None
+    is_sure: bool = True
+    """Whether nothing that the file includes may take it."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +52,20 @@ class IncludeContext:
     def mismatches_of(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[ArgumentMismatch]:
         name = signature.source.rpartition("/")[2]
         given = {text.literal: text for text, _ in include.arguments}
-        takes = self.scope.workspace.included_arguments.takes(package, signature.source)
+        takes, is_all = self.scope.workspace.included_arguments.names_in(package, signature.source)
         for argument, text in given.items():
-            if argument and takes is not None and argument not in takes:
+            if argument and argument not in takes:
                 free = signature.declared - given.keys()
-                yield ArgumentMismatch(text.span, name, package, argument, False, nearest(argument, free))
+                near = nearest(argument, free) if is_all else mistyped(argument, free)
+                if is_all or near:
+                    yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all)
         for argument in sorted(signature.required - given.keys()):
             if include.is_complete and None not in given:
                 yield ArgumentMismatch(include.span, name, package, argument, True)
+
+
+def mistyped(word: str, names: Collection[str]) -> str | None:
+    """Return the one name that differs from a word by one letter; not by a number, nor where both are short."""
+    near = [name for name in near_names(word, names, 1) if min(len(word), len(name)) >= SHORTEST]
+    near = [name for name in near if DIGITS.sub("", name) != DIGITS.sub("", word)]
+    return near[0] if len(near) == 1 else None

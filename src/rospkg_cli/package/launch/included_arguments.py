@@ -19,8 +19,8 @@ class IncludedArguments:
     def __init__(self, files: Iterable[Target]) -> None:
         self.by_source: dict[Key, Target] = {}
         self.by_place: dict[Key, Target] = {}
-        self.targets: dict[Key, frozenset[Key] | None] = {}
-        self.known: dict[Key, frozenset[str] | None] = {}
+        self.targets: dict[Key, tuple[frozenset[Key], bool]] = {}
+        self.known: dict[Key, tuple[frozenset[str], bool]] = {}
         for target in files:
             package, signature = target
             self.by_source.setdefault((package, signature.source), target)
@@ -33,31 +33,35 @@ class IncludedArguments:
 
     def takes(self, package: str, source: str) -> frozenset[str] | None:
         """Return all that a file and what it includes declare or use; None where that is unknown."""
+        names, is_complete = self.names_in(package, source)
+        return names if is_complete else None
+
+    def names_in(self, package: str, source: str) -> tuple[frozenset[str], bool]:
+        """Return what a file and those of its includes that are here declare or use, and whether that is all."""
         key = package, source
         if key not in self.known:
             self.known[key] = self.all_taken(key)
         return self.known[key]
 
-    def all_taken(self, start: Key) -> frozenset[str] | None:
+    def all_taken(self, start: Key) -> tuple[frozenset[str], bool]:
         names: set[str] = set()
-        seen, queue = {start}, [start]
+        seen, queue, is_complete = {start}, [start], True
         while queue:
             key = queue.pop()
             _, signature = self.by_source[key]
-            included = self.included_by(key)
-            if signature.may_take_others or included is None:
-                return None
+            included, all_found = self.included_by(key)
+            is_complete = is_complete and all_found and not signature.may_take_others
             names |= signature.declared
             names |= signature.used
             queue += included - seen
             seen |= included
-        return frozenset(names)
+        return frozenset(names), is_complete
 
-    def included_by(self, key: Key) -> frozenset[Key] | None:
-        """Return the files that one includes; None where one of them can't be found."""
+    def included_by(self, key: Key) -> tuple[frozenset[Key], bool]:
+        """Return the files that one includes, and whether all of them are found."""
         if key not in self.targets:
             package, signature = self.by_source[key]
             found = [self.find(package, *each) for each in dict.fromkeys(signature.includes)]
             keys = frozenset((each[0], each[1].source) for each in found if each is not None)
-            self.targets[key] = None if None in found else keys
+            self.targets[key] = keys, None not in found
         return self.targets[key]

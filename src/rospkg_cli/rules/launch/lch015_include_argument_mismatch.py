@@ -35,6 +35,7 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value
     "include-argument-mismatch",
     over=IncludeContext,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "the included file includes something unknown, which may take it"},
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
         Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
@@ -52,11 +53,12 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     missing required argument 'speed'".
 
     ## When it is quiet
-    Included files that can't be evaluated to the end, or include something unknown, may take any argument. An include
-    whose arguments are not all known lacks none.
+    Included files that can't be evaluated to the end, or include something unknown, may take any argument: of them a
+    name is an info that is one letter from a declared one which is not given. An include whose arguments are not all
+    known lacks none.
     """
     for each in context.mismatches():
-        yield Hit(context.scope.file.path, each.span, message(each))
+        yield Hit(context.scope.file.path, each.span, message(each), None if each.is_sure else Severity.INFO)
 
 
 def message(mismatch: ArgumentMismatch) -> str:
@@ -65,6 +67,11 @@ def message(mismatch: ArgumentMismatch) -> str:
         return (
             f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which is not given here: the launch "
             f'stops ("missing required argument"); give it'
+        )
+    if not mismatch.is_sure:
+        return (
+            f"`{mismatch.file}`{of} declares `{mismatch.suggestion}`, and no `{mismatch.argument}`: unless a file that "
+            f"it includes takes that, it has no effect; did you mean `{mismatch.suggestion}`?"
         )
     hint = f"did you mean `{mismatch.suggestion}`?" if mismatch.suggestion else "remove it, or declare it there"
     return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect; {hint}"
