@@ -6,6 +6,7 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..fence import repository_of
 from . import ChangeError
 
 MAX_NAMED = 3
@@ -21,6 +22,17 @@ STATUS = (
     "--untracked-files=all",
     "--no-renames",
 )
+
+
+def require_clean_everywhere(root: Path, paths: Iterable[str]) -> None:
+    """Raise ChangeError where git could not bring back files or folders below a root; each may be in a repository."""
+    found: dict[Path, list[str]] = {}
+    for path in paths:
+        above = (root / path).parent
+        repository = repository_of(above) or above
+        found.setdefault(repository, []).append((root / path).relative_to(repository).as_posix())
+    for repository, inside in sorted(found.items()):
+        require_clean(repository, inside)
 
 
 def require_clean(folder: Path, paths: Iterable[str] | None = None) -> None:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 
 from ..engine.fixing.overlay import Overlay
-from ..engine.run.session import Results, Scope, Session
+from ..engine.run.session import Results, Session
 from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from . import ChangeError
@@ -74,12 +74,9 @@ def at_its_line(finding: Finding) -> tuple[str, ...]:
     return finding.code, finding.location.path, finding.excerpt
 
 
-def judge(session: Session, draft: Draft, scope: Scope | None = None, before: Results | None = None) -> Judgement:
-    """Lint what is there and what would be.
-
-    `scope` holds the packages after the change, where they are others; `before` is what lint says now, if known.
-    """
-    after = replace(session, tree=Overlay(session.tree, draft.changes), scope=scope or session.scope)
+def judge(session: Session, draft: Draft, before: Results | None = None) -> Judgement:
+    """Lint what is there and what would be; `before` is what lint says now, if known."""
+    after = replace(session, tree=Overlay(session.tree, draft.changes))
     return Judgement(before or session.run(), after.run(), frozenset(draft.changes))
 
 

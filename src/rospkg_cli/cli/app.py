@@ -19,6 +19,7 @@ from .index import options as index
 from .inspect import options as inspect
 from .lint import options as lint
 from .new import options as new
+from .rename import options as rename
 from .server import options as server
 from .streams import guarded, say
 from .upgrade import options as upgrade
@@ -65,6 +66,7 @@ caching = typer.Typer(help=cache.HELP, epilog=cache.EPILOG)
 caching.callback(invoke_without_command=True)(cache.cache)
 caching.command()(cache.clear)
 app.add_typer(caching, name="cache")
+app.command(epilog=rename.EPILOG)(rename.rename)
 app.command(epilog=upgrade.EPILOG)(upgrade.upgrade)
 app.command(epilog=server.EPILOG)(server.server)
 app.command(epilog=explain.EXPLAIN_EPILOG)(explain.explain)

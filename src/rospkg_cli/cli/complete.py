@@ -74,3 +74,11 @@ def node_kinds(incomplete: str) -> Iterator[str]:
         from ..scaffold.node_kinds import offered_kinds
 
         yield from (f"{name}:{each}" for each in offered_kinds() if each.startswith(kind))
+
+
+def package_names(incomplete: str) -> Iterator[str]:
+    """Yield the names of the folders of packages below the current one."""
+    from ..current_folder import current_folder
+    from ..engine.discovery.discover import packages_below
+
+    yield from sorted({each.name for each in packages_below(current_folder()) if each.name.startswith(incomplete)})

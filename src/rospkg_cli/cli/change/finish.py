@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from ...change import ChangeError
 from ...change.draft import Draft
-from ...change.judge import judge, refuse_new
+from ...change.judge import Judgement, judge, refuse_new
+from ...change.moved_tree import MovedTree
 from ...control_characters import visible, visible_lines
 from ...current_folder import current_folder
+from ...engine.fixing.move import move_all
 from ...engine.fixing.remove_leftovers import remove_leftovers
 from ...engine.fixing.write_all import write_all
-from ...engine.run.session import Scope
 from ...fence import Fence
 from ...light_dataclasses import dataclass
 from ..streams import afterwards, say
@@ -42,38 +43,56 @@ def guarded_change(verb: Callable[[], int]) -> int:
         return 2
 
 
-def finish(
-    place: ChangePlace, draft: Draft, options: ChangeOptions, notes: Iterable[str] = (), scope: Scope | None = None
-) -> int:
+def finish(place: ChangePlace, draft: Draft, options: ChangeOptions, notes: Iterable[str] = ()) -> int:
     """Judge a draft, then show or write it; return the exit status (1 where --diff shows anything).
 
-    `scope` holds the packages after the change, where they are others. Raises ChangeError where lint would report
-    something new, and WriteError.
+    Raises ChangeError where lint would report something new, and WriteError.
     """
-    unchecked: tuple[str, ...] = ()
-    if draft.changes:
-        judged = judge(place.session, draft, scope)
+    judged = judge(place.session, draft) if draft.changes else None
+    return finish_judged(place, draft, judged, options, notes)
+
+
+def finish_judged(
+    place: ChangePlace,
+    draft: Draft,
+    judged: Judgement | None,
+    options: ChangeOptions,
+    notes: Iterable[str] = (),
+    renamed: Mapping[str, str] | None = None,
+) -> int:
+    """Show or write a draft as `finish` does; `renamed` are paths with their new last parts, as in MovedTree."""
+    if judged:
         refuse_new(judged.new)
-        unchecked = judged.unchecked
-    for note in (*notes, *unchecked):
+    for note in (*notes, *(judged.unchecked if judged else ())):
         say(note)
+    moves = [
+        f"rename {visible(relative(place.root / path))} to {name}" for path, name in sorted((renamed or {}).items())
+    ]
     if options.diff:
         from ..diff import unified
 
-        sys.stdout.writelines(unified(place.session.tree, draft.changes))
-        return 1 if draft.changes else 0
-    rows = [f"{verb} {visible(relative(place.root / path))}" for verb, path in sorted_changes(draft)]
+        print("\n".join(moves), end="\n" * bool(moves))
+        sys.stdout.writelines(unified(draft.base, draft.changes))
+        return 1 if draft.changes or moves else 0
+    rows = [*moves, *(f"{verb} {visible(relative(place.root / path))}" for verb, path in sorted_changes(draft))]
     if not rows:
         say("nothing is to be done: it is there as it should be")
         return 0
     if options.dry_run:
         print("\n".join((*rows, "\nNothing was written.")))
         return 0
-    fence = Fence(place.root, place.located.scope.folders)
-    remove_leftovers(place.root / folder for folder in place.located.scope.selected)
-    write_all(place.root, place.session.tree, draft.changes, fence)
+    write(place, draft, renamed or {})
     afterwards(lambda: print("\n".join(rows)), "the files are written")
     return 0
+
+
+def write(place: ChangePlace, draft: Draft, renamed: Mapping[str, str]) -> None:
+    """Write all of it, or nothing; raises WriteError."""
+    scope = place.located.scope
+    remove_leftovers(place.root / folder for folder in scope.selected)
+    moved = MovedTree(place.session.tree, renamed).moved
+    fence = Fence(place.root, [moved(folder) for folder in scope.folders])
+    move_all(place.root, renamed, lambda: write_all(place.root, draft.base, draft.changes, fence))
 
 
 def sorted_changes(draft: Draft) -> list[tuple[str, str]]:

@@ -1,0 +1,1 @@
+"""`rospkg rename`: another name for a package, with every reference to it."""

@@ -1,0 +1,133 @@
+"""The texts of a Python file that stand for a package: by the call, the keyword or the variable that takes them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator
+
+from ..languages.python.nodes import nodes_of
+from ..lazy_regex import regex
+
+PACKAGE = regex(r"(?i)(?:^|_)(?:pkg|package)s?(?:$|_)|package(?:s|_?name)?$|^pkg|pkg$")
+"""Names of what holds a package: `package`, `pkg_name`, `description_package`."""
+LOOKUP = regex(r"(?i)package|pkg|^importorskip$|^import_module$|^get_resource$|^has_resource$")
+SHARED = ("share", "lib")
+RUNNERS = ("run", "launch")
+
+
+def named_texts(tree: ast.Module, name: str, has_executable: bool, is_setup: bool) -> Iterator[ast.Constant]:
+    """Yield the texts that are a name and mean the package.
+
+    Where an executable has the name too, it follows. In the package's own setup.py all are taken.
+    """
+    nodes = list(nodes_of(tree))
+    variables = names_looked_up(nodes)
+    for node in nodes:
+        for holder, text in held_texts(node, variables):
+            if text.value == name and (is_setup or holder):
+                yield text
+        if has_executable and isinstance(node, ast.Call):
+            yield from executable(node, name, variables)
+    if is_setup:
+        for node in nodes:
+            match node:
+                case ast.List(elts=texts) | ast.Tuple(elts=texts):
+                    yield from (each for each in texts if isinstance(each, ast.Constant) and each.value == name)
+
+
+def names_looked_up(nodes: Iterable[ast.AST]) -> frozenset[str]:
+    """Return the variables that calls take for a package."""
+    calls = (node for node in nodes if isinstance(node, ast.Call) and LOOKUP.search(called(node)))
+    return frozenset(each.id for call in calls for each in call.args[:1] if isinstance(each, ast.Name))
+
+
+def held_texts(node: ast.AST, variables: frozenset[str]) -> Iterator[tuple[bool, ast.Constant]]:
+    """Yield the texts that a node holds, with whether it says that they are packages."""
+    match node:
+        case ast.Call():
+            yield from in_call(node, variables)
+        case ast.Assign(targets=[*targets], value=ast.Constant() as text):
+            yield any(is_package(spelled(each), variables) for each in targets), text
+        case ast.AnnAssign(target=target, value=ast.Constant() as text):
+            yield is_package(spelled(target), variables), text
+        case ast.Dict(keys=keys, values=values):
+            for key, value in zip(keys, values, strict=True):
+                if isinstance(key, ast.Constant):
+                    yield False, key
+                    if isinstance(value, ast.Constant):
+                        yield isinstance(key.value, str) and is_package(key.value, variables), value
+        case ast.arguments():
+            positional = [*node.posonlyargs, *node.args]
+            pairs = [*zip(reversed(positional), reversed(node.defaults), strict=False)]
+            for argument, default in [*pairs, *zip(node.kwonlyargs, node.kw_defaults, strict=True)]:
+                if isinstance(default, ast.Constant):
+                    yield is_package(argument.arg, variables), default
+        case ast.List(elts=items) | ast.Tuple(elts=items):
+            yield from behind(items, RUNNERS)
+
+
+def in_call(call: ast.Call, variables: frozenset[str]) -> Iterator[tuple[bool, ast.Constant]]:
+    name, is_lookup = called(call), bool(LOOKUP.search(called(call)))
+    for each in call.args:
+        if isinstance(each, ast.Constant):
+            yield is_lookup, each
+        elif is_lookup and isinstance(each, ast.List | ast.Tuple):
+            yield from ((True, inner) for inner in each.elts if isinstance(inner, ast.Constant))
+    if name in ("join", "PathJoinSubstitution", "joinpath", "Path"):
+        lists = [each.elts for each in call.args if isinstance(each, ast.List)]
+        yield from behind(lists[0] if lists else call.args, SHARED)
+    first = call.args[0].value if call.args and isinstance(call.args[0], ast.Constant) else ""
+    if not first:
+        first = next(
+            (k.value.value for k in call.keywords if k.arg == "name" and isinstance(k.value, ast.Constant)), ""
+        )
+    is_argument = isinstance(first, str) and is_package(first, frozenset())
+    for keyword in call.keywords:
+        if isinstance(keyword.value, ast.Constant):
+            holds = is_package(keyword.arg or "", frozenset()) or (is_argument and keyword.arg == "default_value")
+            yield holds, keyword.value
+        elif isinstance(keyword.value, ast.List | ast.Tuple):
+            names = is_package(keyword.arg or "", frozenset())
+            yield from ((names, each) for each in keyword.value.elts if isinstance(each, ast.Constant))
+
+
+def behind(items: Iterable[ast.expr], words: tuple[str, ...]) -> Iterator[tuple[bool, ast.Constant]]:
+    """Yield the texts that follow one that ends with a word: `"share", "OLD"`, `"run", "OLD"`."""
+    before = ""
+    for each in items:
+        if isinstance(each, ast.Constant) and isinstance(each.value, str):
+            yield before.rpartition("/")[2] in words, each
+            before = each.value
+        else:
+            before = ""
+
+
+def executable(call: ast.Call, name: str, variables: frozenset[str]) -> Iterator[ast.Constant]:
+    """Yield the executable of a node whose package and executable have the same name."""
+    given = {each.arg: each.value for each in call.keywords}
+    package, found = given.get("package"), given.get("executable")
+    match package:
+        case ast.Constant(value=value):
+            is_meant = value == name
+        case ast.Name(id=variable):
+            is_meant = is_package(variable, variables)
+        case _:
+            is_meant = False
+    if is_meant and isinstance(found, ast.Constant) and found.value == name:
+        yield found
+
+
+def is_package(name: str, variables: frozenset[str]) -> bool:
+    return name in variables or PACKAGE.search(name) is not None
+
+
+def spelled(node: ast.expr) -> str:
+    match node:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name
+        case _:
+            return ""
+
+
+def called(call: ast.Call) -> str:
+    return spelled(call.func)
