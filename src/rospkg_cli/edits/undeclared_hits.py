@@ -40,7 +40,7 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
         case "released":
             return f"add <{tag}>{name}</{tag}>"
         case "pip":
-            return f"<{tag}>{name}</{tag}> installs it from PyPI, and keeps the package from being released"
+            return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"
         case "unknown":

@@ -20,9 +20,9 @@ from ...source import Span
 from ..fault import Level
 from .python_expressions import filled, parsed
 
-NEVER_ADDED = "but the action is built and never added to the launch description"
+NEVER_ADDED = "but nothing adds the action"
 UNUSED = "but nothing uses the value"
-OFF = "but only where its condition holds (not by default)"
+OFF = "but only if its condition holds (not by default)"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
 

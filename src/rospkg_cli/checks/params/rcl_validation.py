@@ -149,7 +149,7 @@ def mixed_types(name: str, types: list[tuple[str, ScalarNode]]) -> Fault:
     message = f"`{name}` mixes {first} (`{one.text}`) and {second} (`{other.text}`)"
     hint = "; write the whole numbers with `.0`" if {first, second} == {"int", "double"} else ""
     quote = "; quote the strings" if "string" in (first, second) or "bool" in (first, second) else ""
-    return Fault(other.span, f"{message}: all entries of a list have one type; {REFUSES}{hint or quote}")
+    return Fault(other.span, f"{message}: {REFUSES}{hint or quote}")
 
 
 def alias_fault(node: AliasNode) -> Fault:

@@ -100,7 +100,7 @@ USERS = {
     "component": "the component `{}`",
     "exporter": "those who use the package, as `ament_export_libraries` promises it,",
     "linked target": "`{}`, which is linked with it and is installed,",
-    "exported target": "the exported target `{}`",
+    "exported target": "`{}` is exported and",
     "parameter library": "who links it, as the other parameter libraries can be,",
 }
 
@@ -110,8 +110,8 @@ def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
     user = USERS[forgotten.needed_by.user].format(forgotten.needed_by.name) if forgotten.needed_by else ""
     if forgotten.stops:
         return (
-            f"{user} is linked with {name}, which no `install(TARGETS … EXPORT …)` names: CMake stops "
-            'with "… requires target … that is not in any export set"; install it with the same export'
+            f"{user} links {name}, which is not: CMake stops with "
+            '"… requires target … that is not in any export set"; install it with the same EXPORT'
         )
     if forgotten.target.is_executable:
         return (

@@ -109,7 +109,7 @@ def without_package(use: PathUse) -> str:
     name, when = use.executable.literal, f", {use.why}" if use.why else ""
     ends = f"the launch stops with \"executable '{name}' not found on the PATH\"{when}"
     packages = " or ".join(f"`{each}`" for each in use.packages[:3])
-    return f"the node has no package, so `{name}` is looked for on the PATH: {ends}; name the package: {packages}"
+    return f"the node has no package: {ends}; name the package: {packages}"
 
 
 def hint(node: ExecutableUse, own: PackageFacts) -> str:

@@ -75,15 +75,14 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
         if many and each.is_passed_on:
             continue
         mild = Severity.INFO if each.may_be_included or (is_for_others and each.state == "undeclared") else level
+        better = "; declare it, or give it a default"
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
-            better = "add it"
+            better = "; add it"
         else:
             alike = [name for name in each.declared if is_misspelt(each.name, name)]
-            message = f"no file declares the launch argument `{each.name}`{did_you_mean(each.name, alike)}"
-            better = "declare it, or give it a default"
+            hint = did_you_mean(each.name, alike)
+            message, better = f"no file declares the launch argument `{each.name}`{hint}", "" if hint else better
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
-        ends = f'unless given, the launch stops ("{raised}")'
-        if each.may_be_included:
-            ends += ", unless a file that it includes sets it"
-        yield Hit(file.path, each.span, f"{message}: {ends}; {better}", mild)
+        unless = "given, or set by a file that it includes" if each.may_be_included else "given"
+        yield Hit(file.path, each.span, f'{message}: unless {unless}, the launch stops ("{raised}"){better}', mild)

@@ -52,8 +52,8 @@ def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
         for other in found[:index]:
             if can_hold_together(other.get("condition"), element.get("condition"), environments):
                 message = (
-                    f"`{element.text}` is a second build type that holds together with `{other.text}`: colcon builds "
-                    f"the folder as a plain package; keep one, or give each a condition such as `$ROS_VERSION == 2`"
+                    f"`{element.text}` is a second build type beside `{other.text}`: colcon builds the folder as a "
+                    f"plain package; keep one, or give each a condition (`$ROS_VERSION == 2`)"
                 )
                 related = (Related(manifest.path, manifest.span(other), "the first"),)
                 yield Hit(manifest.path, manifest.span(element), message, related=related)

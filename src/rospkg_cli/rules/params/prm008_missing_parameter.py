@@ -10,6 +10,8 @@ from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
 
+SHOWN = 5
+"""How many names the message lists."""
 NODE = """\
 class Talker : public rclcpp::Node
 {
@@ -108,5 +110,5 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
 
 
 def listed(names: Sequence[str]) -> str:
-    more = f" and {len(names) - 20} more" if len(names) > 20 else ""
-    return ", ".join(f"`{name}`" for name in names[:20]) + more
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return ", ".join(f"`{name}`" for name in names[:SHOWN]) + more
