@@ -44,6 +44,10 @@ def asked(ask: str) -> set[Question]:
         ("w.plugins_of('arm::Tool')", {("plugins_of", "arm::Tool")}),
         ("w.with_header('hand/x.hpp')", {("with_header", "hand/x.hpp")}),
         ("w.providers_of('gripping')", {("providers_of", "gripping")}),
+        ("w.having('modules', 'gripping')", {("having", "modules", "gripping")}),
+        ("w.having('started_nodes', 'arm', 'x')", {("having", "started_nodes", "arm", "x")}),
+        ("w.needing('arm')[0].version", {("needing", "arm"), ("field", "src/hand", "version")}),
+        ("w.is_needed('arm')", {("needing", "arm")}),
     ],
 )
 def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
@@ -55,7 +59,7 @@ def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
     [
         "w.named('hand').name", "w.named('leg')", "w.package_at('src/hand/x')", "w.kind_of('hand')",
         "w.is_available('hand')", "w.is_built_against('arm')", "w.loaders_of('arm::Tool')",
-        "w.bases_loaded_from('arm')",
+        "w.bases_loaded_from('arm')", "w.having('modules', 'gripping')[0].name", "w.needing('arm')[0].folder",
         "w.plugins_of('arm::Tool')", "w.with_header('hand/x.hpp')", "w.providers_of('gripping')",
         "w.selected", "w.names", "w.at('src/hand').plugins", "[each.folder for each in w.packages]",
     ],
@@ -72,7 +76,7 @@ QUESTIONS: list[Question] = [
     ("selected",), ("names",), ("package_at", "src/hand/x"), ("loaders_of", "arm::Tool"),
     ("is_built_against", "arm"), ("bases_loaded_from", "arm"), ("plugins_of", "arm::Tool"),
     ("with_header", "hand/x.hpp"),
-    ("providers_of", "gripping"),
+    ("providers_of", "gripping"), ("having", "modules", "gripping"), ("needing", "arm"),
 ]  # fmt: skip
 
 

@@ -71,8 +71,7 @@ class ShareUses:
     @property
     def is_needed(self) -> bool:
         """Whether another package depends on this one, which may open any of its files; a metapackage opens none."""
-        others = (each for each in self.workspace.packages if each.name != self.name and not each.is_metapackage)
-        return any(need.name == self.name for facts in others for need in facts.dependencies)
+        return any(not facts.is_metapackage for facts in self.workspace.needing(self.name))
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""

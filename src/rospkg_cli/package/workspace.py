@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Literal
 
 from ..light_dataclasses import dataclass
 from ..ros.distros import Distro, Targets
@@ -15,6 +16,22 @@ from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .missing_repositories import may_hold
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
+
+Holders = dict[str | tuple[str, ...], list[PackageFacts]]
+"""By a value of one field of their facts, the packages that have it."""
+
+ValuesField = Literal[
+    "started_nodes",
+    "parsed_yaml",
+    "interfaces",
+    "components",
+    "cmake_targets",
+    "modules",
+    "header_files",
+    "executables",
+    "misplaced_executables",
+]
+"""A field of PackageFacts that is a set of strings, or of tuples of them."""
 
 
 @dataclass(frozen=True)
@@ -83,10 +100,35 @@ class Workspace:
                 return self._by_folder[path].name
         return ""
 
+    @cached_property
+    def _by_value(self) -> dict[str, Holders]:
+        return {}
+
+    def having(self, field: ValuesField, *value: str) -> tuple[PackageFacts, ...]:
+        """Return the packages of which a field of their facts holds a value (several strings for a tuple of them)."""
+        if field not in self._by_value:
+            found: Holders = {}
+            for facts in self.packages:
+                for each in dict.fromkeys(getattr(facts, field)):
+                    found.setdefault(each, []).append(facts)
+            self._by_value[field] = found
+        return tuple(self._by_value[field].get(value[0] if len(value) == 1 else value, ()))
+
+    def needing(self, name: str) -> tuple[PackageFacts, ...]:
+        """Return the other packages that declare a dependency, whatever its tag."""
+        return tuple(facts for facts in self._needing.get(name, ()) if facts.name != name)
+
+    @cached_property
+    def _needing(self) -> dict[str, list[PackageFacts]]:
+        found: dict[str, list[PackageFacts]] = {}
+        for facts in self.packages:
+            for name in dict.fromkeys(need.name for need in facts.dependencies):
+                found.setdefault(name, []).append(facts)
+        return found
+
     def is_needed(self, name: str) -> bool:
         """Return whether another package depends on one: it may open any of its files."""
-        others = (facts for facts in self.packages if facts.name != name)
-        return any(need.name == name for facts in others for need in facts.dependencies)
+        return bool(self.needing(name))
 
     def is_built_against(self, name: str) -> bool:
         """Return whether another package needs one for its build: it may look for it with `find_package()`."""

@@ -35,6 +35,6 @@ class ExportedHeaders:
         """Whether a package of the workspace that has targets of its own depends on this one to build."""
         name = self.headers.package.facts.name
         tags = ("depend", "build_depend", "build_export_depend")
-        compiled = (facts for facts in self.workspace.packages if facts.is_ament and facts.is_compiled)
+        compiled = (each for each in self.workspace.needing(name) if each.is_ament and each.is_compiled)
         needs = (need for facts in compiled for need in facts.dependencies)
         return any(need.name == name and need.tag in tags for need in needs)

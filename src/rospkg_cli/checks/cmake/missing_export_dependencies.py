@@ -74,7 +74,7 @@ class ExportedDependencies:
         One that compiles nothing (a bringup with a `<depend>`) does not, whatever it declares.
         """
         name = self.headers.package.facts.name
-        compiled = (facts for facts in self.workspace.packages if facts.is_ament and not facts.is_metapackage)
+        compiled = (each for each in self.workspace.needing(name) if each.is_ament and not each.is_metapackage)
         return any(name in built_against(facts, *BUILD) and facts.is_compiled for facts in compiled)
 
     def registers_classes(self, name: str) -> bool:

@@ -65,7 +65,7 @@ class MistypedLinks:
 
     def is_brought(self, text: str) -> bool:
         """Return whether a package of the workspace exports a target, maybe into the name of another one."""
-        return any(text in facts.cmake_targets for facts in self.workspace.packages)
+        return bool(self.workspace.having("cmake_targets", text))
 
     def is_known(self, package: str) -> bool:
         known = self.workspace.kind_of(package) in (NameKind.PACKAGE, NameKind.KEY)

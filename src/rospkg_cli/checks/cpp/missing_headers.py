@@ -74,9 +74,7 @@ class MissingHeaders:
         """Return whether a file of the package ends with the path, or a package of the workspace has the header."""
         ends = self.by_name.get(posixpath.basename(header), ())
         wanted = f"/{posixpath.normpath(header)}"
-        return any(f"/{path}".endswith(wanted) for path in ends) or any(
-            header in facts.header_files for facts in self.workspace.packages
-        )
+        return any(f"/{path}".endswith(wanted) for path in ends) or bool(self.workspace.having("header_files", header))
 
     def knows_own(self, header: str) -> bool:
         """Return whether the build makes no header of that name, and no folder of git or a submodule lacks it."""

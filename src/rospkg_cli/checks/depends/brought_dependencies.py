@@ -54,6 +54,15 @@ class Brought:
         return next(alike, "") if workspace.index.is_key(name) and not is_package else ""
 
 
+@dataclass(frozen=True, slots=True)
+class PassedOn:
+    """What is installed with one package, for certain and perhaps, and whether that is known."""
+
+    certain: tuple[str, ...]
+    perhaps: tuple[str, ...]
+    is_known: bool
+
+
 def is_python(key: str) -> bool:
     return key.startswith("python")
 
@@ -66,12 +75,15 @@ def brought(first: Iterable[str], perhaps: Iterable[str], workspace: Workspace) 
     waiting = deque((*((name, certain.get(name, name)) for name in (*first, *certain)), *rest.items()))
     while waiting:
         name, bringer = waiting.popleft()
-        for need in (*may_need(name, workspace), *(needs_of(name, workspace) if name in rest else ())):
+        passed = passed_on(name, workspace)
+        for need in (*passed.perhaps, *(passed.certain if name in rest else ())):
             if need not in rest and need not in certain and need not in first:
                 rest[need] = bringer
                 waiting.append((need, bringer))
     every = dict.fromkeys((*first, *certain, *rest))
-    unknown = [name for name in every if not is_known(name, workspace)]
+    unknown = [name for name in every if not passed_on(name, workspace).is_known]
+    if not unknown:
+        return Brought(certain, rest, (), ())
     named = {*first, *perhaps, *(need for each in every for need in named_around(each, workspace))}
     keys = tuple(name for name in unknown if is_key(name, workspace, is_named=name in named))
     return Brought(certain, rest, tuple(name for name in unknown if name not in keys), keys)
@@ -83,10 +95,11 @@ def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
     Packages of the workspace are known by their manifests, others by the tables; what neither knows brings nothing.
     """
     found: dict[str, str] = {}
+    known = known_passed_on(workspace)
     waiting = deque((name, name) for name in first)
     while waiting:
         name, bringer = waiting.popleft()
-        for need in needs_of(name, workspace):
+        for need in (known.get(name) or passed_on(name, workspace)).certain:
             if need not in found:
                 found[need] = bringer
                 waiting.append((need, bringer))
@@ -97,34 +110,37 @@ def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, s
     """Return those of some names that come with another one of them; of two that bring each other, the second."""
     found: dict[str, str] = {}
     left = sorted(names)
+    comes_with = {other: brought_by([other], workspace) for other in left} if len(left) > 1 else {}
     for name in left:
-        bringers = (other for other in left if other not in (name, *found) and name in brought_by([other], workspace))
+        bringers = (other for other in left if other not in (name, *found) and name in comes_with[other])
         if (bringer := next(bringers, "")) and found.get(bringer) != name:
             found[name] = bringer
     return found
 
 
-def needs_of(name: str, workspace: Workspace) -> Iterable[str]:
-    """Return what a package passes on for certain; found out once for each name that a workspace is asked for."""
-    known: dict[str, Iterable[str]] = vars(workspace).setdefault("needs_of", {})
+def passed_on(name: str, workspace: Workspace) -> PassedOn:
+    """Return what a package passes on; found out once for each name that a workspace is asked for."""
+    known = known_passed_on(workspace)
     if name not in known:
-        known[name] = found_needs(name, workspace)
+        known[name] = found_passed_on(name, workspace)
     return known[name]
 
 
-def found_needs(name: str, workspace: Workspace) -> Iterable[str]:
-    facts = workspace.named(name)
-    if facts is not None:
-        return [need.name for need in facts.dependencies if need.certain and need.tag in PASSED_ON]
-    return [need for need in table_needs(name) if need[0] != PERHAPS]
+def known_passed_on(workspace: Workspace) -> dict[str, PassedOn]:
+    """Return what was found out already, by name."""
+    known: dict[str, PassedOn] = vars(workspace).setdefault("passed_on", {})
+    return known
 
 
-def may_need(name: str, workspace: Workspace) -> Iterable[str]:
-    """Return what a package passes on under a condition, or on some distributions alone."""
+def found_passed_on(name: str, workspace: Workspace) -> PassedOn:
     facts = workspace.named(name)
     if facts is not None:
-        return [need.name for need in facts.dependencies if not need.certain and need.tag in PASSED_ON]
-    return [need[1:] for need in table_needs(name) if need[0] == PERHAPS]
+        needs = [need for need in facts.dependencies if need.tag in PASSED_ON]
+        certain = tuple(need.name for need in needs if need.certain)
+        return PassedOn(certain, tuple(need.name for need in needs if not need.certain), facts.knows("dependencies"))
+    row = table_needs(name)
+    perhaps = tuple(need[1:] for need in row if need[0] == PERHAPS)
+    return PassedOn(tuple(need for need in row if need[0] != PERHAPS), perhaps, is_in_table(name))
 
 
 def named_around(name: str, workspace: Workspace) -> Iterable[str]:
@@ -144,9 +160,5 @@ def table_needs(name: str) -> tuple[str, ...]:
     return next((rows(table)[name] for table in (RUNTIME, EXPORTS, DEBIAN) if name in rows(table)), ())
 
 
-def is_known(name: str, workspace: Workspace) -> bool:
-    """Return whether it is known of a package what comes with it."""
-    facts = workspace.named(name)
-    if facts is not None:
-        return facts.knows("dependencies")
+def is_in_table(name: str) -> bool:
     return any(name in rows(table) for table in (RUNTIME, EXPORTS, DEBIAN))

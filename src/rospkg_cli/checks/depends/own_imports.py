@@ -100,7 +100,7 @@ class OwnImports:
     def of_others(self, file: PythonFile, each: Import, module: str) -> Iterator[MissingOwnName]:
         """Yield an import from another package of the workspace, where it has a module of a near name."""
         top = module.partition(".")[0]
-        providers = [facts for facts in self.workspace.packages if top in facts.modules]
+        providers = self.workspace.having("modules", top)
         if len(providers) != 1 or not providers[0].knows("modules") or self.changes_path(file):
             return
         parts, known = module.split("."), providers[0].modules

@@ -191,4 +191,7 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
 
 def there_to_launch(declared: DeclaredDependencies) -> frozenset[str]:
     """Return what is there wherever a launch file is launched: `ros2launch` and all that comes with it."""
-    return frozenset({STARTER, *brought_by([STARTER], declared.workspace)})
+    found: dict[str, frozenset[str]] = vars(declared.workspace).setdefault("there_to_launch", {})
+    if STARTER not in found:
+        found[STARTER] = frozenset({STARTER, *brought_by([STARTER], declared.workspace)})
+    return found[STARTER]

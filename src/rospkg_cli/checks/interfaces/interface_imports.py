@@ -53,7 +53,8 @@ class InterfaceImports:
     def has_module(self, module: str) -> bool:
         """Return whether a package of the workspace installs a module of that name itself, or may do so."""
         top = module.partition(".")[0]
-        installing = [facts for facts in self.workspace.packages if top in facts.modules or top == facts.name]
+        named = self.workspace.named(top)
+        installing = [*self.workspace.having("modules", top), *([named] if named is not None else ())]
         return any(module in facts.modules or not facts.knows("modules") for facts in installing)
 
     def meant_module(self, package: str, word: str) -> str | None:

@@ -59,7 +59,7 @@ class KnownInterfaces:
         near = self.nearest(package, base, known.get(kind, ()))
         if near:
             return f"{package}.{kind}.{near}"
-        owners = [facts.name for facts in self.workspace.packages if f"{kind}/{base}" in facts.interfaces]
+        owners = [facts.name for facts in self.workspace.having("interfaces", f"{kind}/{base}")]
         if self.is_here(package) and len(owners) == 1:
             return f"{owners[0]}.{kind}.{base}"
         return None

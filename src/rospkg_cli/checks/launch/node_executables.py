@@ -118,5 +118,5 @@ class NodeExecutables:
         return names.pop() if len(names) == 1 else ""
 
     def sister(self, node: ExecutableUse) -> str:
-        having = (each.name for each in self.scope.workspace.packages if node.executable in each.executables)
+        having = (each.name for each in self.scope.workspace.having("executables", node.executable))
         return next(having, "")

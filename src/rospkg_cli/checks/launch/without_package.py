@@ -41,10 +41,10 @@ class NodesWithoutPackage:
 
     def packages_with(self, executable: str) -> tuple[str, ...]:
         """Return the packages that have an executable in lib/<package>; none where it may be on the PATH."""
-        every = self.scope.workspace.packages
-        if any(executable in each.misplaced_executables for each in every):
+        workspace = self.scope.workspace
+        if workspace.having("misplaced_executables", executable):
             return ()
-        here = tuple(sorted(each.name for each in every if executable in each.executables))
+        here = tuple(sorted(each.name for each in workspace.having("executables", executable)))
         return here or packages_with_program(executable)
 
 

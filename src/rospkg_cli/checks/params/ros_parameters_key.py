@@ -26,7 +26,7 @@ class ParameterFileUse:
     def is_parsed_by_launch(self) -> bool:
         """Whether a launch file parses it and hands on values: then what is there for others needs no block."""
         name = self.file.path.rpartition("/")[2]
-        return any(name in facts.parsed_yaml for facts in self.workspace.packages)
+        return bool(self.workspace.having("parsed_yaml", name))
 
 
 def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:

@@ -42,8 +42,7 @@ class ScriptDir:
     @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
         """The executables that run a node, and those that a launch file of the workspace starts."""
-        started = {pair for facts in self.workspace.packages for pair in facts.started_nodes}
-        named = (e for e in self.package.executables if (self.package.name, e.name) in started)
+        named = (each for each in self.package.executables if self.is_started(each))
         return tuple(dict.fromkeys((*self.package.nodes, *named)))
 
     @cached_property
@@ -78,8 +77,10 @@ class ScriptDir:
     @cached_property
     def has_nodes_in_lib(self) -> bool:
         """Whether a launch file of the workspace looks in lib/<package> for one of the executables."""
-        started = {pair for facts in self.workspace.packages for pair in facts.started_nodes}
-        return any((self.package.name, each.name) in started for each in self.package.executables)
+        return any(map(self.is_started, self.package.executables))
+
+    def is_started(self, entry: EntryPoint) -> bool:
+        return bool(self.workspace.having("started_nodes", self.package.name, entry.name))
 
 
 def moves_scripts(setup: SetupPy) -> bool:

@@ -62,7 +62,7 @@ class UnregisteredNodes:
         folders = [module.rpartition(".")[0] for module in nodes]
         for module, main in nodes.items():
             folder = module.rpartition(".")[0]
-            if (self.package.name, module.rpartition(".")[2]) in self.started:
+            if self.is_started(module.rpartition(".")[2]):
                 continue
             has_others = any(each.module.rpartition(".")[0] == folder for each in self.package.nodes)
             file = self.package.modules.at(setup.modules[module])
@@ -70,10 +70,9 @@ class UnregisteredNodes:
                 alone = has_others and folders.count(folder) == 1
                 yield UnregisteredNode(module, file.path, main, alone, starts_itself(file))
 
-    @cached_property
-    def started(self) -> frozenset[tuple[str, str]]:
-        """What the launch files of the workspace start: LCH002 reports what of it is not there."""
-        return frozenset(pair for facts in self.package.workspace.packages for pair in facts.started_nodes)
+    def is_started(self, name: str) -> bool:
+        """Return whether a launch file of the workspace starts an executable: LCH002 reports one that is not there."""
+        return bool(self.package.workspace.having("started_nodes", self.package.name, name))
 
     def main_of(self, module: str) -> Span | None:
         """Return where a module that is a node defines `main`."""

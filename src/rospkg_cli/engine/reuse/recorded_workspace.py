@@ -7,7 +7,7 @@ from typing import Any
 
 from ...light_dataclasses import field_names
 from ...package.package_facts import PackageFacts, Plugin
-from ...package.workspace import Workspace
+from ...package.workspace import ValuesField, Workspace
 from ...ros.distros import Targets
 from ...ros.names import NameKind
 from .plain import digest_of
@@ -100,6 +100,14 @@ class RecordedWorkspace(Workspace):
         self.noted.add(("is_name", name))
         return self.real.is_available(name)
 
+    def having(self, field: ValuesField, *value: str) -> tuple[PackageFacts, ...]:
+        self.noted.add(("having", field, *value))
+        return tuple(map(self.recorded, self.real.having(field, *value)))
+
+    def needing(self, name: str) -> tuple[PackageFacts, ...]:
+        self.noted.add(("needing", name))
+        return tuple(map(self.recorded, self.real.needing(name)))
+
     def is_built_against(self, name: str) -> bool:
         self.noted.add(("is_built_against", name))
         return self.real.is_built_against(name)
@@ -156,6 +164,8 @@ class AnswerDigests:
             return arguments[0] in real.names
         if what in ("selected", "names"):
             return getattr(real, what)
+        if what in ("having", "needing"):
+            return tuple(facts.folder for facts in getattr(real, what)(*arguments))
         if what not in METHODS:
             raise LookupError(what)
         answer = getattr(real, what)(*arguments)
