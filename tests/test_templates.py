@@ -204,7 +204,7 @@ def test_every_file_of_the_templates_ends_in_j2() -> None:
     for name in (*template_names(), WORKSPACE, "_shared"):
         folder = load_template("ament_python").folders[1] / name
         names = {path.name for path in folder.rglob("*") if path.is_file()}
-        others = {"kinds.toml", "extras.toml"} if name == "_shared" else {"template.toml"}
+        others = {"kinds.toml", "extras.toml", "plugins.toml"} if name == "_shared" else {"template.toml"}
         assert {n for n in names if not n.endswith(".j2")} == others
 
 

@@ -74,6 +74,7 @@ def rendered_files(
         "launch": "",
         "params": False,
         "tests": "none",
+        "plugins": (),
     }
     found = render(replace(template, files=files), Answers(name=name, **{**defaults, **answers}), more)
     return found if author.spdx else tuple(map(headless, found))

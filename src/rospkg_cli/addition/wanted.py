@@ -25,9 +25,10 @@ from .new_file import NewFile
 from .node import node_parts, node_place, requested_node
 from .params import params_parts
 from .part import Part
+from .plugin import plugin_parts, plugin_that_is_there
 from .unit_test import parts_of_test
 
-WHATS = ("node", "launch", "params", *KINDS, "test", "dependency")
+WHATS = ("node", "plugin", "launch", "params", *KINDS, "test", "dependency")
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,8 @@ def parts_to_add(package: Package, wanted: Wanted, name: str, there: WorkspacePa
         case "node":
             place = node_place(package)
             return node_parts(place, requested_node(place, name, there))
+        case "plugin":
+            return plugin_parts(package, name)
         case "launch":
             return launch_parts(package, name, wanted.nodes)
         case "params":
@@ -69,6 +72,8 @@ def parts_to_remove(package: Package, wanted: Wanted, name: str, there: Workspac
     match wanted.what:
         case "node":
             return node_that_is_there(package, name, there, wanted.force)
+        case "plugin":
+            return plugin_that_is_there(package, name, wanted.force)
         case "launch":
             return launch_that_is_there(package, name, wanted.force)
         case "params":

@@ -67,6 +67,14 @@ def dependency_names() -> Iterator[str]:
     yield from sorted(set(known_names().all()))
 
 
+def plugin_words(incomplete: str) -> Iterator[str]:
+    """Complete KIND, or the kind in NAME:KIND."""
+    from ..scaffold.plugin_kinds import plugin_kinds
+
+    name, colon, kind = incomplete.rpartition(":")
+    yield from (f"{name}{colon}{each}" for each in plugin_kinds() if each.startswith(kind))
+
+
 def node_kinds(incomplete: str) -> Iterator[str]:
     """Complete the kind in NAME:KIND."""
     name, colon, kind = incomplete.partition(":")

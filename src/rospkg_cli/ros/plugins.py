@@ -12,6 +12,9 @@ RQT = frozenset({"rqt_gui", "qt_gui"})
 LOADED_FROM: Mapping[str, str] = pairs("plugins.txt", "base classes")
 """Base class → the package under whose name descriptions of its plugins must be exported."""
 
+BASE_HEADERS: Mapping[str, str] = pairs("plugins.txt", "headers")
+"""Base class → the header that has it, on every distribution; not of all base classes."""
+
 PLUGIN_PACKAGES: Mapping[str, str] = pairs("plugins.txt", "packages")
 """The packages of plugins whose names begin with another name than the package's, by that name or by the whole one."""
 

@@ -12,6 +12,7 @@ from .bringup import Bringup
 from .interface import RequestedInterface
 from .node import RequestedNode
 from .node_kinds import NodeParameter
+from .plugin import RequestedPlugin
 from .user_text import UserText
 
 EVERY_NODE = "/**"
@@ -49,6 +50,8 @@ class Request:
     year: int = 0
     minimal: bool = False
     """Whether what nothing is built, run or tested with is left out."""
+    plugins: tuple[str, ...] = ()
+    """`KIND` or `NAME:KIND`."""
 
     def with_defaults(self, defaults: Mapping[str, str]) -> Request:
         """Return the request with a config's values where nothing was typed."""
@@ -80,6 +83,7 @@ class Answers:
     """Whether there is a file of parameters for nodes that have some."""
     tests: str
     """`ament`, `minimal` or `none`."""
+    plugins: tuple[RequestedPlugin, ...] = ()
 
     @property
     def robot(self) -> str:

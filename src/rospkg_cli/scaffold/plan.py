@@ -20,6 +20,8 @@ from .maintainer import Maintainer, check_for_cmake, find_maintainer
 from .minimal import minimal_request, minimal_template
 from .names import check_package_name
 from .node import default_nodes, nodes_of
+from .plugin import plugins_of
+from .plugin_kinds import plugin_kinds
 from .render import RenderedFile, render, render_line
 from .resolve_request import depends_of, distro_of, license_of, requested_interfaces, version_of
 from .self_lint import lint_written
@@ -95,6 +97,7 @@ def understood(request: Request, answers: Answers, template: Template) -> Reques
         request,
         nodes=request.nodes or tuple(default_nodes(request.name, template)),
         msgs=request.msgs or (("Status",) if template.interfaces and not (request.srvs or request.actions) else ()),
+        plugins=request.plugins or (plugin_kinds()[:1] if template.plugins else ()),
         launch=(request.launch or LAUNCH) if template.launches else "",
         tests=answers.tests,
         license=answers.license.spdx,
@@ -121,6 +124,7 @@ def answers_of(
     if template.starts:
         started = bringup_of(request.name, request.nodes, depends, there, request.params)
         notes.extend(started.unknown)
+    target = distro_of(request.distro, notes)
     answers = Answers(
         name=request.name,
         nodes=nodes_of(request.nodes, request.name, template, there),
@@ -133,11 +137,12 @@ def answers_of(
         maintainer=maintainer.name,
         email=maintainer.email,
         version=version_of(request.version or VERSION),
-        distro=distro_of(request.distro, notes),
+        distro=target,
         year=request.year or datetime.date.today().year,
         launch=launch_format(request.launch or LAUNCH, template),
         params=request.params,
         tests=test_level(request.tests or TESTS),
+        plugins=plugins_of(request.plugins, request.name, template, target.name),
     )
     if there.index.is_package(answers.name):
         notes.append(f"ROS has a released package `{answers.name}`; a workspace with yours will not use that one")

@@ -26,7 +26,7 @@ ALL = "all"
 HEAD = {
     **dict.fromkeys(("title", "build-type", "description"), str),
     **dict.fromkeys(("kinds", "languages", "commands", "files"), list),
-    **dict.fromkeys(("starts", "interfaces"), bool),
+    **dict.fromkeys(("starts", "interfaces", "plugins"), bool),
 }
 """What template.toml may hold at its top."""
 
@@ -69,6 +69,8 @@ class Template:
     """Whether it starts what other packages have."""
     interfaces: bool
     """Whether it generates messages, services and actions."""
+    plugins: bool
+    """Whether it has plugins for other programs."""
     files: tuple[TemplateFile, ...]
     commands: tuple[str, ...]
     """What to type next, from the root of the workspace, with `{{ }}`."""
@@ -124,6 +126,7 @@ def read_template(folder: Path) -> Template:
         languages=tuple(data.get("languages", ())),
         starts=data.get("starts", False),
         interfaces=data.get("interfaces", False),
+        plugins=data.get("plugins", False),
         files=tuple(files_of(data["files"])),
         commands=tuple(data["commands"]),
         folder=folder,

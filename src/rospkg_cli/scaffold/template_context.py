@@ -8,6 +8,7 @@ from typing import Any
 from .answers import Answers
 from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
 from .launch_format import autostarted, launch_packages, unconfigured
+from .plugin import plugin_packages
 from .test_level import first_words, has_launch_test, has_linters, launch_test_packages, tested_logics
 
 
@@ -19,6 +20,7 @@ def template_context(answers: Answers) -> dict[str, Any]:
         **{name: getattr(answers, name) for name in computed},
         **in_cpp(answers),
         **in_python(answers),
+        **in_plugins(answers),
         "linted": has_linters(answers),
         "launch_tested": has_launch_test(answers),
         "first_words": partial(first_words, answers),
@@ -43,6 +45,14 @@ def in_cpp(answers: Answers) -> dict[str, Any]:
         "cmake_depends": cmake_names(answers.depends),
         "cpp_standard": cpp_standard(answers.distro),
         "targets_of": targets_of,
+    }
+
+
+def in_plugins(answers: Answers) -> dict[str, Any]:
+    """Return what a package of plugins knows."""
+    return {
+        "plugin_packages": plugin_packages(answers.plugins),
+        "has_own_base": any(plugin.is_own for plugin in answers.plugins),
     }
 
 

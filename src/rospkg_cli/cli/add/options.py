@@ -17,6 +17,7 @@ REMOVE_EPILOG = "Examples:  rospkg remove node talker  ·  rospkg remove depende
 
 PACKAGE = "The package: its folder, a path in it, or its name below the current folder."
 NODE = "NAME, NAME:KIND or NAME:KIND:LANGUAGE, as for `rospkg new --node`."
+PLUGIN = "KIND or NAME:KIND, as for `rospkg new --plugin`, for $ROS_DISTRO or the newest LTS."
 LAUNCH = "NAME or NAME:FORMAT; py, xml or yaml."
 FIELDS = "NAME or NAME:FIELDS, as for `rospkg new`: Status:'float32 battery, string task'."
 TEST = "NAME or NAME:LANGUAGE; python or cpp."
@@ -65,6 +66,17 @@ def add_node(
 ) -> int:
     """Write a node, with its executable and its dependencies."""
     return add("node", node, package, shown(dry_run, diff))
+
+
+@adding.command("plugin")
+def add_plugin(
+    plugin: Annotated[list[str], names("[NAME:]KIND...", PLUGIN)],
+    package: Package = Path(),
+    dry_run: DryRun = False,
+    diff: Diff = False,
+) -> int:
+    """Write a plugin, with its description, its library and its dependencies."""
+    return add("plugin", plugin, package, shown(dry_run, diff))
 
 
 @adding.command("launch")
@@ -151,6 +163,7 @@ def remove_command(what: str, help: str) -> None:
 
 
 remove_command("node", "Remove a node, its executable, and dependencies that nothing else needs.")
+remove_command("plugin", "Remove a plugin, its library, and dependencies that nothing else needs.")
 remove_command("launch", "Remove a launch file, and what installs it alone.")
 remove_command("params", "Remove a file of parameters, and what installs it alone.")
 remove_command("msg", "Remove a message.")

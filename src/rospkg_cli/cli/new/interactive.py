@@ -20,8 +20,8 @@ from .questions import QUESTIONS, Question
 from .summary import summary_lines
 
 OPTIONS = {
-    "template": "--type", "nodes": "--node", "msgs": "--msg", "srvs": "--srv", "actions": "--action",
-    "extras": "--with", "own_template": "--template",
+    "template": "--type", "nodes": "--node", "plugins": "--plugin", "msgs": "--msg", "srvs": "--srv",
+    "actions": "--action", "extras": "--with", "own_template": "--template",
 }  # fmt: skip
 """The options whose names differ from those of the request's fields."""
 

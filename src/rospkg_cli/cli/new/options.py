@@ -11,7 +11,16 @@ from typer.core import TyperCommand
 
 from .. import UsageError
 from ..arguments import one_of, split
-from ..complete import Completion, choices, dependency_names, distro_names, license_names, listed, node_kinds
+from ..complete import (
+    Completion,
+    choices,
+    dependency_names,
+    distro_names,
+    license_names,
+    listed,
+    node_kinds,
+    plugin_words,
+)
 
 if TYPE_CHECKING:
     from ...scaffold.answers import Request
@@ -19,13 +28,24 @@ if TYPE_CHECKING:
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
 
-TYPES = ("ament_python", "ament_cmake", "mixed", "library", "interfaces", "description", "bringup", "workspace")
+TYPES = (
+    "ament_python",
+    "ament_cmake",
+    "mixed",
+    "library",
+    "plugin",
+    "interfaces",
+    "description",
+    "bringup",
+    "workspace",
+)
 TYPE = f"{', '.join(TYPES[:-1])} or {TYPES[-1]}."
 NODE = (
     "A node; repeatable. In a mixed package also its language: planner:timer:python. "
     "About an interface: go:service:my_msgs/Go, with topic: scan:subscriber:sensor_msgs/LaserScan@/scan. "
     "In a bringup package: PACKAGE/EXECUTABLE."
 )
+PLUGIN = "A plugin, as KIND or NAME:KIND; repeatable. Its package is of --type plugin."
 MINIMAL = "No README, .gitignore, CONTRIBUTING.md, file of parameters; tests that need no ROS."
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
@@ -69,9 +89,11 @@ class NewCommand(TyperCommand):
 
     def format_help(self, ctx: Any, formatter: Any) -> None:
         from ...scaffold.node_kinds import listed_kinds
+        from ...scaffold.plugin_kinds import plugin_kinds
 
-        [node] = [each for each in self.params if "--node" in each.opts]
-        node.help = f"{NODE} Kinds: {listed_kinds()}."  # type: ignore[attr-defined]
+        kinds = {"--node": (NODE, listed_kinds()), "--plugin": (PLUGIN, ", ".join(plugin_kinds()))}
+        for each, name in ((each, name) for each in self.params for name in kinds if name in each.opts):
+            each.help = "{} Kinds: {}.".format(*kinds[name])  # type: ignore[attr-defined]
         super().format_help(ctx, formatter)
 
 
@@ -83,6 +105,7 @@ def new(
     node: Annotated[
         Names, what(NODE, "--node", "--node-name", metavar="NAME[:KIND[:LANGUAGE]]", values=node_kinds)
     ] = None,
+    plugin: Annotated[Names, what(PLUGIN, "--plugin", metavar="[NAME:]KIND", values=plugin_words)] = None,
     msg: Annotated[Names, what(MSG, metavar="NAME[:FIELDS]")] = None,
     srv: Annotated[Names, what("A service.", metavar="NAME[:FIELDS]")] = None,
     action: Annotated[Names, what("An action.", metavar="NAME[:FIELDS]")] = None,
@@ -117,6 +140,7 @@ def new(
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
     from ...scaffold.answers import Request
+    from .check_together import check_together
     from .place import named_place
     from .run import new as write_new
 
@@ -124,10 +148,11 @@ def new(
     if family and name in (".", ".."):
         raise UsageError("--family writes four packages; name the robot, and their folder with --into")
     name, into = named_place(name, into)
+    type = "plugin" if plugin and type == TYPES[0] else type
     request = Request(
         name, type, split(node), split(depends), tuple(msg or ()), tuple(srv or ()), tuple(action or ()), launch,
         params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
-        minimal,
+        minimal, split(plugin),
     )  # fmt: skip
     if update is not None:
         return update_at(update, request, dry_run, diff, color, force or skip or family or interactive or not record)
@@ -158,27 +183,6 @@ def update_at(package: Path, request: Request, dry_run: bool, diff: bool, color:
             "--no-record and -i out"
         )
     return update(package, request, dry_run, diff, color)
-
-
-def check_together(request: Request, existing: bool, both: bool, family: bool) -> None:
-    """Raise UsageError for options that exclude each other; `existing`: one is about a folder that is there."""
-    if request.own_template and request.template != "ament_python":
-        raise UsageError("--template replaces --type; leave one of them out")
-    if request.own_template and request.minimal:
-        raise UsageError("--minimal is for our own types of packages; leave it or --template out")
-    if both:
-        raise UsageError("--force replaces what --skip leaves alone; choose one of them")
-    if family and request.own_template:
-        raise UsageError("--family writes our own types of packages; leave --template out")
-    if family and request.template == "workspace":
-        raise UsageError(
-            f"the workspace comes first: `rospkg new {request.name} --type workspace`, and then "
-            f"`rospkg new ROBOT --family --into {request.name}/src`"
-        )
-    if family and existing:
-        raise UsageError(
-            "--family writes packages that are not there yet; --diff, --force and --skip require a single package"
-        )
 
 
 def ask_all(request: Request, into: Path) -> Request:

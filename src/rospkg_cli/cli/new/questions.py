@@ -13,6 +13,7 @@ from ...scaffold.maintainer import find_maintainer
 from ...scaffold.node import default_nodes
 from ...scaffold.node_kinds import all_kinds
 from ...scaffold.plan import LAUNCH, LICENSE, TESTS, template_of
+from ...scaffold.plugin_kinds import plugin_kinds, plugin_title
 from ...scaffold.resolve_request import distro_of
 from ...scaffold.template import Template, load_template, template_names
 from ...scaffold.test_level import TEST_LEVELS
@@ -48,6 +49,13 @@ QUESTIONS = (
     ),
     Question(
         "nodes", "Nodes to start (comma-separated), as PACKAGE/EXECUTABLE", applies=lambda template: template.starts
+    ),
+    Question(
+        "plugins",
+        "Plugins (comma-separated), as KIND or NAME:KIND",
+        lambda request, folder: plugin_kinds()[0],
+        lambda template: template.plugins,
+        lambda template: {kind: plugin_title(kind) for kind in plugin_kinds()},
     ),
     Question(
         "msgs",

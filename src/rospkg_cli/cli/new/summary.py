@@ -16,6 +16,7 @@ def summary_lines(plan: Plan, into: Path) -> Iterator[str]:
     nodes = [f"{node.name} ({node.kind.name}, {shown(node.language)})" for node in answers.nodes]
     choices = {
         "nodes": ", ".join(nodes),
+        "plugins": ", ".join(f"{plugin.name} ({plugin.kind.name})" for plugin in answers.plugins),
         "interfaces": ", ".join(each.name for each in answers.interfaces),
         "depends on": ", ".join(answers.depends),
         "launch file": answers.launch,

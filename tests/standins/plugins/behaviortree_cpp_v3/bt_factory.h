@@ -1,0 +1,2 @@
+#pragma once
+#include "behaviortree_cpp/bt_factory.h"

@@ -1,0 +1,2 @@
+#pragma once
+#include "behaviortree_cpp/condition_node.h"

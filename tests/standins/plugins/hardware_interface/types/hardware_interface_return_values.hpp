@@ -1,0 +1,2 @@
+#pragma once
+namespace hardware_interface {enum class return_type {OK, ERROR, DEACTIVATE};}

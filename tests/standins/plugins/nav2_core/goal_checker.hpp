@@ -1,0 +1,2 @@
+#pragma once
+namespace nav2_core {class GoalChecker {};}
