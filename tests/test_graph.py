@@ -1,20 +1,29 @@
-"""`rospkg graph`: edges, their marks, what is near a package, and three ways of showing them."""
+"""`rospkg graph`: edges, their marks, what is near a package, and the ways of showing them."""
 
 from __future__ import annotations
 
+import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
+import jsonschema
 import pytest
+from lxml import html
 
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.graph.run import GraphOptions, graph
 from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.graph import workspace_graph
 from rospkg_cli.graph.as_dot import as_dot, quoted
+from rospkg_cli.graph.as_html import as_html
+from rospkg_cli.graph.as_json import as_json
 from rospkg_cli.graph.as_list import as_list
 from rospkg_cli.graph.as_mermaid import as_mermaid, escaped
-from rospkg_cli.graph.workspace_graph import GraphEdge, GraphNode, WorkspaceGraph
+from rospkg_cli.graph.workspace_graph import KINDS, GraphEdge, GraphNode, WorkspaceGraph
+from rospkg_cli.light_dataclasses import replace
+from rospkg_cli.resources import resources
 
 LAUNCH = """\
 <launch>
@@ -67,30 +76,30 @@ def shown(workspace: Path, capsys: pytest.CaptureFixture[str]):
 def test_list(shown) -> None:
     assert shown() == [
         "base_pkg",
-        "  launch      base_pkg/launch/base.launch.xml",
+        "  launch                base_pkg/launch/base.launch.xml",
         "my_pkg",
-        "  build,exec  nav_msgs  (unused, outside)",
-        "  exec        sensor_msgs  (undeclared, outside)",
-        "  exec        top_pkg  (cycle)",
+        "  build,exec,interface  nav_msgs  (unused, outside)",
+        "  exec,interface        sensor_msgs  (undeclared, outside)",
+        "  exec                  top_pkg  (cycle)",
         "part_pkg",
         "top_pkg",
-        "  exec        base_pkg",
-        "  exec        far_pkg  (undeclared, outside)",
-        "  test        my_pkg  (cycle)",
-        "  build,exec  part_pkg",
-        "  launch      top_pkg/launch/near.launch.xml",
-        "  launch      top_pkg/launch/top.launch.xml",
+        "  exec                  base_pkg",
+        "  exec                  far_pkg  (undeclared, outside)",
+        "  test                  my_pkg  (cycle)",
+        "  build,exec            part_pkg",
+        "  launch                top_pkg/launch/near.launch.xml",
+        "  launch                top_pkg/launch/top.launch.xml",
         "top_pkg/launch/top.launch.xml",
-        "  launch      base_pkg: drive, …",
-        "  launch      base_pkg/launch/base.launch.xml: includes",
-        "  launch      top_pkg/launch/near.launch.xml: includes",
+        "  launch                base_pkg: drive, …",
+        "  launch                base_pkg/launch/base.launch.xml: includes",
+        "  launch                top_pkg/launch/near.launch.xml: includes",
         "packages: 4, launch files: 3, edges: 13, cycle: 2, undeclared: 2, unused: 1",
     ]
 
 
 def test_what_is_outside_is_shown_where_that_is_asked_for(shown) -> None:
     lines = shown(outside=True)
-    assert "  launch      far_pkg/launch/far.launch.xml: includes  (outside)" in lines
+    assert "  launch                far_pkg/launch/far.launch.xml: includes  (outside)" in lines
     assert not [line for line in lines if "doxygen" in line]
 
 
@@ -104,6 +113,24 @@ def test_kinds(shown) -> None:
         "packages: 4, launch files: 0, edges: 1, cycle: 1, undeclared: 0, unused: 0",
     ]
     assert "  build  part_pkg" in shown(kinds=("build",))
+
+
+def test_packages_that_define_interfaces(shown, write, workspace: Path) -> None:
+    write(
+        workspace, {"base_pkg/msg/Speed.msg": "float64 value\n", "tf2_msgs/package.xml": manifest("", name="tf2_msgs")}
+    )
+    write(workspace, {"my_pkg/package.xml": manifest("  <depend>nav_msgs</depend>\n  <depend>tf2_msgs</depend>\n")})
+    lines = shown(kinds=("interface",))
+    assert [line.strip() for line in lines if "interface" in line] == [
+        "interface  nav_msgs  (unused, outside)",
+        "interface  sensor_msgs  (undeclared, outside)",
+        "interface  base_pkg",
+    ]
+
+
+def test_what_is_only_started_is_no_use_of_interfaces(shown, write, workspace: Path) -> None:
+    write(workspace, {"base_pkg/msg/Speed.msg": "float64 value\n"})
+    assert "  launch                base_pkg: drive, …" in shown()
 
 
 def test_around(shown) -> None:
@@ -123,7 +150,7 @@ def test_what_a_launch_file_starts_is_one_step_from_its_package(shown) -> None:
 def test_only_chosen_packages_have_edges_of_their_own(shown, workspace: Path) -> None:
     lines = shown(paths=(workspace / "my_pkg",), outside=True)
     assert [line for line in lines if line[0] != " "][:-1] == ["my_pkg"]
-    assert "  exec        top_pkg  (cycle, outside)" in lines
+    assert "  exec                  top_pkg  (cycle, outside)" in lines
 
 
 def test_an_ignored_finding_marks_nothing(shown, write, workspace: Path) -> None:
@@ -145,7 +172,7 @@ def test_nothing_to_show(tmp_path: Path) -> None:
 def test_dot(shown) -> None:
     lines = shown(format="dot")
     assert lines[0] == "digraph workspace {"
-    assert '  "my_pkg" -> "sensor_msgs" [label="exec (undeclared)", color=darkorange, style=dashed];' in lines
+    assert '  "my_pkg" -> "sensor_msgs" [label="exec,interface (undeclared)", color=darkorange, style=dashed];' in lines
     assert '  "my_pkg" -> "top_pkg" [label="exec (cycle)", color=red, penwidth=2];' in lines
     assert '  "nav_msgs" [style=dashed, color=gray50];' in lines
     assert '  "top_pkg/launch/top.launch.xml" [shape=note, style=solid];' in lines
@@ -155,11 +182,49 @@ def test_mermaid(shown) -> None:
     lines = shown(format="mermaid")
     keys = {line.partition('"')[2].partition('"')[0]: line.split("[")[0].split(">")[0].strip() for line in lines[1:11]}
     edges = [line for line in lines if "--" in line or "-.-" in line]
-    undeclared = f'  {keys["my_pkg"]} -.->|"exec (undeclared)"| {keys["sensor_msgs"]}'
+    undeclared = f'  {keys["my_pkg"]} -.->|"exec,interface (undeclared)"| {keys["sensor_msgs"]}'
     assert lines[0] == "flowchart LR"
     assert undeclared in edges
     assert f"  linkStyle {edges.index(undeclared)} stroke:#d07000" in lines
     assert {*lines[-1].split()[1].split(",")} == {keys["far_pkg"], keys["nav_msgs"], keys["sensor_msgs"]}
+
+
+def test_json(shown) -> None:
+    found = json.loads("\n".join(shown(format="json")))
+    edge = {"source": "my_pkg", "target": "top_pkg", "kinds": ["exec"], "label": "", "marks": ["cycle"]}
+    node = {"name": "sensor_msgs", "package": "sensor_msgs", "is_launch_file": False, "is_outside": True}
+    assert edge in found["edges"]
+    assert node in found["nodes"]
+    schema = json.loads((resources("schemas") / "graph.schema.json").read_text())
+    jsonschema.validate(found, schema, jsonschema.Draft202012Validator)
+
+
+def test_html_holds_the_graph_and_the_licenses_and_loads_nothing(shown) -> None:
+    text = "\n".join(shown(format="html"))
+    page = html.document_fromstring(text)
+    data, script = page.xpath("//script/text()")
+    assert json.loads(data) == json.loads("\n".join(shown(format="json")))
+    assert not page.xpath("//@src | //@href")
+    (policy,) = page.xpath("//meta[@http-equiv]/@content")
+    assert policy.startswith("default-src 'none'; style-src 'sha256-")
+    assert "Cytoscape Consortium" in script
+    assert "Chris Pettitt" in script
+    assert "sourceMappingURL" not in text
+    assert text.isascii()
+    assert [box.get("value") for box in page.xpath("//input[@name='kind']")] == list(KINDS)
+    asked = set(re.findall(r'get\("(\w+)"\)', script.partition("// Layout:")[2]))
+    assert asked <= set(page.xpath("//@id"))
+
+
+def test_versions_of_bundled_libraries_are_noticed() -> None:
+    library = Path(workspace_graph.__file__).parent / "library"
+    notice = (Path(__file__).parents[1] / "NOTICE").read_text("utf-8")
+    version = re.search(r'="(3\.\d+\.\d+)"', (library / "cytoscape.min.js").read_text("utf-8"))
+    assert version
+    assert f"cytoscape {version[1]}" in notice
+    version = re.search(r'="(3\.\d+\.\d+)"', (library / "dagre.min.js").read_text("utf-8"))
+    assert version
+    assert f"@dagrejs/dagre {version[1]}" in notice
 
 
 NASTY = 'a"b\\c\n::error::]<i>#\x1b'
@@ -168,10 +233,17 @@ NASTY_GRAPH = WorkspaceGraph(
 )
 
 
-@pytest.mark.parametrize("writer", [as_list, as_dot, as_mermaid])
+@pytest.mark.parametrize("writer", [as_list, as_dot, as_mermaid, as_json])
 def test_a_strangers_names_end_no_line_and_no_string(writer) -> None:
     lines = list(writer(NASTY_GRAPH))
     assert not [line for line in lines if "\n" in line or "\x1b" in line or line.startswith("::")]
+
+
+def test_a_strangers_name_is_no_markup_and_unseen_signs_are_shown() -> None:
+    text = "\n".join(as_html(replace(NASTY_GRAPH, nodes=(GraphNode("</script>\x1b", "\u202e"),), edges=())))
+    data = html.document_fromstring(text).xpath("//script[@id='data']/text()")[0]
+    (node,) = json.loads(data)["nodes"]
+    assert (node["name"], node["package"]) == ("</script>\\x1b", "\\u202e")
 
 
 def test_signs_of_the_syntaxes_are_escaped() -> None:

@@ -11,6 +11,7 @@ from ..light_dataclasses import replace
 from ..package.launch.launch_file import LaunchFile
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
+from ..ros.interface_fields import known_interfaces
 from ..ros.manifest import BUILDS, EXPORTED, NOT_ORDERED
 from .launched import launch_node, launched
 from .workspace_graph import KINDS, MARKS, EdgeKind, EdgeMark, GraphEdge, GraphNode, WorkspaceGraph
@@ -65,6 +66,7 @@ def build_graph(workspace: Workspace, findings: Iterable[Finding], launch: Launc
                 edges.add((node.name, target.name), ("launch",), label)
                 needed_nodes[target.name] = target
     mark_findings(edges, workspace, findings)
+    add_interfaces(edges, workspace)
     needs = needed(workspace)
     for knot in strongly_connected(needs):
         for pair in [(one, other) for one in knot for other in needs[one] if other in knot]:
@@ -82,6 +84,15 @@ def add_dependencies(edges: EdgeCollector, facts: PackageFacts, workspace: Works
         for member in workspace.packages:
             if group.name in member.groups and member.name != facts.name:
                 edges.add((facts.name, member.name), ("build", "exec"))
+
+
+def add_interfaces(edges: EdgeCollector, workspace: Workspace) -> None:
+    """Mark the dependencies on packages that define messages, services or actions, here or as ROS 2 is known to."""
+    here = {facts.name for facts in workspace.packages}
+    defining = {facts.name for facts in workspace.packages if facts.interfaces} | (known_interfaces().keys() - here)
+    for (_, target), kinds in edges.kinds.items():
+        if target in defining and kinds != {"launch"}:
+            kinds.add("interface")
 
 
 def kinds_of(tag: str) -> tuple[EdgeKind, ...]:

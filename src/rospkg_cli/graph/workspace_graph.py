@@ -7,8 +7,8 @@ from typing import Literal
 
 from ..light_dataclasses import dataclass, replace
 
-EdgeKind = Literal["build", "exec", "test", "launch"]
-KINDS: tuple[EdgeKind, ...] = ("build", "exec", "test", "launch")
+EdgeKind = Literal["build", "exec", "test", "launch", "interface"]
+KINDS: tuple[EdgeKind, ...] = ("build", "exec", "test", "launch", "interface")
 EdgeMark = Literal["cycle", "undeclared", "unused"]
 MARKS: tuple[EdgeMark, ...] = ("cycle", "undeclared", "unused")
 

@@ -12,16 +12,22 @@ from ..complete import choices, listed
 
 EPILOG = (
     "Examples:  rospkg graph src/  ·  rospkg graph --around my_robot_nav --depth 2  ·  "
-    "rospkg graph --format dot | dot -Tsvg > graph.svg"
+    "rospkg graph --format html > graph.html"
 )
-FORMATS = ("list", "dot", "mermaid")
-GRAPH_KINDS = ("build", "exec", "test", "launch")
+FORMATS = ("list", "dot", "mermaid", "json", "html")
+GRAPH_KINDS = ("build", "exec", "test", "launch", "interface")
 
 
 def graph(
     paths: Annotated[list[Path] | None, Argument(help="Packages, or folders of packages.")] = None,
     format: Annotated[
-        str, Option("--format", metavar="FORMAT", autocompletion=choices(*FORMATS), help="list, dot or mermaid.")
+        str,
+        Option(
+            "--format",
+            metavar="FORMAT",
+            autocompletion=choices(*FORMATS),
+            help="list, dot, mermaid, json or html: a page to search and filter.",
+        ),
     ] = "list",
     around: Annotated[
         str | None, Option(metavar="PACKAGE", help="Only what is near a package, in either direction.")
@@ -29,7 +35,9 @@ def graph(
     depth: Annotated[int, Option(min=0, metavar="N", help="How many steps away from it.")] = 1,
     kind: Annotated[
         list[str] | None,
-        Option(metavar="KINDS", autocompletion=listed(lambda: GRAPH_KINDS), help="build, exec, test, launch."),
+        Option(
+            metavar="KINDS", autocompletion=listed(lambda: GRAPH_KINDS), help="build, exec, test, launch, interface."
+        ),
     ] = None,
     outside: Annotated[bool, Option("--outside", help="Also packages that are not here: rclcpp, …")] = False,
     target: Annotated[

@@ -9,6 +9,8 @@ from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
 from ...engine.run.session import Pool, Session
 from ...graph.as_dot import as_dot
+from ...graph.as_html import as_html
+from ...graph.as_json import as_json
 from ...graph.as_list import as_list
 from ...graph.as_mermaid import as_mermaid
 from ...graph.build_graph import UNDECLARED, UNUSED, build_graph
@@ -22,7 +24,7 @@ from ..lint.session import make_session
 from ..progress import progress
 from ..streams import say
 
-WRITERS = {"list": as_list, "dot": as_dot, "mermaid": as_mermaid}
+WRITERS = {"list": as_list, "dot": as_dot, "mermaid": as_mermaid, "json": as_json, "html": as_html}
 
 
 @dataclass(frozen=True)
