@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
+from rospkg_cli.tree import MemoryTree
 
 
 def packages(**needs: str) -> dict[str, str]:
@@ -136,3 +138,26 @@ def test_changelogs_that_it_does_not_take(titles: list[str], told: str) -> None:
 def test_a_changelog_in_an_old_encoding_is_no_fault() -> None:
     files = {"package.xml": manifest(), "CHANGELOG.rst": b"1.1.0 (2026-01-01)\n---\n* \xe9\n"}
     assert lint_files(files, ["WSP004", "RPK001"]).findings == ()
+
+
+@pytest.mark.parametrize(
+    ("folders", "selected", "told"),
+    [
+        (("one_ws/src/a", "two_ws/src/b"), "", 0),
+        (("ws/src/one/a", "ws/src/two/src/b"), "", 2),
+        (("src/one/src/a", "src/two/src/b"), "", 2),
+        (("a", "inner/src/b"), "", 2),
+        (("src/a", "inner/src/b"), "", 2),
+        (("src/a", "inner/src/b"), "inner/src/b", 0),
+        (("a", "inner/src/b"), "inner/src/b", 0),
+        (("src/a", "inner/src/b"), "src/a", 0),
+        (("ws/src/a", "ws2/src/b"), "", 0),
+        (("src/a", "src/b"), "src/a", 1),
+    ],
+)
+def test_packages_of_one_name_are_told_where_one_build_finds_both(
+    folders: tuple[str, str], selected: str, told: int
+) -> None:
+    tree = MemoryTree.of({f"{folder}/package.xml": manifest("", "cmake", "my_pkg") for folder in folders})
+    scope = Scope(folders, frozenset({selected} if selected else folders))
+    assert len(Session(tree, scope, frozenset({"WSP001"})).run().findings) == told
