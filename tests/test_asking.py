@@ -32,7 +32,7 @@ def talk(lines: str, cwd: Path, *options: str) -> Done:
 def test_nothing_answered_is_what_nothing_typed_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     asked = Request("my_pkg", **ADA)
-    assert answer(monkeypatch, asked, *[""] * 7) == asked
+    assert answer(monkeypatch, asked, *[""] * 8) == asked
 
 
 def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -47,10 +47,11 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
         "Drives.",
         "MIT",
     )
-    found = answer(monkeypatch, Request(""), *given, "Ada", "ada@example.org")
+    found = answer(monkeypatch, Request(""), *given, "Ada", "ada@example.org", "ci, docs")
     assert found == Request(
         "my_pkg", "ament_cmake", ("talker", "driver:component"), ("nav_msgs",), launch="xml", tests="minimal",
         distro="jazzy", description="Drives.", license="MIT", maintainer="Ada", email="ada@example.org",
+        extras=("ci", "docs"),
     )  # fmt: skip
     said = capsys.readouterr()
     assert said.out == ""
@@ -74,6 +75,7 @@ def test_a_wrong_answer_is_explained_and_asked_again(
         "",
         "WTFPL",
         "",
+        "",
     )
     found = answer(monkeypatch, Request("", **ADA), *given)
     assert (found.name, found.nodes, found.depends, found.license) == ("my_pkg", ("talker",), (), "")
@@ -89,7 +91,7 @@ def test_a_wrong_answer_is_explained_and_asked_again(
 
 
 def test_messages_are_asked_for_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    given = ("interfaces", "Status:float32 x, string y", "Other", "", "", "minimal", "", "")
+    given = ("interfaces", "Status:float32 x, string y", "Other", "", "", "minimal", "", "", "")
     found = answer(monkeypatch, Request("my_interfaces", **ADA), *given)
     assert found.msgs == ("Status:float32 x, string y", "Other")
     assert (found.nodes, found.launch, found.tests) == ((), "", "minimal")
@@ -99,7 +101,7 @@ def test_what_was_typed_is_not_asked_and_the_config_is_the_default(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     typed = Request("my_pkg", "mixed", nodes=("a1", "b1:python"), launch="yaml", tests="none", **ADA)
-    assert answer(monkeypatch, typed, "", "", "", license="MIT") == typed
+    assert answer(monkeypatch, typed, "", "", "", "", license="MIT") == typed
     said = capsys.readouterr().err
     assert "License (SPDX identifier) [MIT]: " in said
     assert "Type" not in said
@@ -114,10 +116,11 @@ def test_answers_that_end_too_soon_write_nothing(tmp_path: Path) -> None:
 
 
 def test_the_command_at_the_end_writes_the_same(tmp_path: Path) -> None:
-    lines = 'my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\n\nhumble\nDrives "it".\nMIT\nAda\nada@example.org\n\n'
+    lines = 'my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\n\nhumble\nDrives "it".\nMIT\nAda\nada@example.org\nci\n\n'
     done = talk(lines, tmp_path, "--into", "one")
     assert done.returncode == 0, done.stderr
     [command] = [line for line in done.stderr.splitlines() if "the same without questions: " in line]
+    assert "  with         ci\n" in done.stderr
     words = shlex.split(command.partition("questions: ")[2])
     assert run_here(*words[1:], "--into", "two", cwd=tmp_path).returncode == 0
     written = {folder: content(tmp_path / folder) for folder in ("one", "two")}
@@ -131,11 +134,12 @@ ADA_TYPED = ("my_pkg", "--maintainer", "Ada", "--email", "ada@example.org", "--d
     ("said", "writes"), [("", True), ("Y", True), ("maybe\nyes", True), ("n", False), ("no", False)]
 )
 def test_it_writes_after_a_summary_and_a_yes(tmp_path: Path, said: str, writes: bool) -> None:
-    done = talk("\n" * 7 + f"{said}\n", tmp_path, *ADA_TYPED)
+    done = talk("\n" * 8 + f"{said}\n", tmp_path, *ADA_TYPED)
     assert done.returncode == 0, done.stderr
     assert "my_pkg: ament_python, A ROS 2 node that publishes a greeting at a steady rate\n" in done.stderr
     assert "  nodes        my_pkg_node (publisher, Python)\n" in done.stderr
     assert "depends on " not in done.stderr
+    assert "  with " not in done.stderr
     assert done.stderr.count("files? [Y/n] ") == 1 + said.count("\n")
     assert ("Answer y or n." in done.stderr) is ("maybe" in said)
     assert (tmp_path / "my_pkg").exists() is writes
@@ -146,14 +150,14 @@ def test_it_writes_after_a_summary_and_a_yes(tmp_path: Path, said: str, writes: 
 
 
 def test_a_family_is_confirmed_as_a_whole(tmp_path: Path) -> None:
-    done = talk("\n" * 7 + "n\n", tmp_path, *ADA_TYPED, "--family")
+    done = talk("\n" * 8 + "n\n", tmp_path, *ADA_TYPED, "--family")
     assert done.returncode == 0, done.stderr
     assert [f"my_pkg{end}: " in done.stderr for end in ("_interfaces", "_description", "", "_bringup")] == [True] * 4
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_is_only_shown_needs_no_yes(tmp_path: Path) -> None:
-    assert "[Y/n]" not in talk("\n" * 7, tmp_path, *ADA_TYPED, "--dry-run").stderr
+    assert "[Y/n]" not in talk("\n" * 8, tmp_path, *ADA_TYPED, "--dry-run").stderr
 
 
 @pytest.mark.parametrize(("option", "files"), [("--skip", 1), ("--force", 2)])
@@ -161,7 +165,7 @@ def test_of_a_folder_that_exists_only_what_changes_is_counted(tmp_path: Path, op
     assert run_here("new", *ADA_TYPED, cwd=tmp_path).returncode == 0
     (tmp_path / "my_pkg" / "README.md").unlink()
     (tmp_path / "my_pkg" / "LICENSE").write_text("mine\n")
-    done = talk("\n" * 7 + "n\n", tmp_path, *ADA_TYPED, option)
+    done = talk("\n" * 8 + "n\n", tmp_path, *ADA_TYPED, option)
     assert ("Write this file? [Y/n] " if files == 1 else "Write these 2 files? [Y/n] ") in done.stderr
     assert not (tmp_path / "my_pkg" / "README.md").exists()
 
@@ -169,11 +173,12 @@ def test_of_a_folder_that_exists_only_what_changes_is_counted(tmp_path: Path, op
 def test_types_kinds_and_tests_are_listed_with_what_they_are(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 7)
+    answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 8)
     said = capsys.readouterr().err.replace(": ", ":\n").splitlines()
     assert "  ament_cmake   a C++ package with nodes" in said
     assert "  timer          a node that counts down" in said
     assert "  minimal  what needs neither ROS nor ament" in said
+    assert "  pre-commit    checks before each commit" in said
 
 
 def content(folder: Path) -> dict[str, bytes]:

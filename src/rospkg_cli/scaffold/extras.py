@@ -35,6 +35,11 @@ def all_extras() -> dict[str, tuple[TemplateFile, ...]]:
     return {name: tuple(replace(file, brackets=True) for file in files_of(row["files"])) for name, row in table}
 
 
+def extras_with_meaning() -> dict[str, str]:
+    """Return each extra with what it is, in a few words."""
+    return {name: row["about"] for name, row in extras_table().items()}
+
+
 @cache
 def workspace_extras() -> dict[str, tuple[TemplateFile, ...]]:
     """Return the files of the extras that the root of a workspace may have."""

@@ -8,6 +8,7 @@ from pathlib import Path
 from ...light_dataclasses import dataclass
 from ...ros.distros import DISTROS
 from ...scaffold.answers import Request
+from ...scaffold.extras import extras_with_meaning
 from ...scaffold.launch_format import LAUNCH_FORMATS
 from ...scaffold.maintainer import find_maintainer
 from ...scaffold.node import default_nodes
@@ -81,4 +82,5 @@ QUESTIONS = (
     Question("license", "License (SPDX identifier)", lambda request, folder: LICENSE),
     Question("maintainer", "Maintainer", lambda request, folder: find_maintainer("", "", folder).name.text),
     Question("email", "E-mail", lambda request, folder: find_maintainer("", "", folder).email),
+    Question("extras", "What else (comma-separated)", choices=lambda template: extras_with_meaning()),
 )

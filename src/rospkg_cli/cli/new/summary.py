@@ -21,6 +21,7 @@ def summary_lines(plan: Plan, into: Path) -> Iterator[str]:
         "depends on": ", ".join(answers.depends),
         "launch file": answers.launch,
         "tests": answers.tests,
+        "with": ", ".join(plan.asked.extras),
         "for": f"ROS 2 {answers.distro.name}",
         "license": answers.license.spdx,
         "maintainer": f"{answers.maintainer.text} <{answers.email}>",
