@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from looked_up import FILES
 
-from rospkg_cli.example import SETUP_PY_FOR_ALL, Example
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.lookup.completion import completions
+from rospkg_cli.lookup.declared_default import default_behind
 from rospkg_cli.lookup.definition import definitions
 from rospkg_cli.lookup.hover import hover
 from rospkg_cli.lookup.mention import mention_at
@@ -18,53 +19,6 @@ from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
 
 DISTROS = ("humble", "jazzy", "kilted", "lyrical", "rolling")
-MANIFEST = Example(bad={}, good={}).bad_files()["package.xml"]
-CMAKE_MANIFEST = MANIFEST.replace("my_pkg", "my_cpp").replace("ament_python", "ament_cmake")
-FILES = {
-    **{f"my_pkg/{path}": text for path, text in Example(bad={}, good={}).bad_files().items()},
-    "my_pkg/package.xml": MANIFEST.replace(
-        "<export>", "<depend>my_cpp</depend><depend>rclpy</depend><depend>libopencv-dev</depend><export>"
-    ),
-    "my_pkg/setup.py": SETUP_PY_FOR_ALL.replace(
-        "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
-    ),
-    "my_pkg/my_pkg/talker.py": "import rclpy\n\n\nasync def main():\n    pass\n",
-    "my_pkg/launch/a.launch.xml": """\
-<launch>
-  <arg name="speed" default="1"/>
-  <node pkg="my_pkg" exec="talker" name="$(var speed)"/>
-  <node pkg="my_cpp" exec="driver">
-    <param from="$(find-pkg-share my_cpp)/config/p.yaml"/>
-  </node>
-  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">
-    <composable_node pkg="my_cpp" plugin="mine::Driver"/>
-  </node_container>
-</launch>
-""",
-    "my_cpp/package.xml": CMAKE_MANIFEST,
-    "my_cpp/CMakeLists.txt": """\
-project(my_cpp)
-find_package(ament_cmake REQUIRED)
-find_package(rosidl_default_generators REQUIRED)
-add_executable(driver src/driver.cpp)
-add_library(parts SHARED src/parts.cpp)
-rclcpp_components_register_nodes(parts "mine::Driver")
-rosidl_generate_interfaces(${PROJECT_NAME} "msg/Status.msg" "msg/Robot.msg")
-install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
-install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
-ament_package()
-""",
-    "my_cpp/src/driver.cpp": "// the driver\nint main() {}\n",
-    "my_cpp/src/parts.cpp": """\
-namespace mine { class Driver {
-  Driver() { declare_parameter<double>("speed", 1.0); } }; }
-""",
-    "my_cpp/config/p.yaml": "driver:\n  ros__parameters:\n    speed: 2.0\n",
-    "my_cpp/msg/Status.msg": "float32 battery\n",
-    "my_cpp/msg/Robot.msg": "Status status\nstd_msgs/Header header  # rospkg: ignore[IDL004] because\n",
-    "my_cpp/urdf/r.urdf": '<robot name="r"><link name="l"><visual><geometry>\n'
-    '<mesh filename="package://my_cpp/config/p.yaml"/></geometry></visual></link></robot>\n',
-}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +106,7 @@ def test_what_leads_nowhere_is_no_mention(world: LookupWorld, path: str, at: str
             "component_|container",
             "executable of **rclcpp_components**, which is not in this workspace",
         ),
-        ("my_cpp/config/p.yaml", "spe|ed", "**speed**: double; declared in `my_cpp`, `src/parts.cpp`"),
+        ("my_cpp/config/p.yaml", "spe|ed", "**speed**: double, default `1.0`; declared in `my_cpp`, `src/parts.cpp`"),
         ("my_cpp/msg/Robot.msg", "Sta|tus", "**my_cpp/msg/Status**\n\n```\nfloat32 battery\n```"),
         ("my_cpp/msg/Robot.msg", "IDL|004", "# IDL004 unknown-type"),
     ],
@@ -173,6 +127,24 @@ def test_what_is_told(world: LookupWorld, path: str, at: str, told: str) -> None
         ("my_pkg/launch/b.launch.py", "Node(package='my_c", 4, ["my_cpp"]),
         ("my_pkg/launch/b.launch.py", "Node(package='my_cpp', executable='d", 1, ["driver"]),
         ("my_pkg/launch/b.launch.xml", '<node exec="t', 1, []),
+        ("my_pkg/launch/b.launch.xml", '<node pkg="my_pkg" exec="talker"/><node pkg="my_cpp" exec="', 0, ["driver"]),
+        (
+            "my_pkg/launch/b.launch.xml",
+            '<include file="c.launch.xml"><arg name="rate" value="1"/><arg name="ra',
+            2,
+            ["radius", "rate"],
+        ),
+        ("my_pkg/launch/b.launch.xml", '<include file="c.launch.xml"/><arg name="ra', 0, []),
+        ("my_pkg/launch/b.launch.xml", '<include file="c.launch.xml"></include><arg name="ra', 0, []),
+        ("my_pkg/launch/b.launch.xml", '<include file="other.launch.xml"><arg name="ra', 2, []),
+        ("my_pkg/launch/b.launch.py", "include('c.launch.xml', launch_arguments={'rate': '1', 'rad", 3, ["radius"]),
+        ("my_pkg/launch/b.launch.py", "DeclareLaunchArgument(name='one')\nLaunchConfiguration('o", 1, ["one"]),
+        (
+            "my_pkg/launch/c.launch.yaml",
+            "- arg:\n    name: one\n- let: {name: other}\n- node:\n    exec: $(var o",
+            1,
+            ["one", "other"],
+        ),
         ("my_pkg/launch/a.launch.xml", '<node name="$(var s', 1, ["speed"]),
         ("my_cpp/msg/New.msg", "float32 x\nStat", 4, ["Status"]),
         ("my_pkg/msg/New.msg", "my_cpp/S", 8, ["my_cpp/Status"]),
@@ -190,3 +162,22 @@ def test_what_may_be_written(world: LookupWorld, path: str, text: str, typed: in
 def test_the_package_of_an_executable_may_come_after_it(world: LookupWorld) -> None:
     text = '<node exec="" pkg="my_cpp"/>'
     assert completions(world, "my_pkg", "launch/b.launch.xml", text, 12) == (0, ["driver"])
+
+
+@pytest.mark.parametrize(
+    "text, default",
+    [
+        ('declare_parameter("speed", 1.0);', "1.0"),
+        ('declare_parameter<std::vector<double>>("speed", {1.0, 2.0}, described);', "{1.0, 2.0}"),
+        ('declare_or_get(\n  node, "speed",\n  rclcpp::ParameterValue(0.5));', "rclcpp::ParameterValue(0.5)"),
+        ('declare_parameter(name + ".speed", std::string("a, b"));', 'std::string("a, b")'),
+        ("self.declare_parameters('', [('speed', 'fast'), ('x', 1)])", "'fast'"),
+        ("self.declare_parameter('speed')", ""),
+        ("self.declare_parameter('speed', ", ""),
+        ("get_parameter('speed', 1.0)", ""),
+        (f"declare_parameter('speed', '{'x' * 100}')", ""),
+    ],
+)
+def test_the_default_of_a_declaration(text: str, default: str) -> None:
+    start = text.index("speed") - (text[text.index("speed") - 1] == ".")
+    assert default_behind(text, start, text.index("speed") + 5) == default

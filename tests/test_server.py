@@ -46,6 +46,16 @@ ament_package()
     "msg/Robot.msg": "Status status\n",
 }
 
+CMAKE = """\
+cmake_minimum_required(VERSION 3.10)
+project({})
+find_package(ament_cmake REQUIRED)
+if(BUILD_TESTING)
+  ament_add_gtest(test_it test/test_it.cpp)
+endif()
+ament_package()
+"""
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -173,6 +183,39 @@ def test_actions_are_those_of_the_line(editor: Editor, package: Path) -> None:
     titles = [each.title for each in editor.actions(path, line, line)]
     assert titles == ["Ignore XML104 with a reason", f"rospkg: fix all in {package.name}"]
     assert [each.kind for each in editor.actions(path, line + 1, line + 1)] == ["source.fixAll.rospkg"]
+
+
+def test_what_no_fix_declares_is_declared_by_an_action(editor: Editor, package: Path, write: Write) -> None:
+    """A command for tests whose package is neither found nor declared: where it is to be found, no fix can know."""
+    write(package, {"CMakeLists.txt": CMAKE.format(package.name), "test/test_it.cpp": ""})
+    (package / "setup.py").unlink()
+    path = package / "package.xml"
+    text = path.read_text().replace(">ament_python<", ">ament_cmake<")
+    text = text.replace("  <export>", "  <buildtool_depend>ament_cmake</buildtool_depend>\n  <export>")
+    path.write_text(text)
+    editor.wrote(path, package / "CMakeLists.txt", package / "setup.py")
+    editor.open(package / "CMakeLists.txt")
+    declare = next(each for each in editor.actions(package / "CMakeLists.txt") if each.title.startswith("declare"))
+    assert declare.title == "declare `ament_cmake_gtest` as <test_depend> (DEP104)"
+    assert applied(text, edits_of(declare)) == text.replace(
+        "  <export>", "  <test_depend>ament_cmake_gtest</test_depend>\n  <export>"
+    )
+
+
+def test_folders_come_and_go(editor: Editor, folder: Path, package: Path, tmp_path: Path, write: Write) -> None:
+    """One elsewhere, and one inside of another, which takes over the files in it."""
+    write(tmp_path / "elsewhere/my_pkg", {"package.xml": "<package/>"})
+    path, other = package / "package.xml", tmp_path / "elsewhere/my_pkg/package.xml"
+    editor.open(path)
+    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.change_folders(added=[tmp_path / "elsewhere", package])
+    editor.until(lambda: "XML001" in editor.codes(other))
+    editor.settle()
+    assert editor.codes(path) == ["XML104"]
+    editor.change_folders(removed=[tmp_path / "elsewhere", package])
+    editor.until(lambda: editor.codes(other) == [])
+    editor.settle()
+    assert editor.codes(path) == ["XML104"]
 
 
 def test_an_ignore_comment_is_written_above_the_line(editor: Editor, package: Path) -> None:

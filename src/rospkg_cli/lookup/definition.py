@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ..package.cmake.cmake_project import CMake
 from ..package.install_table import InstalledFile
 from ..package.package_facts import PackageFacts
+from ..package.params.declared_parameter import DeclaredParameter
 from ..source import Span
 from .mention import Mention
 from .world import DefinitionSite, LookupWorld
@@ -96,11 +97,18 @@ def of_parameter(world: LookupWorld, facts: PackageFacts, name: str) -> Iterator
     others = [each for each in world.workspace.packages if each is not facts]
     for each in (facts, *others):
         for declared in each.parameters:
-            if declared.fits(name) and (place := world.place(each, declared.path)):
-                quoted = re.search(
-                    rf"""["']({re.escape(declared.name.strip("."))})["']""", world.source(place.path).text
-                )
-                yield DefinitionSite(place.path, Span(*quoted.span(1))) if quoted else place
+            if declared.fits(name):
+                yield declaration_site(world, each, declared)
+
+
+def declaration_site(world: LookupWorld, facts: PackageFacts, declared: DeclaredParameter) -> Found:
+    """Return where a package names a parameter that it declares: a prefix may be put before it when it runs."""
+    place = world.place(facts, declared.path)
+    if place is None:
+        return None
+    name = re.escape(declared.name.strip("."))
+    quoted = re.search(rf"""["'](\.?{name})["']""", world.source(place.path).text)
+    return DefinitionSite(place.path, Span(*quoted.span(1))) if quoted else place
 
 
 FINDERS = {

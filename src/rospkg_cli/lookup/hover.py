@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..package.manifest import Manifest
+from ..package.package_facts import PackageFacts
+from ..package.params.declared_parameter import DeclaredParameter
 from ..ros.distros import DISTROS
 from ..ros.names import NameKind, Names
-from .definition import definitions
+from .declared_default import default_behind
+from .definition import declaration_site, definitions
 from .mention import Mention
 from .world import LookupWorld
 
@@ -74,8 +77,14 @@ def of_parameter(world: LookupWorld, folder: str, mention: Mention) -> Iterator[
     for facts in sorted(world.workspace.packages, key=lambda each: each.folder != folder):
         for each in facts.parameters:
             if each.fits(mention.name):
-                what = f"{each.type or 'type unknown'}{', required' if each.required else ''}"
-                yield f"**{mention.name}**: {what}; declared in `{facts.name}`, `{each.path}`"
+                said = [each.type or "type unknown", *(["required"] if each.required else [])]
+                said += [f"default `{default}`" for default in [default_of(world, facts, each)] if default]
+                yield f"**{mention.name}**: {', '.join(said)}; declared in `{facts.name}`, `{each.path}`"
+
+
+def default_of(world: LookupWorld, facts: PackageFacts, declared: DeclaredParameter) -> str:
+    place = declaration_site(world, facts, declared)
+    return default_behind(world.source(place.path).text, place.span.start, place.span.end) if place else ""
 
 
 def of_interface(world: LookupWorld, folder: str, mention: Mention) -> Iterator[str]:
