@@ -98,6 +98,19 @@ def test_a_rule_of_a_plugin_has_no_page_of_ours(monkeypatch: pytest.MonkeyPatch)
     assert (address("OUR001"), web_address("OUR001")) == (None, None)
 
 
+class OneText:
+    """A text that was linted, under whatever path."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def source(self, path: str) -> Source:
+        return Source(path, self.text)
+
+    def uri(self, path: str) -> str:
+        return f"file:///ws/{path}"
+
+
 @pytest.mark.parametrize("place, leads_to", [(WEB, "https://example.org/rospkg/XML104.html"), ("docs/{code}.md", None)])
 def test_formats_and_editors_lead_to_a_page_on_the_web(
     place: str, leads_to: str | None, clean: dict[str, str], monkeypatch: pytest.MonkeyPatch
@@ -114,5 +127,5 @@ def test_formats_and_editors_lead_to_a_page_on_the_web(
     [found] = shown["rdjson"]["diagnostics"]
     assert rule.get("helpUri") == leads_to
     assert found["code"] == {"value": "XML104", **({"url": leads_to} if leads_to else {})}
-    told = diagnostic(results.findings[0], Path("/ws"), lambda _: Source("package.xml", text), PositionCodec())
+    told = diagnostic(results.findings[0], OneText(text), PositionCodec())
     assert (told.code_description and told.code_description.href) == leads_to
