@@ -58,7 +58,9 @@ def renamed(files: dict[str, str], folder: str, old: str, new: str) -> RenamePla
     tree = MemoryTree.of(files)
     plan = plan_rename(tree, folder, old, new)
     back = plan_rename(plan.draft.tree, plan.moved(folder), new, old)
-    assert texts(back.draft.tree) == texts(tree)
+    before, again = texts(tree), texts(back.draft.tree)
+    assert {path: again.get(path) for path in before} == before
+    assert again.keys() == before.keys()
     return plan
 
 

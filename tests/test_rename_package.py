@@ -78,6 +78,8 @@ def test_python_is_read_by_its_meaning() -> None:
         ('CMakeLists.txt', 'if(«»_FOUND)\nmessage(${old_name_DIRS})'),
         ('CMakeLists.txt', 'set(DEPS rclcpp «»)\nament_target_dependencies(a ${DEPS})'),
         ('CMakeLists.txt', 'set(NODES a old_name)'),
+        ("CMakeLists.txt", "ament_export_dependencies(«» rclcpp)\nament_export_dependencies(rclcpp «»)"),
+        ("launch/a.launch", '<node args="--config_pkg=«» robot_package:=«» a_pkgs:=old_name"/>'),
         ('CMakeLists.txt', 'target_link_libraries(a PUBLIC «»::gears)'),
         ('CMakeLists.txt', 'rclcpp_components_register_node(a PLUGIN "old_name::A")'),
         ('README.md', 'ros2 run old_name drive'),
@@ -206,6 +208,46 @@ def test_an_executable_of_the_same_name_follows() -> None:
     assert "package='new_name', executable='new_name', name='old_name'" in done["other/launch/a.launch.py"]
     assert done["other/a.launch.xml"] == '<node pkg="new_name" exec="new_name"/>\n'
     assert done["other/a.yaml"] == "- pkg: new_name\n  exec: new_name\n"
+
+
+PROJECT = """\
+project(old_name)
+add_executable(${PROJECT_NAME}_node src/node.cpp)
+add_library(${PROJECT_NAME}_core src/core.cpp)
+add_executable(old_name_tool src/tool.cpp)
+install(TARGETS old_name_node ${PROJECT_NAME}_core old_name_tool DESTINATION lib/${PROJECT_NAME})
+"""
+STARTS = """\
+owner = 'old_name'
+Node(package='old_name', executable='old_name_node', name='old_name_node')
+Node(package=owner, executable='old_name_node')
+Node(package=owner, executable='old_name_tool')
+Node(package=other, executable='old_name_node')
+"""
+NODES = '<node pkg="old_name" exec="old_name_node"/><node pkg="old_name" exec="old_name_tool"/>\n'
+
+
+def test_targets_that_are_called_after_the_project_follow() -> None:
+    files = {
+        "old_name/package.xml": named(OLD, CMAKE, "ament_cmake"),
+        "old_name/CMakeLists.txt": PROJECT,
+        **{f"old_name/src/{name}.cpp": "int main() {}\n" for name in ("node", "core", "tool")},
+        "old_name/plugins.xml": '<library path="old_name_core"/>\n',
+        "other/package.xml": named("other"),
+        "other/CMakeLists.txt": "target_link_libraries(a old_name::old_name_core)\n",
+        "other/a.launch.xml": NODES,
+        "other/a.urdf": '<plugin filename="libold_name_core.so"/>\n',
+        "other/launch/a.launch.py": STARTS,
+    }
+    done = texts(renamed(files, OLD, OLD, "new_name").draft.tree)
+    cmake = PROJECT.replace("(old_name)", "(new_name)").replace(" old_name_n", " new_name_n")
+    assert done["new_name/CMakeLists.txt"] == cmake
+    assert done["new_name/plugins.xml"] == '<library path="new_name_core"/>\n'
+    assert done["other/CMakeLists.txt"] == "target_link_libraries(a new_name::new_name_core)\n"
+    assert done["other/a.launch.xml"] == NODES.replace('"old_name"', '"new_name"').replace("old_name_n", "new_name_n")
+    assert done["other/a.urdf"] == '<plugin filename="libnew_name_core.so"/>\n'
+    python = STARTS.replace("owner = 'old", "owner = 'new").replace("package='old", "package='new")
+    assert done["other/launch/a.launch.py"] == python.replace("executable='old_name_n", "executable='new_name_n", 2)
 
 
 def test_what_is_in_the_way_is_named() -> None:

@@ -21,6 +21,7 @@ SHARED = (
     r"\$\(exec-in-pkg\s+\S+\s+%NAME%\s*\)",
     r"(?<![\w.-])(?:share|lib)/%NAME%",
     r"\bros2\s+(?:run|launch|pkg\s+\w+|interface\s+package)\s+(?:-\S+\s+)*%NAME%",
+    r"\b\w*(?:pkg|package)(?:_name)?:?=%NAME%",
     r"--packages-[\w-]+(?:[\s\\]+\w[\w-]*)*?[\s\\]+%NAME%",
     rf"@%PART%_(?={OF_CMAKE}@)",
 )
@@ -41,9 +42,8 @@ def common_places(text: str, renamed: RenamedPackage, has_model: bool = False) -
     `has_model` says that a model of Gazebo has the same name.
     """
     templates = [*SHARED, *(OF_INTERFACES if renamed.has_interfaces else ()), *(() if has_model else MODEL)]
-    if renamed.has_library:
-        templates.append(OF_LIBRARY)
     urls = [match.span() for match in URL.finditer(text)]
-    for span in found(templates, text, renamed.old):
+    every = (*found(templates, text, renamed.old), *found((OF_LIBRARY,), text, renamed.old, renamed.libraries))
+    for span in every:
         if not any(start <= span.start < end for start, end in urls):
             yield span

@@ -9,8 +9,10 @@ from ..languages.cmake.syntax import parse
 from ..lazy_regex import regex
 from ..source import Source
 from ..unreadable import UnreadableError
+from .patterns import Affixes
 
 PROJECT = regex(r"\$\{(?:PROJECT_NAME|CMAKE_PROJECT_NAME)\}")
+NAMED = regex(r"([\w-]*)\$\{PROJECT_NAME\}([\w-]*)")
 START = regex(
     r"^(?:\$\{(?:CMAKE_CURRENT_SOURCE_DIR|CMAKE_SOURCE_DIR|PROJECT_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}/|\./)"
 )
@@ -23,6 +25,13 @@ def derived_moves(files: PackageFiles, old: str, new: str) -> Iterator[tuple[str
             for argument in arguments_of(files, path):
                 if PROJECT.search(argument):
                     yield from moves_of(files, path.rpartition("/")[0], START.sub("", argument), old, new)
+
+
+def project_affixes(files: PackageFiles) -> tuple[Affixes, ...]:
+    """Return what stands around the project's name in names that CMake makes of it: ("", "_node")."""
+    every = [path for path in files.paths if path.endswith(("CMakeLists.txt", ".cmake"))]
+    found = {match.groups() for path in every for text in arguments_of(files, path) if (match := NAMED.fullmatch(text))}
+    return tuple(sorted((before, behind) for before, behind in found if before or behind))
 
 
 def arguments_of(files: PackageFiles, path: str) -> Iterator[str]:

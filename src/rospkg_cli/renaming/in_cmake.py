@@ -9,7 +9,7 @@ from ..lazy_regex import regex
 from ..source import Source, Span
 from .common import OF_CMAKE
 from .own_paths import own_paths
-from .patterns import found
+from .patterns import ALONE, found
 from .renamed_package import RenamedPackage
 
 IN_ARGUMENTS = (
@@ -20,12 +20,15 @@ IN_ARGUMENTS = (
 TARGETS = (r"(?<![\w:])%PART%(?=::)",)
 PROJECT_CLASS = regex(r"(\$\{PROJECT_NAME\})::")
 OWN_TARGET = r"(?<=%WORD%::)%PART%(?![\w:-])"
+LONGER = r"^%NAME%$"
 DEPENDENCIES = frozenset(
-    "ament_target_dependencies ament_export_dependencies rosidl_target_interfaces rosidl_get_typesupport_target "
+    "ament_target_dependencies rosidl_target_interfaces rosidl_get_typesupport_target "
     "ament_index_has_resource ament_index_get_resource ament_index_get_prefix_path target_depends_on_interfaces "
-    "ament_find_gtest rosidl_generate_interfaces ament_auto_find_build_dependencies".split()
+    "ament_export_dependencies rosidl_generate_interfaces ament_auto_find_build_dependencies".split()
 )
 """Commands with names of packages among their arguments."""
+ALL = frozenset({"ament_export_dependencies", "ament_auto_find_build_dependencies"})
+"""Commands that have nothing else among them."""
 FIRST = frozenset("find_package find_dependency ament_package_xml pluginlib_export_plugin_description_file".split())
 """Commands whose first argument is the name of a package."""
 LISTS = frozenset({"set", "list", "foreach"})
@@ -57,10 +60,10 @@ def in_argument(
     templates = list(IN_ARGUMENTS)
     if not command.name.startswith(COMPONENTS):
         templates += TARGETS
-        if renamed.has_library or renamed.has_interfaces:
-            templates.append(OWN_TARGET)
     start = argument.inner.start
-    for span in found(templates, argument.text, renamed.old):
+    targets = (*ALONE, *renamed.libraries) if renamed.has_interfaces else renamed.libraries
+    longer = (OWN_TARGET,) if folder is None else (OWN_TARGET, LONGER)
+    for span in (*found(templates, argument.text, renamed.old), *found(longer, argument.text, renamed.old, targets)):
         yield Span(start + span.start, start + span.end)
     if command.name.startswith("rclcpp_components_register") and ";" in argument.text:
         return
@@ -103,7 +106,7 @@ def names_package(
     if command.name in FIRST:
         return at == 0
     if command.name in DEPENDENCIES:
-        return at > 0
+        return at > 0 or command.name in ALL
     if command.name == "target_link_libraries":
         return at > 0 and renamed.has_library and renamed.old not in targets
     return command.name in LISTS and bool(lists & {each.text for each in command.arguments[:2]})

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ..lazy_regex import regex
 from ..source import Source, Span
-from .patterns import found, pattern
+from .patterns import found
 from .renamed_package import RenamedPackage
 
 ATTRIBUTES = (
@@ -25,11 +25,9 @@ EXECUTABLE = r"""\bexec\s*=\s*["']%NAME%["']"""
 def in_markup(source: Source, renamed: RenamedPackage) -> Iterator[Span]:
     """Yield the places; a node's executable follows where it has the package's name."""
     yield from found(ATTRIBUTES, source.text, renamed.old)
-    if renamed.has_library:
-        yield from found(LIBRARY, source.text, renamed.old)
-    if renamed.has_executable:
+    yield from found(LIBRARY, source.text, renamed.old, renamed.libraries)
+    if renamed.executables:
         for tag in TAG.finditer(source.text):
             if re.search(rf"""\bpkg\s*=\s*["']{re.escape(renamed.old)}["']""", tag.group()):
-                for match in pattern(EXECUTABLE, renamed.old).finditer(tag.group()):
-                    start, end = match.span("name")
-                    yield Span(tag.start() + start, tag.start() + end)
+                for span in found((EXECUTABLE,), tag.group(), renamed.old, renamed.executables):
+                    yield Span(tag.start() + span.start, tag.start() + span.end)

@@ -10,16 +10,15 @@ from functools import cached_property
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of
 from ..languages.python.syntax import parse
-from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..source import Source, Span
 from ..unreadable import UnreadableError
 from .patterns import found
-from .python_contexts import named_texts
+from .python_contexts import executables, named_texts
+from .python_literal import literal_span
 from .renamed_package import RenamedPackage
 
 IMPORT = r"^[ \t]*(?:from|import)[ \t]+%PART%(?=[.\s])"
-LITERAL = regex(r"""[rRuU]?("{3}|'{3}|"|')(.*)\1""", re.DOTALL)
 
 
 def in_python(source: Source, renamed: RenamedPackage, is_setup: bool) -> Iterator[Span]:
@@ -34,8 +33,12 @@ def in_python(source: Source, renamed: RenamedPackage, is_setup: bool) -> Iterat
         yield from places.imports()
         yield from places.bound_names()
         yield from places.dotted_texts()
-    for node in named_texts(file.tree, renamed.old, renamed.has_executable, is_setup):
+    for node in named_texts(file.tree, renamed.old, is_setup):
         if span := places.inner(node):
+            yield span
+    names = {f"{before}{renamed.old}{behind}": len(before) for before, behind in renamed.executables}
+    for node in executables(file.tree, renamed.old, names):
+        if span := places.inner(node, names[str(node.value)]):
             yield span
 
 
@@ -69,10 +72,7 @@ class PythonPlaces:
                 if match and (match[1] == "*" or match[1] in self.renamed.submodules) and (span := self.inner(node)):
                     yield span
 
-    def inner(self, node: ast.Constant) -> Span | None:
-        """Return the name at the start of a text; None where it is not written as one plain literal."""
-        whole = self.file.span(node)
-        match = LITERAL.fullmatch(self.file.source.text, whole.start, whole.end)
-        if match is None or match[2] != node.value:
-            return None
-        return Span(match.start(2), match.start(2) + len(self.renamed.old))
+    def inner(self, node: ast.Constant, skipped: int = 0) -> Span | None:
+        """Return the name behind some characters of a text; None where it is not written as one plain literal."""
+        span = literal_span(self.file, node)
+        return Span(span.start + skipped, span.start + skipped + len(self.renamed.old)) if span else None

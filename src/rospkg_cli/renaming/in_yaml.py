@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ..lazy_regex import regex
 from ..source import Source, Span
-from .patterns import found, words
+from .patterns import found
 from .renamed_package import RenamedPackage
 
 KEYS = (
@@ -15,6 +15,7 @@ KEYS = (
     r"""^[ \t-]*["']?[\w-]*(?:pkg|package)(?:s|[-_]name)?["']?[ \t]*:[ \t]*(?P<quote>["']?)%NAME%(?P=quote)"""
     r"""[ \t]*(?:#|$)""",
 )
+EXECUTABLE = r"""^[ -]*pkg:[ ]*["']?%WORD%["']?[ \t]*\n[ ]*exec:[ ]*["']?%NAME%["']?[ \t]*$"""
 BLOCK = regex(
     r"^(?P<indent>[ ]*)(?:-[ ]+)?[\w-]*packages?(?:[-_]names?)?[ ]*:[ ]*[>|]?[-+]?[ ]*\n"
     r"(?P<body>(?:(?P=indent)[ ]+\S.*\n?|[ ]*\n)+)",
@@ -32,14 +33,4 @@ def in_yaml(source: Source, renamed: RenamedPackage) -> Iterator[Span]:
         )
         for line in lines:
             yield Span(block.start("body") + line.start("name"), block.start("body") + line.end("name"))
-    if renamed.has_executable:
-        yield from executables(source.text, renamed.old)
-
-
-def executables(text: str, name: str) -> Iterator[Span]:
-    """Yield the name where it is the executable next to a package of the same name."""
-    word = re.escape(name)
-    pair = rf"""^[ -]*pkg:[ ]*["']?{word}["']?[ \t]*\n[ ]*exec:[ ]*["']?{word}["']?[ \t]*$"""
-    for match in re.finditer(pair, text, re.MULTILINE):
-        *_, last = words(match.group(), name)
-        yield Span(match.start() + last.start, match.start() + last.end)
+    yield from found((EXECUTABLE,), source.text, renamed.old, renamed.executables)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 
 from ..languages.python.nodes import nodes_of
 from ..lazy_regex import regex
@@ -15,19 +15,14 @@ SHARED = ("share", "lib")
 RUNNERS = ("run", "launch")
 
 
-def named_texts(tree: ast.Module, name: str, has_executable: bool, is_setup: bool) -> Iterator[ast.Constant]:
-    """Yield the texts that are a name and mean the package.
-
-    Where an executable has the name too, it follows. In the package's own setup.py all are taken.
-    """
+def named_texts(tree: ast.Module, name: str, is_setup: bool) -> Iterator[ast.Constant]:
+    """Yield the texts that are a name and mean the package; in the package's own setup.py all are taken."""
     nodes = list(nodes_of(tree))
     variables = names_looked_up(nodes)
     for node in nodes:
         for holder, text in held_texts(node, variables):
             if text.value == name and (is_setup or holder):
                 yield text
-        if has_executable and isinstance(node, ast.Call):
-            yield from executable(node, name, variables)
     if is_setup:
         for node in nodes:
             match node:
@@ -37,8 +32,13 @@ def named_texts(tree: ast.Module, name: str, has_executable: bool, is_setup: boo
 
 def names_looked_up(nodes: Iterable[ast.AST]) -> frozenset[str]:
     """Return the variables that calls take for a package."""
-    calls = (node for node in nodes if isinstance(node, ast.Call) and LOOKUP.search(called(node)))
-    return frozenset(each.id for call in calls for each in call.args[:1] if isinstance(each, ast.Name))
+    found = set()
+    for node in nodes:
+        if isinstance(node, ast.Call):
+            given = [each.value for each in node.keywords if PACKAGE.search(each.arg or "")]
+            given += node.args[:1] if LOOKUP.search(called(node)) else []
+            found |= {each.id for each in given if isinstance(each, ast.Name)}
+    return frozenset(found)
 
 
 def held_texts(node: ast.AST, variables: frozenset[str]) -> Iterator[tuple[bool, ast.Constant]]:
@@ -102,19 +102,40 @@ def behind(items: Iterable[ast.expr], words: tuple[str, ...]) -> Iterator[tuple[
             before = ""
 
 
-def executable(call: ast.Call, name: str, variables: frozenset[str]) -> Iterator[ast.Constant]:
-    """Yield the executable of a node whose package and executable have the same name."""
-    given = {each.arg: each.value for each in call.keywords}
-    package, found = given.get("package"), given.get("executable")
-    match package:
-        case ast.Constant(value=value):
-            is_meant = value == name
-        case ast.Name(id=variable):
-            is_meant = is_package(variable, variables)
-        case _:
-            is_meant = False
-    if is_meant and isinstance(found, ast.Constant) and found.value == name:
-        yield found
+def executables(tree: ast.Module, package: str, names: Container[str]) -> Iterator[ast.Constant]:
+    """Yield the executables with some names of nodes whose package has a name."""
+    nodes = list(nodes_of(tree))
+    variables = set(names_bound_to(nodes, package))
+    for call in nodes:
+        if isinstance(call, ast.Call):
+            given = {each.arg: each.value for each in call.keywords}
+            found = given.get("executable")
+            if isinstance(found, ast.Constant) and found.value in names:
+                match given.get("package"):
+                    case ast.Constant(value=value) if value == package:
+                        yield found
+                    case ast.Name(id=variable) if variable in variables:
+                        yield found
+
+
+def run_by_command(tree: ast.Module, package: str, name: str) -> Iterator[ast.Constant]:
+    """Yield an executable in lists of words: `["ros2", "run", PACKAGE, NAME]`."""
+    for node in nodes_of(tree):
+        match node:
+            case ast.List(elts=items) | ast.Tuple(elts=items):
+                words = [each.value if isinstance(each, ast.Constant) else None for each in items]
+                for at in range(3, len(items)):
+                    found = items[at]
+                    if words[at - 2 : at + 1] == ["run", package, name] and isinstance(found, ast.Constant):
+                        yield found
+
+
+def names_bound_to(nodes: Iterable[ast.AST], text: str) -> Iterator[str]:
+    """Yield the variables that are given a text somewhere."""
+    for node in nodes:
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Constant(value=value)) if value == text:
+                yield name
 
 
 def is_package(name: str, variables: frozenset[str]) -> bool:

@@ -6,11 +6,12 @@ from collections.abc import Iterable
 from functools import cached_property
 
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_project import CMake
 from ..package.collect_facts import collect_facts
 from ..package.package import Package
 from ..ros.distros import Targets
-from .derived_paths import derived_moves
-from .patterns import pattern
+from .derived_paths import derived_moves, project_affixes
+from .patterns import ALONE, Affixes, pattern
 
 LIBRARY = r"""\b\w*add_(?:library|module)\s*\(\s*(?:"?%NAME%"?|"?\$\{PROJECT_NAME\}"?)[\s)]"""
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp", ".inl", ".cuh", ".inc")
@@ -59,14 +60,32 @@ class RenamedPackage:
 
     @cached_property
     def has_library(self) -> bool:
-        """Whether CMake builds a library of the package's name."""
-        return any(pattern(LIBRARY, self.old).search(text) for text in self._build_texts)
+        """Whether CMake builds a library, or another target, of the package's name."""
+        cmake = self.package.parts(CMake).only
+        is_target = cmake is not None and any(each.name == self.old for each in cmake.targets)
+        return is_target or any(pattern(LIBRARY, self.old).search(text) for text in self._build_texts)
 
-    @cached_property
+    @property
     def has_executable(self) -> bool:
         """Whether there is an executable of the package's name that is no file of this name."""
-        is_file = any(path.rpartition("/")[2] == self.old and path not in self.moved for path in self._paths)
-        return not is_file and self.old in collect_facts(self.package, Targets(), "", "").executables
+        return ALONE[0] in self.executables
+
+    @cached_property
+    def executables(self) -> tuple[Affixes, ...]:
+        """The executables that follow the name of the package: that of its name, and `${PROJECT_NAME}_node`."""
+        known = collect_facts(self.package, Targets(), "", "").executables
+        files = {path.rpartition("/")[2] for path in self._paths if path not in self.moved}
+        names = {each: f"{each[0]}{self.old}{each[1]}" for each in (*ALONE, *self._affixes)}
+        return tuple(each for each, name in names.items() if name in known and name not in files)
+
+    @property
+    def libraries(self) -> tuple[Affixes, ...]:
+        """The libraries and other targets that may follow the name of the package."""
+        return (*ALONE, *self._affixes) if self.has_library else self._affixes
+
+    @cached_property
+    def _affixes(self) -> tuple[Affixes, ...]:
+        return project_affixes(self.package.files)
 
     @property
     def _paths(self) -> tuple[str, ...]:

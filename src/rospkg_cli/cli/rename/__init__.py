@@ -1,1 +1,1 @@
-"""`rospkg rename`: another name for a package, with every reference to it."""
+"""`rospkg rename`: another name for a package or a node, with every reference to it."""
