@@ -39,10 +39,10 @@ def test_all_that_is_brought_is_one_info_and_one_fix() -> None:
     (finding,) = found("DEP101", declared("rclpy", "sensor_msgs"), my_pkg__a_DOT_py=text)
     assert finding.severity.value == "info"
     assert finding.message == (
-        "`rcl_interfaces` and `std_msgs` are imported and not declared: they come with `rclpy` and `sensor_msgs` "
-        "today; declare what you use"
+        "`rcl_interfaces` and `std_msgs` are imported and not declared: they come with other dependencies today; "
+        "declare what you use"
     )
-    assert [what for _, what in finding.related] == ["`std_msgs` here"]
+    assert [what for _, what in finding.related] == ["`std_msgs` here, by way of `sensor_msgs`"]
     assert finding.fix is not None
     texts = [edit.text for edit in finding.fix.operations]
     assert texts == ["<exec_depend>rcl_interfaces</exec_depend>\n  ", "\n  <exec_depend>std_msgs</exec_depend>"]

@@ -60,6 +60,9 @@ from launch import LaunchDescription
 def generate_launch_description():
     return LaunchDescription()
 """
+IN_FUNCTION = (
+    "from writer import LaunchFile\n\n\ndef node():\n    return LaunchFile.Node(package='turtlesim', executable='a')\n"
+)
 DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim', executable='a')\n"
 
 CASES = {
@@ -72,6 +75,8 @@ CASES = {
     "DEP103": (
         python("", launch__a_DOT_launch_DOT_py=LAUNCH),
         python("", my_pkg__a_DOT_py=DESCRIBED),
+        python("", my_pkg__launch__a_DOT_py=IN_FUNCTION),
+        python("", my_pkg__launch__a_DOT_py=IN_FUNCTION + "\n\ndef generate_launch_description():\n    return []\n"),
     ),
     "DEP104": (
         cmake("find_package(std_msgs REQUIRED)\n", "  <depend>sensor_msgs</depend>\n"),

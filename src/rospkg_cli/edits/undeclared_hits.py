@@ -65,13 +65,15 @@ def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], u
 
 def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Hit:
     names = [use.name for use in uses]
-    bringers = quoted([*dict.fromkeys(use.bringer.name for use in uses)])
+    bringers = {use.bringer.name for use in uses}
+    who = quoted([*bringers]) if len(bringers) == 1 else "other dependencies"
     be, it, comes = ("is", "it", "comes") if len(uses) == 1 else ("are", "they", "come")
-    come = f"{comes} with {bringers} today" if uses[0].bringer.is_certain else f"may come with {bringers}"
+    come = f"{comes} with {who} today" if uses[0].bringer.is_certain else f"may come with {who}"
     message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
     edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in uses))
     first, *others = uses
-    places = tuple(Related(use.path, use.span, f"`{use.name}` here") for use in others)
+    by = {use.name: f", by way of `{use.bringer.name}`" if len(bringers) > 1 else "" for use in uses}
+    places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
     unsure = any(source_of(declared, name) != "released" for name in names)
     fix = Fix(f"declare {quoted(names)}", edits, Safety.UNSAFE if unsure else Safety.SAFE)
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)

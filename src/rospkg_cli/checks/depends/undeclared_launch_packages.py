@@ -134,7 +134,8 @@ class LaunchDependencies:
         found: dict[str, list[PackageReference]] = {}
         if self.declared.is_checked:
             there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
-            launches = {file.path for file in self.launch_files if file.nodes or file.is_complete}
+            known = (file for file in self.launch_files if file.nodes or (file.is_complete and file.has_entry_point))
+            launches = {file.path for file in known}
             for file in self.python.files:
                 for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
                     if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
