@@ -125,6 +125,8 @@ STATUS_NODES = (
     "status:publisher:RobotStatus@/status:transient_local", "monitor:subscriber:RobotStatus:sensor_data",
     "other:RobotStatus:python:best_effort", "late:subscriber:RobotStatus@~/a_b/c:python:transient_local",
     "scan:subscriber:RobotStatus:python:sensor_data",
+    *(f"all_{language}:publisher:RobotStatus@out:{language}+subscriber:RobotStatus@/in+service:Go+client:Go@ask"
+      for language in ("cpp", "python")),
     *(
         f"{kind.replace('-', '_')}_in_{language}:{kind}:{name}:{language}"
         for kind, name in (

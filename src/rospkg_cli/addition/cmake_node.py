@@ -11,7 +11,7 @@ from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.cpp import targets_of
-from ..scaffold.node import RequestedNode
+from ..scaffold.requested_node import RequestedNode
 from .cmake_block import argument_removals, block_removals, put_before_installs
 from .cmake_find import FINDERS, cmake_of
 from .part import Operations

@@ -14,8 +14,9 @@ from ..package.package import Package
 from ..ros.distros import Targets
 from ..scaffold.cpp import libraries_of
 from ..scaffold.message import is_message
-from ..scaffold.node import RequestedNode, node_of
+from ..scaffold.node import node_of
 from ..scaffold.render import RenderedFile
+from ..scaffold.requested_node import RequestedNode
 from ..scaffold.template import Template, TemplateFile, load_template
 from ..scaffold.workspace import WorkspacePackages
 from .cmake_find import FoundInCMake

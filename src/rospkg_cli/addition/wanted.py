@@ -13,8 +13,8 @@ from ..package.package import Package
 from ..ros.interfaces import KINDS
 from ..scaffold import ScaffoldError
 from ..scaffold.interface import RequestedInterface, text_of
-from ..scaffold.node import RequestedNode
 from ..scaffold.node_kinds import OF, all_kinds
+from ..scaffold.requested_node import RequestedNode
 from ..scaffold.workspace import WorkspacePackages
 from .depend import depend_parts
 from .dependency import AddedDependency, manifest_of

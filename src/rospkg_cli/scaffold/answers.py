@@ -10,9 +10,9 @@ from ..ros.distros import Distro
 from ..ros.licenses import License
 from .bringup import Bringup
 from .interface import RequestedInterface
-from .node import RequestedNode
 from .node_kinds import NodeParameter
 from .plugin import RequestedPlugin
+from .requested_node import RequestedNode
 from .user_text import UserText
 
 EVERY_NODE = "/**"

@@ -7,7 +7,7 @@ import re
 from ..ros.distros import Distro
 from ..ros.manifest import PACKAGE_NAME
 from ..ros.names import BUILT_IN
-from .node import RequestedNode
+from .requested_node import RequestedNode
 
 OF_CMAKE_17 = frozenset({"humble", "jazzy", "kilted"})
 """The distributions whose C++ is of 2017; later ones want that of 2020."""

@@ -6,7 +6,7 @@ from ..ros.launch_entities import BEFORE_LIFECYCLE_NODE
 from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers
-from .node import RequestedNode
+from .requested_node import RequestedNode
 from .template import Template
 
 LAUNCH_FORMATS = ("py", "xml", "yaml", "none")

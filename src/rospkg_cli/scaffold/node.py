@@ -5,37 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ..light_dataclasses import dataclass
 from . import ScaffoldError
-from .message import Message, message_of
+from .message import message_of
 from .names import LONGEST, check_node_name
 from .node_kinds import NodeKind, about, all_kinds, form_of, kind_of_message, named, offered_kinds, shown
 from .node_words import node_words, unknown_word
-from .qos import DEFAULT, QOS, QualityOfService
+from .qos import DEFAULT, QOS
+from .requested_node import RequestedNode
+from .several import PLUS, joined_node, part_texts
 from .template import Template
 from .workspace import WorkspacePackages
-
-
-@dataclass(frozen=True)
-class RequestedNode:
-    name: str
-    kind: NodeKind
-    language: str
-    """One of LANGUAGES."""
-    message: Message | None = None
-    """The interface that it is all about."""
-    qos: QualityOfService = DEFAULT
-
-    @property
-    def topic(self) -> str:
-        """The topic, service or action that it is about; "" where there is none."""
-        return self.kind.uses[0].name if self.kind.uses else ""
-
-    @property
-    def class_name(self) -> str:
-        """`TalkerNode` for `talker` and for `talker_node`: never the name of a class that a node imports."""
-        camel = "".join(word.capitalize() for word in self.name.split("_"))
-        return camel if camel.endswith("Node") and camel != "Node" else camel + "Node"
 
 
 def nodes_of(
@@ -62,7 +41,9 @@ def nodes_of(
 
 
 def node_of(text: str, package: str, template: Template, there: WorkspacePackages) -> RequestedNode:
-    """Return one node; after its name, what it is may follow in any order."""
+    """Return one node; after its name, what it is may follow in any order, and after `+` what else it is."""
+    if PLUS in text:
+        return joined_node(text, [node_of(part, package, template, there) for part in part_texts(text)])
     words = node_words(text)
     name = words.name
     check_node_name(name, package)

@@ -6,7 +6,7 @@ from ..suggest import did_you_mean
 from . import ScaffoldError
 from .answers import Answers
 from .launch_format import activated, launch_packages
-from .node import RequestedNode
+from .requested_node import RequestedNode
 
 TEST_LEVELS = {
     "ament": "linters, the nodes' logic and a launch test",
