@@ -61,6 +61,29 @@ MAIN = (
 PART = '<?xml version="1.0"?>\n{}<robot name="part">\n  {}<link name="base"/>\n</robot>\n'
 
 
+HALF_KNOWN = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.substitutions import LaunchConfiguration
+from somewhere import more
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('{}', default_value='a'),
+        LogInfo(msg=LaunchConfiguration('{}')),
+        *more({}),
+    ])
+"""
+SLIPS = (
+    ("robot_name", "robot_nmae", ""),
+    ("robot_name", "robot_nmae", "'robot_name'"),
+    ("robot_name", "robot_nmae", "'robot_nmae'"),
+    ("robot_name", "robto_nmae", ""),
+    ("robot_1", "robot_2", ""),
+    ("name", "nmae", ""),
+    ("names", "naems", ""),
+)
 WRONG_MODULE = """\
 from launch import LaunchDescription
 from {} import {}
@@ -82,7 +105,18 @@ MODULES = (
 CASES = {
     "LCH003": (Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: NO_SLASH}, good={}),),
     "LCH001": (python(IN_COMMENTS),),
-    "LCH008": (python(NOT_ADDED),),
+    "LCH008": (
+        python(NOT_ADDED),
+        *(python(HALF_KNOWN.format(declared, used, more)) for declared, used, more in SLIPS),
+        Example(
+            bad={
+                "package.xml": manifest(lch009.NEEDED),
+                LAUNCH: HALF_KNOWN.format("robot_name", "robot_nmae", ""),
+                "launch/b.launch.xml": '<launch>\n  <arg name="robot_nmae" default="a"/>\n</launch>\n',
+            },
+            good={},
+        ),
+    ),
     "LCH009": (
         *(
             Example(

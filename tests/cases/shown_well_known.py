@@ -20,6 +20,7 @@ PROGRAMS = xml(
     '<node exec="robot_state_publisher"/>',
     '<node exec="rviz2"/>',
     '<node exec="mux"/>',
+    '<node pkg="slam_toolbox" exec="sync_sllam_toolbox_node"/>',
 )
 COMPONENTS = xml(
     '<node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">',

@@ -30,7 +30,7 @@ def wrong_name(kind: Kind, package: str, name: str) -> WrongName | None:
     if name in removed(kind).get(package, {}):
         return WrongName(removed(kind)[package][name], True)
     known = sets(TABLE, kind).get(package, frozenset())
-    near = near_names(name, known) if known and name not in known else []
+    near = closest(name, known) if known and name not in known else []
     return WrongName(near[0], False) if len(near) == 1 else None
 
 
@@ -44,11 +44,16 @@ def wrong_plugin(name: str) -> WrongName | None:
     prefix, tail = split(name)
     alike = [each for each in every_plugin() if split(each)[0] == prefix]
     same = [each for each in alike if split(each)[1].lower() == tail.lower()]
-    near = set(near_names(tail, {split(each)[1] for each in alike})) if not same else set()
+    near = set(closest(tail, {split(each)[1] for each in alike})) if not same else set()
     found = sorted(
         same or (each for each in alike if split(each)[1] in near), key=lambda each: ("::" in each) != ("::" in name)
     )
     return WrongName(found[0], False) if len({split(each)[1] for each in found}) == 1 else None
+
+
+def closest(name: str, names: frozenset[str] | set[str]) -> list[str]:
+    """Return the names that are one edit from a name, and else those that are two."""
+    return near_names(name, names, 1) or near_names(name, names)
 
 
 def split(name: str) -> tuple[str, str]:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.configuration_events import LaunchEvent
 from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.workspace import Workspace
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import near_names, nearest
 from .entity_schema import entity_faults
 from .idle_actions import never_added
 
@@ -22,6 +24,10 @@ State = Literal["undeclared", "late", "not added"]
 
 OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeout sigkill_timeout log_dir".split())
 """Those that launch and launch_ros use and set themselves."""
+
+SHORTEST = 5
+DIGITS = regex(r"\d")
+MENTION = regex(r"['\"]([\w.-]+)['\"]|\$\(var\s+([\w.-]+)\s*\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +69,13 @@ class LaunchConfigurations:
 
     def unset(self) -> Iterator[UnsetConfiguration]:
         """Yield each name once, where it is first used."""
-        if not self.is_startable:
-            return
-        inherited = self.workspace.launch.inherited(self.file_name)
+        told = list(self.certainly_unset())
+        yield from told
+        yield from (each for each in self.slips() if each.name not in {one.name for one in told})
+
+    def certainly_unset(self) -> Iterator[UnsetConfiguration]:
+        """Yield what is unset in a file that is all known, as those are that include it."""
+        inherited = self.workspace.launch.inherited(self.file_name) if self.is_startable else None
         if inherited is None:
             return
         events = self.file.events or ()
@@ -79,6 +89,30 @@ class LaunchConfigurations:
                     yield UnsetConfiguration(
                         event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup, unsure
                     )
+
+    def slips(self) -> Iterator[UnsetConfiguration]:
+        """Yield what a file that is not all known uses under a name of its own, one letter from an argument of no use.
+
+        Neither name stands anywhere else in the file, and no launch file here has the one that is used.
+        """
+        file = self.file
+        if not file.has_entry_point or file.is_ros1 or role_of(file.path) != "launch":
+            return
+        alone = {
+            name
+            for each in file.arguments
+            if (name := each.name.literal or "") and self.mentions[name] == 1 and len(name) >= SHORTEST
+        }
+        for use in file.configurations() if alone else ():
+            name = use.arguments[0].literal or "" if len(use.arguments) == 1 else ""
+            near = [each for each in near_names(name, alone, 1) if DIGITS.sub("", each) != DIGITS.sub("", name)]
+            if len(near) == 1 and self.mentions[name] == 1 and not self.workspace.launch.has(name):
+                yield UnsetConfiguration(name, use.span, "undeclared", (near[0],))
+
+    @cached_property
+    def mentions(self) -> Counter[str]:
+        """How often each name stands in quotes or as `$(var name)`."""
+        return Counter(one or other for one, other in MENTION.findall(self.file.source.text))
 
     def state(self, name: str, index: int) -> State | None:
         """Return why a name is not set at an event; None where it may be set in some scope."""
