@@ -1,6 +1,6 @@
 """Rename real packages inside their workspaces and back again, in memory: what lint says, what is left, what returns.
 
-    .venv/bin/python -m bench.rename_real WORKSPACE… [--stride 3] [--left] [--no-lint]
+    .venv/bin/python -m bench.rename_real WORKSPACE… [--stride 3] [--nodes] [--left] [--no-lint]
 
 For each package: refused, and why; findings of lint that are there since; the places that a search for the old name
 still finds, by what they are; whether renaming it back restores the bytes of all files of the workspace.
@@ -22,12 +22,15 @@ from rospkg_cli.cli.change.place import ChangePlace, place_of
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.package.manifest import Manifest
 from rospkg_cli.renaming.names_aside import judge_rename
+from rospkg_cli.renaming.node_plan import executables_of, plan_rename_node
 from rospkg_cli.renaming.plan import Left, plan_rename
 from rospkg_cli.tree import Tree
 from rospkg_cli.user_error import UserError
 
 MAX_SHOWN = 5
 """Of one kind for each package, without --left."""
+MOST = 2
+"""Executables of a package that are renamed."""
 NEW = "entirely_other_name"
 PROSE = (".md", ".rst", ".adoc", ".dox", ".svg", "/README.txt", ".repos")
 KINDS = {
@@ -48,10 +51,10 @@ def kind_of(left: Left, old: str) -> str:
     return next((kind for kind, pattern in KINDS.items() if re.search(pattern, text)), "other")
 
 
-def outcome(place: ChangePlace, old: str, lint: bool) -> Iterator[tuple[str, str]]:
+def outcome(place: ChangePlace, old: str, lint: bool, node: bool) -> Iterator[tuple[str, str]]:
     """Yield a word and what there is to say about it, for each thing to be told."""
-    tree = place.session.tree
-    plan = plan_rename(tree, place.folder, old, NEW)
+    tree, rename = place.session.tree, plan_rename_node if node else plan_rename
+    plan = rename(tree, place.folder, old, NEW)
     yield "edited", f"{len(plan.draft.changes)} files, {len(plan.renamed)} renamed"
     for left in plan.left:
         yield f"left: {kind_of(left, old)}", f"{left.path}:{left.line}: {left.text[:150]}"
@@ -64,7 +67,7 @@ def outcome(place: ChangePlace, old: str, lint: bool) -> Iterator[tuple[str, str
         gone = Judgement(judged.after, judged.before, paths).new
         yield from (("gone", f"{each.code} {each.location.path}:{each.location.line} {each.message}") for each in gone)
     folder = plan.draft.base.moved(place.folder) if place.folder else ""  # type: ignore[attr-defined]
-    yield from (("not back", path) for path in not_back(tree, plan_rename(plan.draft.tree, folder, NEW, old).draft))
+    yield from (("not back", path) for path in not_back(tree, rename(plan.draft.tree, folder, NEW, old).draft))
 
 
 def not_back(before: Tree, draft: Draft) -> Iterator[str]:
@@ -81,6 +84,7 @@ def main() -> None:
     parser.add_argument("roots", nargs="+", type=Path)
     parser.add_argument("--stride", type=int, default=1)
     parser.add_argument("--left", action="store_true", help="show every place that still has the old name")
+    parser.add_argument("--nodes", action="store_true", help="rename executables instead, some of each package")
     parser.add_argument("--no-lint", action="store_true")
     options = parser.parse_args()
     count: Counter[str] = Counter()
@@ -89,8 +93,11 @@ def main() -> None:
         begun = time.perf_counter()
         try:
             place = place_of(path)
-            manifest = Draft(place.session.tree).package(place.folder).parts(Manifest).only
-            told = list(outcome(place, manifest.name if manifest else path.name, not options.no_lint))
+            package = Draft(place.session.tree).package(place.folder)
+            manifest = package.parts(Manifest).only
+            name = manifest.name if manifest else path.name
+            names = sorted(executables_of(package))[:MOST] if options.nodes else [name]
+            told = [each for old in names for each in outcome(place, old, not options.no_lint, options.nodes)]
         except (ChangeError, UserError) as error:
             told = [("refused", str(error))]
         words = {word for word, _ in told}

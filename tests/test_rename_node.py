@@ -44,6 +44,13 @@ def test_an_entry_point() -> None:
     assert done == PYTHON | {"robot/setup.py": before.replace("drive = robot.drive:main", "steer = robot.drive:main")}
 
 
+def test_an_entry_point_whose_module_is_computed() -> None:
+    before = PYTHON["robot/setup.py"]
+    setup = before.replace("'drive = robot.drive:main'", "'drive = ' + package_name + '.drive:main'")
+    done = texts(renamed(PYTHON | {"robot/setup.py": setup}, "drive", "steer").draft.tree)
+    assert done["robot/setup.py"] == setup.replace("'drive = '", "'steer = '")
+
+
 def test_a_target() -> None:
     done = texts(renamed(CPP, "drive", "steer").draft.tree)
     cmake = (

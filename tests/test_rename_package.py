@@ -177,6 +177,19 @@ def test_headers_library_and_files_called_after_the_project() -> None:
     assert Left(".gitignore", 3, "other/old_name") in plan.left
 
 
+def test_paths_from_outside_of_the_package() -> None:
+    files = CPP | {
+        "other/package.xml": named("other"),
+        "other/CMakeLists.txt": "include_directories(${CMAKE_CURRENT_SOURCE_DIR}/../old_name/include/old_name)\n",
+        "tools/a.sh": "cat old_name/package.xml ../old_name/src/gear.cpp old_name/none.txt /old_name\n",
+        "README.md": "old_name/package.xml\n",
+    }
+    done = texts(renamed(files, OLD, OLD, "new_name").draft.tree)
+    assert done["other/CMakeLists.txt"] == files["other/CMakeLists.txt"].replace("old_name", "new_name")
+    assert done["tools/a.sh"] == "cat new_name/package.xml ../new_name/src/gear.cpp old_name/none.txt /old_name\n"
+    assert done["README.md"] == files["README.md"]
+
+
 def test_headers_of_a_name_that_another_package_has() -> None:
     files = CPP | {
         "other/package.xml": named("other"),

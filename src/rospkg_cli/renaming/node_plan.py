@@ -13,6 +13,7 @@ from ..languages.cmake.syntax import parse
 from ..package.collect_facts import collect_facts
 from ..package.manifest import Manifest
 from ..package.package import Package
+from ..package.setup.entry_points import EntryPoint
 from ..package.setup.setup_py import SetupPy
 from ..ros.distros import Targets
 from ..source import Source, Span
@@ -25,6 +26,7 @@ from .references import PROSE, inside
 from .renamed_package import BUILD_FILES, RenamedPackage
 
 TARGET = (r"^%NAME%$", r"(?<=[:,])%NAME%(?=>)", r"(?<=/)%NAME%$")
+ENTRY = r"""["'][ \t]*%NAME%(?=[ \t]*=)"""
 NO_NAMES = frozenset({"message", "project", "find_package", "generate_parameter_library"})
 
 
@@ -82,12 +84,20 @@ def makers(package: Package, old: str) -> dict[str, list[Span]]:
     found_: dict[str, list[Span]] = {}
     setup = package.parts(SetupPy).only
     for each in setup.entry_points if setup else ():
-        if each.is_script and each.name == old and package.files.source(each.path).slice(each.name_span) == old:
-            found_.setdefault(each.path, []).append(each.name_span)
+        if each.is_script and each.name == old and (span := name_place(package.files.source(each.path), each)):
+            found_.setdefault(each.path, []).append(span)
     for path in package.files.paths:
         if path.endswith(BUILD_FILES) and old in package.files.readable_text(path):
             found_[path] = list(targets(package.files.source(path), old))
     return found_
+
+
+def name_place(source: Source, entry: EntryPoint) -> Span | None:
+    """Return where the name of an entry point stands; None where it is put together."""
+    if source.slice(entry.name_span) == entry.name:
+        return entry.name_span
+    spans = list(found((ENTRY,), source.text, entry.name))
+    return spans[0] if len(spans) == 1 else None
 
 
 def targets(source: Source, old: str) -> Iterator[Span]:

@@ -13,10 +13,10 @@ from ..light_dataclasses import dataclass
 from ..package.package import Package
 from ..source import Source, Span
 from ..tree import Tree
-from .folder_paths import LISTS, folder_paths
+from .folder_paths import MovedFolders, folder_paths, moved_folders
 from .in_cmake import class_names
 from .patterns import words
-from .references import FileInWorkspace, header_guards, inside, places
+from .references import PROSE, FileInWorkspace, header_guards, inside, places
 from .renamed_package import BUILD_FILES, RenamedPackage, other_headers
 
 UNREAD = (
@@ -76,11 +76,12 @@ def plan_rename(tree: Tree, folder: str, old: str, new: str) -> RenamePlan:
     renamed = RenamedPackage(old, new, first.package, other_headers(every, old, moves.keys() - {folder}))
     moved = MovedTree(tree, moves)
     draft, left, mentions = Draft(moved), list[Left](), set[str]()
+    folders = moved_folders(old, moves, every)
     has_model = any(path.endswith(f"/{old}/model.config") for path in every)
     for path, text in texts_with(tree, old):
         mentions.add(path)
         file = FileInWorkspace(path, text, inside(path, files))
-        edits = edits_of(moved.moved(path), file, renamed, has_model, moves)
+        edits = edits_of(moved.moved(path), file, renamed, has_model, folders)
         draft.apply("", edits)
         left += stays(moved.moved(path), text, old, {edit.span for edit in edits})
     return RenamePlan(renamed, draft, moves, frozenset(mentions), tuple(left), any(word_in(tree, new)))
@@ -116,11 +117,11 @@ def word_in(tree: Tree, name: str) -> Iterator[bool]:
 
 
 def edits_of(
-    path: str, file: FileInWorkspace, renamed: RenamedPackage, has_model: bool, moves: Iterable[str]
+    path: str, file: FileInWorkspace, renamed: RenamedPackage, has_model: bool, moves: MovedFolders
 ) -> list[Edit]:
     spans = set(places(file, renamed, has_model))
-    if file.path.rpartition("/")[2] in LISTS:
-        spans |= set(folder_paths(file.text, file.path.rpartition("/")[0], renamed.old, moves))
+    if not file.path.endswith(PROSE) or file.path.endswith("CMakeLists.txt"):
+        spans |= set(folder_paths(file.text, file.path, moves))
     edits = [Edit(path, span, renamed.new) for span in sorted(spans)]
     if file.inner is not None and file.inner.endswith(BUILD_FILES):
         source = Source(file.inner, file.text)
