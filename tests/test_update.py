@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -170,23 +171,36 @@ def test_modes_and_links_stay_the_users(made: Plan, package: Path) -> None:
     assert b"new" not in (package.parent / README).read_bytes()
 
 
-def test_a_package_that_was_renamed_keeps_what_it_has(package: Path) -> None:
-    for path, data in content(package).items():
-        target = package / path.replace(f"{NAME}/", "my_robot_drive/").replace(
-            f"resource/{NAME}", "resource/my_robot_drive"
-        )
-        target = target.with_name(target.name.replace(f"{NAME}.launch", "my_robot_drive.launch"))
-        target.parent.mkdir(exist_ok=True)
-        (package / path).unlink()
-        target.write_bytes(data if path == RECORD else data.replace(NAME.encode() + b"_node", b"KEPT").replace(
-            NAME.encode(), b"my_robot_drive").replace(b"KEPT", NAME.encode() + b"_node"))  # fmt: skip
-    node = package / f"my_robot_drive/{NAME}_node.py"
+@pytest.fixture
+def renamed(package: Path) -> Path:
+    """The package after `rospkg rename`, which leaves the launch file its name."""
+    node = package / NODE
     node.write_bytes(node.read_bytes() + IN_NODE)
-    new = with_record(plan("my_robot_drive", nodes=(f"{NAME}_node",), tests="ament", launch="py"))
-    found = update(package, new, "my_robot_drive")
-    assert {path: each.status for path, each in found.items() if each.status not in ("identical", "updated")} == {
-        f"my_robot_drive/{NAME}_node.py": "kept"
-    }
+    done = run_here("rename", NAME, "my_robot_drive", "--allow-dirty", cwd=package.parent)
+    assert done.returncode == 0, done.stderr
+    [manifest] = package.parent.glob("*/package.xml")
+    return manifest.parent
+
+
+def test_a_package_that_was_renamed_gets_what_is_new_and_keeps_what_it_has(renamed: Path) -> None:
+    new = with_record(plan("my_robot_drive", nodes=(f"{NAME}_node", "extra:timer"), tests="ament", launch="py"))
+    found = update(renamed, new, "my_robot_drive")
+    assert [path for path, each in found.items() if each.status == "conflict"] == []
+    node, launch = found[f"my_robot_drive/{NAME}_node.py"], found["launch/my_robot_drive.launch.py"]
+    assert (node.status, found["setup.py"].status) == ("kept", "updated")
+    assert (launch.status, launch.about) == ("created", f"it was `{LAUNCH}`")
+    assert found[LAUNCH].status == "removed"
+    assert (renamed / f"my_robot_drive/{NAME}_node.py").read_bytes().endswith(IN_NODE)
+    assert {path for path in content(renamed) if path != RECORD} == {f.path for f in new.files} - {RECORD}
+    left = {path for path, data in content(renamed).items() if re.search(rb"\bmy_robot_nav\b", data)}
+    assert left == set()
+
+
+def test_a_launch_file_that_moves_takes_what_the_user_wrote_with_it(renamed: Path) -> None:
+    (renamed / LAUNCH).write_bytes((renamed / LAUNCH).read_bytes() + b"# mine\n")
+    update(renamed, with_record(plan("my_robot_drive", nodes=(f"{NAME}_node",))), "my_robot_drive")
+    assert (renamed / "launch/my_robot_drive.launch.py").read_bytes().endswith(b"# mine\n")
+    assert not (renamed / LAUNCH).exists()
 
 
 def test_a_record_says_what_was_asked_for(package: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from .answers_record import RECORD, AnswersRecord
 from .existing_folder import refuse_obstacles
 from .line_digests import digests
 from .merge_lines import merge_lines
+from .renamed_record import RenamedRecord
 from .render import RenderedFile, inside
 
 ADDED = ("nodes", "depends", "msgs", "srvs", "actions", "extras")
@@ -67,22 +67,30 @@ def updates(package: Path, record: AnswersRecord, name: str, files: Iterable[Ren
 
     `files` are those of today's templates, for the name that the package has today.
     """
-    now = {file.path: file for file in files}
-    written = renamed(record, name)
+    now = {file.path: file.entry for file in files}
+    renamed = RenamedRecord(record, name)
+    written, moves = renamed.paths(), renamed.moves(package, now)
     for path in sorted({*now, *written}):
+        place = moves.get(path, path)
         refuse_obstacles(package, package / inside(path))
-        before = entry_at(package / path)
+        refuse_obstacles(package, package / inside(place))
+        before = entry_at(package / place)
+        texts = [each.data if each else b"" for each in (before, now.get(path))]
+        lines = renamed.lines(written[path], *texts) if path in written else None
         if path in now:
-            yield updated(path, before, written.get(path), now[path].entry)
-        elif found := no_longer_written(path, before, written[path]):
+            yield from moved(updated(path, before, lines, now[path]), place)
+        elif lines is not None and (found := no_longer_written(path, before, lines)):
             yield found
 
 
-def renamed(record: AnswersRecord, name: str) -> dict[str, tuple[str, ...]]:
-    """Return the digests by path, as paths are now that the package has a name."""
-    before = record.request.name or name
-    old = re.compile(rf"(?<![A-Za-z0-9_]){re.escape(before)}(?![A-Za-z0-9_])")
-    return {old.sub(name, path): lines for path, lines in record.lines.items()}
+def moved(file: UpdatedFile, place: str) -> Iterator[UpdatedFile]:
+    """Yield a file that lay at another place until now, and what becomes of that place."""
+    if place == file.path or file.status == "skipped":
+        yield file
+        return
+    status = file.status if file.status == "conflict" else "created"
+    yield replace(file, status=status, before=None, after=file.after or file.before, about=f"it was `{place}`")
+    yield UpdatedFile(place, "removed", file.before)
 
 
 def updated(path: str, before: TreeEntry | None, written: Sequence[str] | None, new: TreeEntry) -> UpdatedFile:
