@@ -38,6 +38,38 @@ def call(arguments: str, blocks: str = BLOCKS, name: str = "wheel") -> str:
     return f"<xacro:{name} {arguments}>{blocks}</xacro:{name}>"
 
 
+ARM = f"""\
+{HEAD}>
+  <xacro:macro name="arm" params="prefix parent">
+    <link name="${{{{prefix}}}}upper"/>
+    <link name="${{{{prefix}}}}lower"/>
+    <joint name="${{{{prefix}}}}elbow" type="continuous">
+      <parent link="${{{{prefix}}}}upper"/>
+      <child link="{{}}"/>
+    </joint>
+    <joint name="${{{{prefix}}}}wrist" type="continuous">
+      <parent link="{{}}"/>
+      <child link="${{{{prefix}}}}hand"/>
+      <mimic joint="{{}}"/>
+    </joint>
+    <link name="{{}}"/>
+  </xacro:macro>
+</robot>
+"""
+LOWER, ELBOW, HAND = "${prefix}lower", "${prefix}elbow", "${prefix}hand"
+PREFIXES = tuple(
+    robot(**{"urdf/arm.xacro": ARM.format(*names)})
+    for names in (
+        (LOWER, LOWER, ELBOW, HAND),
+        ("lower", LOWER, ELBOW, HAND),
+        (LOWER, LOWER, "elbow", HAND),
+        (LOWER, "lower", ELBOW, HAND),
+        ("hand", LOWER, ELBOW, HAND),
+        ("ower", LOWER, ELBOW, HAND),
+        ("lower", LOWER, ELBOW, "${parent}lower"),
+        ("$(arg lower)", LOWER, ELBOW, HAND),
+    )
+)
 RIGHT = robot(
     INCLUDE,
     '<link name="base"/>',
@@ -131,4 +163,4 @@ ELSEWHERE = Example(
     },
     good={},
 )
-CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE)}
+CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES)}

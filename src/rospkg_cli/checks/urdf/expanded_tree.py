@@ -9,15 +9,15 @@ from functools import cached_property
 from ...light_dataclasses import dataclass
 from ...package.urdf.expansion.expansion import Expansion, Given, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
-from ...source import Source, Span
 from ...suggest import near_names, nearest
 from ..fault import Fault, Level
+from .expanded_places import Found, own_place
+from .lost_prefix import lost_prefix, without_prefix
 
 WORD = re.compile(r"[_\W]+")
 LONG = 6
 """Letters of a word of which two may be wrong."""
 IF = ", where the condition around it holds"
-Found = tuple[str, Fault]
 
 
 @dataclass(frozen=True)
@@ -73,10 +73,24 @@ class ExpandedTree:
             end = joint.first(tag)
             link = end.attributes.get("link") if end else None
             if end is not None and link is not None:
-                yield from self.unknown(end, link, self.link_names, "link", ": urdfdom refuses the robot")
+                meant = lost_prefix(link, self.link_names, self.children) if tag == "child" else ""
+                if meant:
+                    yield from without_prefix(end, link, meant, "link")
+                else:
+                    yield from self.unknown(end, link, self.link_names, "link", ": urdfdom refuses the robot")
         mimic = joint.first("mimic")
         if mimic is not None and "joint" in mimic.attributes:
-            yield from self.unknown(mimic, mimic.attributes["joint"], self.joint_names, "joint", "")
+            given = mimic.attributes["joint"]
+            if meant := lost_prefix(given, self.joint_names, frozenset()):
+                yield from without_prefix(mimic, given, meant, "joint")
+            else:
+                yield from self.unknown(mimic, given, self.joint_names, "joint", "")
+
+    @cached_property
+    def children(self) -> frozenset[str]:
+        """The links that joints have as their child."""
+        ends = (joint.first("child") for joint in self.joints)
+        return frozenset(shown(end.attributes["link"].value) for end in ends if end and "link" in end.attributes)
 
     def named(self) -> Iterator[Found]:
         """Yield what is said of joints and links that the robot does not have: to ros2_control, and to Gazebo."""
@@ -119,25 +133,6 @@ def only_near(name: str, names: Iterable[str]) -> str | None:
 
 def name_of(node: Node) -> str:
     return shown(node.attributes["name"].value)
-
-
-def own_place(node: Node, span: Span, name: str, *, again: bool = False) -> tuple[Source, Span] | None:
-    """Return where a fault of an element is told: in a file of this package, or at the call of a macro that made it.
-
-    An element that is made `again` is reported at the call, and a name that a call gives is reported there.
-    """
-    calls = [(source, tag_span(source, call.span)) for source, call in node.calls]
-    for source, call in node.calls if name != node.source.slice(span) and not again else ():
-        given = next((each.value_span for each in call.attributes.values() if each.value == name), None)
-        if given is not None and not source.path.startswith("/"):
-            return source, given
-    places = [*calls[:1], (node.source, span)] if again else [(node.source, span), *reversed(calls)]
-    return next(((source, at) for source, at in places if not source.path.startswith("/")), None)
-
-
-def tag_span(source: Source, call: Span) -> Span:
-    match = re.compile(r"<[^\s/>]+").match(source.text, call.start)
-    return Span(call.start + 1, match.end()) if match else call
 
 
 def are_siblings(a: str, b: str) -> bool:

@@ -90,7 +90,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     A joint without type, parent and child in a xacro file is none of URDF: xacro puts it into a `<ros2_control>`, a
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
-    something that it includes is not here, names that it lacks are reported only where a near one is there.
+    something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
