@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from ..files import ReaderInput
@@ -10,6 +11,7 @@ from ..ros.distros import Targets
 from .collect_facts import PARTS, collect_part, name_of, unknown_facts
 from .manifest import Manifest
 from .package_facts import PackageFacts, UnknownField
+from .quick_look import QuickLook
 
 NOTHING = unknown_facts("", "")
 FIELDS = {name: names for names in PARTS for name in names}
@@ -18,12 +20,13 @@ FIELDS = {name: names for names in PARTS for name in names}
 class FactsOnDemand(PackageFacts):
     """Facts whose other fields than `name` and `folder` are collected together with those of their part."""
 
-    __slots__ = ("_doubts", "_manifest", "_reading", "_targets")
+    __slots__ = ("_doubts", "_look", "_manifest", "_reading", "_targets")
 
     def __init__(self, reading: ReaderInput, targets: Targets, manifest: Manifest, folder: str, fallback: str) -> None:
         doubts: set[UnknownField] = set()
+        called = name_of(manifest, folder, fallback)
         own = (("_reading", reading), ("_targets", targets), ("_manifest", manifest), ("_doubts", doubts))
-        for name, value in (("name", name_of(manifest, folder, fallback)), ("folder", folder), *own):
+        for name, value in (*own, ("_look", QuickLook(reading.files, called)), ("name", called), ("folder", folder)):
             object.__setattr__(self, name, value)
 
     def __getattr__(self, name: str) -> Any:
@@ -49,6 +52,14 @@ class FactsOnDemand(PackageFacts):
         if field in FIELDS:
             getattr(self, field)
         return field not in self._doubts
+
+    @property
+    def is_on_demand(self) -> bool:
+        return True
+
+    def may_have(self, field: str, value: Sequence[str]) -> bool:
+        look: QuickLook = self._look
+        return look.may_have(field, value)
 
     def __reduce__(self) -> tuple[type[PackageFacts], tuple[Any, ...]]:
         return PackageFacts, tuple(getattr(self, name) for name in field_names(PackageFacts))

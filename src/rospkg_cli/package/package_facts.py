@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fnmatch import fnmatchcase
 from typing import Literal
 
@@ -129,6 +130,15 @@ class PackageFacts:
 
     def knows(self, field: UnknownField) -> bool:
         return field not in self.unknown
+
+    @property
+    def is_on_demand(self) -> bool:
+        """Whether each field is collected when it is asked for."""
+        return False
+
+    def may_have(self, field: str, value: Sequence[str]) -> bool:
+        """Return whether it is worth looking whether a field holds a value: a quick look says that some do not."""
+        return True
 
     def may_write(self, path: str) -> bool:
         """Return whether its build may write a file, wherever it goes."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Literal
 
@@ -101,18 +102,40 @@ class Workspace:
         return ""
 
     @cached_property
+    def _answers(self) -> dict[tuple[str, ...], tuple[PackageFacts, ...]]:
+        return {}
+
+    @cached_property
     def _by_value(self) -> dict[str, Holders]:
         return {}
 
     def having(self, field: ValuesField, *value: str) -> tuple[PackageFacts, ...]:
         """Return the packages of which a field of their facts holds a value (several strings for a tuple of them)."""
+        asked = (field, *value)
+        if asked not in self._answers:
+            wanted = value[0] if len(value) == 1 else value
+            waiting = (facts for facts in self._waiting if facts.may_have(field, value))
+            found = [facts for facts in waiting if wanted in getattr(facts, field)]
+            self._answers[asked] = self._in_order(self._holders(field).get(wanted, ()), found)
+        return self._answers[asked]
+
+    def _holders(self, field: ValuesField) -> Holders:
+        """Return the packages whose facts are collected, by each value of a field."""
         if field not in self._by_value:
             found: Holders = {}
-            for facts in self.packages:
-                for each in dict.fromkeys(getattr(facts, field)):
+            for facts in self.packages if len(self._waiting) < len(self.packages) else ():
+                for each in dict.fromkeys(getattr(facts, field)) if not facts.is_on_demand else ():
                     found.setdefault(each, []).append(facts)
             self._by_value[field] = found
-        return tuple(self._by_value[field].get(value[0] if len(value) == 1 else value, ()))
+        return self._by_value[field]
+
+    @cached_property
+    def _waiting(self) -> tuple[PackageFacts, ...]:
+        """The packages of which each fact is collected when it is asked for."""
+        return tuple(facts for facts in self.packages if facts.is_on_demand)
+
+    def _in_order(self, one: Iterable[PackageFacts], other: Iterable[PackageFacts]) -> tuple[PackageFacts, ...]:
+        return tuple(sorted((*one, *other), key=lambda facts: facts.folder))
 
     def needing(self, name: str) -> tuple[PackageFacts, ...]:
         """Return the other packages that declare a dependency, whatever its tag."""
@@ -187,11 +210,25 @@ class Workspace:
 
     @cached_property
     def _by_module(self) -> dict[str, str]:
+        """By the first name of their modules, the packages whose facts are collected."""
         found: dict[str, str] = {}
         for facts in self.packages:
-            for module in facts.modules:
+            for module in facts.modules if not facts.is_on_demand else ():
                 found.setdefault(module.partition(".")[0], facts.name)
         return found
+
+    @cached_property
+    def _installing(self) -> dict[str, str]:
+        return {}
+
+    def installing(self, top: str) -> str:
+        """Return the first package that installs modules below a name without dots; "" where none does."""
+        if top not in self._installing:
+            start = f"{top}."
+            waiting = (facts for facts in self._waiting if facts.may_have("modules", (top,)))
+            found = (each.name for each in waiting if any(f"{name}.".startswith(start) for name in each.modules))
+            self._installing[top] = self._by_module.get(top) or next(found, "")
+        return self._installing[top]
 
     @cached_property
     def _by_headers(self) -> dict[str, set[str]]:
@@ -211,7 +248,8 @@ class Workspace:
         Each of the names is sufficient, and the first is the one to recommend.
         """
         top = module.partition(".")[0]
-        around = [self._by_module[top]] if top in self._by_module else []
+        first = self.installing(top)
+        around = [first] if first else []
         if top in self._by_name and top not in around:
             around.append(top)
         return tuple(around) or providers(module, self.index).names

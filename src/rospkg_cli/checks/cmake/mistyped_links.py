@@ -36,15 +36,15 @@ class MistypedLinks:
             key = (word.path, word.span.start, word.text)
             if word.is_known and not link.package and not word.maybe and not link.call.maybe and key not in seen:
                 seen.add(key)
-                if (near := self.near_target(word.text)) is not None:
-                    yield MistypedLink(link, near)
-                elif (exported := self.all_targets(word.text)) is not None:
-                    yield MistypedLink(link, "", exported)
+                near, exported = self.near_target(word.text), self.all_targets(word.text)
+                if (near is None and exported is None) or self.is_brought(word.text):
+                    continue  # last, as it evaluates the CMake of all packages
+                yield MistypedLink(link, near) if near is not None else MistypedLink(link, "", exported or ())
 
     def near_target(self, text: str) -> str | None:
         """Return what to write for `package::target`; None where it may exist."""
         package, colons, target = text.partition("::")
-        if not colons or text in self.own or self.is_brought(text):
+        if not colons or text in self.own:
             return None
         if known := self.targets_of(package):
             return None if text in known else nearest(text, known, 2)
@@ -60,7 +60,7 @@ class MistypedLinks:
         if not colons or text in self.own or facts is None or facts.build_type != "ament_cmake":
             return None
         is_own = facts.name == self.package.facts.name
-        unclear = is_own or not facts.knows("cmake_targets") or self.is_brought(text)
+        unclear = is_own or not facts.knows("cmake_targets") or text in facts.cmake_targets
         return None if unclear else facts.cmake_targets
 
     def is_brought(self, text: str) -> bool:

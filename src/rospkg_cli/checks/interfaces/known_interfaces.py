@@ -83,17 +83,18 @@ class KnownInterfaces:
         package, _, name = message.partition("/")
         if self.is_here(package):
             facts = self.facts(package)
-            return None if facts is None else self.own_fields.get(package, {}).get(name)
+            return None if facts is None else self.own_fields(facts).get(name)
         return interface_fields.known_fields(message)
 
     @cached_property
-    def own_fields(self) -> Mapping[str, Mapping[str, Mapping[str, str]]]:
-        """The fields of the messages of the workspace: package, message, field."""
-        every = {self.package.name: self.package, **{facts.name: facts for facts in reversed(self.workspace.packages)}}
-        return {
-            package: {message.name: dict(message.fields) for message in facts.messages}
-            for package, facts in every.items()
-        }
+    def _own_fields(self) -> dict[str, Mapping[str, Mapping[str, str]]]:
+        return {}
+
+    def own_fields(self, facts: PackageFacts) -> Mapping[str, Mapping[str, str]]:
+        """Return the fields of the messages of a package of the workspace: message, field."""
+        if facts.folder not in self._own_fields:
+            self._own_fields[facts.folder] = {each.name: dict(each.fields) for each in facts.messages}
+        return self._own_fields[facts.folder]
 
 
 def base_name(name: str) -> str:

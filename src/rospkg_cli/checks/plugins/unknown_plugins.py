@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...lazy_regex import regex
@@ -53,22 +53,33 @@ class PluginReferences:
             found.setdefault(tail(each[1].name), []).append(each)
         return found
 
+    @cached_property
+    def selected(self) -> list[PackageFacts]:
+        return [facts for facts in self.workspace.packages if facts.folder in self.workspace.selected]
+
     def unknown(self) -> Iterator[UnknownPlugin]:
-        for user in self.workspace.packages:
-            for use in user.plugin_uses if user.build_type != "catkin" else ():
-                if use.name not in self.names:
-                    yield from self.problems_of(user, use)
+        """Yield the unknown names in the selected packages; in all where one of those describes plugins itself."""
+        describe = any(facts.plugins for facts in self.selected)
+        for user, use in uses(self.workspace.packages if describe else self.selected):
+            if use.name not in self.names:
+                yield from self.problems_of(user, use)
 
     def misspelt(self) -> Iterator[WrongPlugin]:
-        """Yield the names that begin as those of a well-known package, which is not here, and that it does not have."""
-        owned = {SEPARATOR.split(name)[0] for name in self.names}
-        for user in self.workspace.packages:
-            for use in user.plugin_uses if user.build_type != "catkin" else ():
-                first = SEPARATOR.split(use.name)[0]
-                is_here = first in owned or self.workspace.named(first) is not None
-                wrong = None if is_here or use.name in self.names else wrong_plugin(use.name)
-                if wrong is not None:
-                    yield WrongPlugin(user, use, wrong)
+        """Yield the names that begin as those of a well-known package, which is not here, and that it does not have.
+
+        Of the selected packages.
+        """
+        for user, use in uses(self.selected):
+            first = SEPARATOR.split(use.name)[0]
+            is_here = first in self._owned or self.workspace.named(first) is not None
+            wrong = None if is_here or use.name in self.names else wrong_plugin(use.name)
+            if wrong is not None:
+                yield WrongPlugin(user, use, wrong)
+
+    @cached_property
+    def _owned(self) -> set[str]:
+        """The first pieces of the names of described plugins."""
+        return {SEPARATOR.split(name)[0] for name in self.names}
 
     def problems_of(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
         name = SEPARATOR.split(use.name)[0]
@@ -101,6 +112,12 @@ class PluginReferences:
             nearby = near_names(tail(name), [tail(each.name) for each in owner.plugins])
             alike = [each for each in owner.plugins if tail(each.name) in nearby]
         return alike[0] if len(alike) == 1 else None
+
+
+def uses(packages: Iterable[PackageFacts]) -> Iterator[tuple[PackageFacts, PluginUse]]:
+    for user in packages:
+        for use in user.plugin_uses if user.build_type != "catkin" else ():
+            yield user, use
 
 
 def plain(name: str) -> str:

@@ -82,9 +82,7 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
     references = PluginReferences(workspace)
-    for wrong in references.misspelt():
-        if wrong.user.folder in workspace.selected:
-            yield well_known(wrong)
+    yield from map(well_known, references.misspelt())
     for unknown in references.unknown():
         if unknown.user.folder in workspace.selected:
             yield at_use(unknown)
