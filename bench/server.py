@@ -144,7 +144,7 @@ class Session:
         yield f"above 0.2 s: {sum(each > 0.2 for each in seconds)} of {len(seconds)}; the slowest: {late}"
 
 
-def run(root: Path, edits: int, every: int, pause: float, chance: random.Random) -> Iterator[str]:
+def run(root: Path, edits: int, every: int, settle: int, pause: float, chance: random.Random) -> Iterator[str]:
     began = time.perf_counter()
     session = Session(root, chance)
     editor = session.editor
@@ -155,6 +155,8 @@ def run(root: Path, edits: int, every: int, pause: float, chance: random.Random)
         editor.loop.run_until_complete(asyncio.sleep(2 * pause * chance.random()))
         if number % max(1, edits // 10) == 0:
             yield f"  after edit {number}: {memory(editor):.0f} MiB"
+        if settle and number % settle == 0:
+            editor.settle()
         if every and number % every == 0:
             editor.settle()
             session.save()
@@ -175,12 +177,14 @@ def main() -> None:
     parser.add_argument("--edits", type=int, default=500)
     parser.add_argument("--check-every", type=int, default=25)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--settle-every", type=int, default=0, help="for many edits without a pause")
     parser.add_argument("--pause", type=float, default=0.3)
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
+        how = (given.edits, given.check_every, given.settle_every, given.pause)
         root = Path(folder).resolve() / given.repository.name
         shutil.copytree(given.repository, root, symlinks=True)
-        for line in run(root, given.edits, given.check_every, given.pause, random.Random(given.seed)):
+        for line in run(root, *how, random.Random(given.seed)):
             print(line, flush=True)
 
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 from collections.abc import Awaitable, Callable
 
 PAUSE = 0.15
 """Seconds without a change after which packages are linted."""
+
+IDLE = 0.5
+"""Seconds without a change after which garbage is collected, which stops everything for a moment."""
 
 PATIENCE = 5.0
 """Seconds that a request waits for the run over the last texts."""
@@ -41,6 +45,16 @@ class LintLoop:
                     await asyncio.sleep(PAUSE)
                 is_finished = await self.lint_all()
             self.is_settled.set()
+            await self.rest()
+
+    async def rest(self) -> None:
+        """Collect garbage if nothing changes for a moment; what is known of all packages by then is left alone."""
+        try:
+            await asyncio.wait_for(self.has_changed.wait(), IDLE)
+        except asyncio.TimeoutError:
+            gc.collect()
+            if not gc.get_freeze_count():
+                gc.freeze()
 
     def tell(self) -> None:
         """Wake those that wait for a run."""

@@ -19,8 +19,8 @@ from ..lint.session import make_session
 from .open_text import OpenText
 from .text_overlay import overlay
 
-CHUNK = 4
-"""Packages that are linted between two looks at what was typed meanwhile: a second, for those of navigation2."""
+CHUNK = 12
+"""Packages that are linted between two looks at what was typed meanwhile."""
 
 
 @dataclass(frozen=True)

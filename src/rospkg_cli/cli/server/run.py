@@ -11,6 +11,10 @@ from .. import UsageError
 SWITCH = 0.0005
 """Seconds after which a run makes way for what the editor asks, a tenth of Python's own: messages pass many threads."""
 
+COLLECTIONS = (2_000, 10, 50)
+"""When Python collects garbage, which a server has to do, unlike a run that ends soon: a full collection stops all for
+0.3 s (navigation2), so it is left to idle moments where these come in time."""
+
 MISSING = "rospkg server needs pygls: pip install 'rospkg-cli[server]'"
 
 
@@ -23,7 +27,7 @@ def serve() -> int:
     from .language_server import PackageServer
     from .offered_actions import offer_actions
 
-    gc.set_threshold(10_000, 10, 10)  # unlike a run that ends soon, a server has to give back what it read
+    gc.set_threshold(*COLLECTIONS)
     sys.setswitchinterval(SWITCH)
     server = PackageServer()
     for let in (follow_texts, follow_folders, follow_disk, offer_actions, offer_lookups):
