@@ -51,6 +51,7 @@ def installs(text: str) -> dict[str, str]:
         ("install(FILES config/a.yaml DESTINATION share/${PROJECT_NAME}/config RENAME b.yaml)", "share/my_pkg/config/b.yaml"),
         ("install(FILES config/nothing.yaml DESTINATION share/${PROJECT_NAME})", ""),
         ("install(FILES ../a.yaml /opt/b.yaml config/none.yaml DESTINATION share/my_pkg)", "share/my_pkg/a.yaml share/my_pkg/b.yaml"),
+        ("install(FILES $ENV{PLACE}/a.yaml DESTINATION share/my_pkg)", ""),
         ("install(FILES ../a.yaml DESTINATION share/my_pkg RENAME c.yaml)", "share/my_pkg/c.yaml"),
         ("install(PROGRAMS scripts/run.py DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/${PROJECT_NAME} RENAME run)", "lib/my_pkg/run"),
         ("file(GLOB y config/*.yaml)\ninstall(FILES ${y} TYPE DATA)", "share/a.yaml"),

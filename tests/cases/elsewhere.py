@@ -23,6 +23,7 @@ def on_cmake(lines: str, files: dict[str, str], body: str = "") -> Example:
 
 
 DEEP = "my_pkg/moves/turn.py"
+INSTALLED = f"install(FILES {DEEP} DESTINATION lib/${{PROJECT_NAME}})"
 MODULE = f"{cmk105.SHEBANG}def a():\n    pass\n\n\nfor _ in ():\n    a()\n"
 STARTED = f"{MODULE}\n\nif __name__ == '__main__':\n    a()\n"
 BY_DOTS = (
@@ -35,8 +36,7 @@ OF_OTHERS = ("import my_pkg.moves.turner\nfrom my_pkg.moves import returns  # tu
 
 def moved(importing: str, module: str = MODULE) -> Example:
     """A package that installs a module as a program, and another module."""
-    lines = f"install(FILES {DEEP} DESTINATION lib/${{PROJECT_NAME}})"
-    return on_cmake(lines, {DEEP: module, "my_pkg/a.py": importing})
+    return on_cmake(INSTALLED, {DEEP: module, "my_pkg/a.py": importing})
 
 
 TODO = (
@@ -84,6 +84,7 @@ CASES = {
     "CMK105": (
         *(moved(text) for text in (*BY_DOTS, *OF_OTHERS)),
         moved(BY_DOTS[0], STARTED),
+        on_cmake(INSTALLED.replace(".py", ""), {"my_pkg/moves/turn": "#!/bin/sh\nexit\n", "my_pkg/a.py": BY_DOTS[0]}),
     ),
     "DEP101": (
         on_python({"package.xml": manifest("  <test_depend>launch_ros</test_depend>\n"),
@@ -91,6 +92,9 @@ CASES = {
         on_python({"package.xml": manifest("  <test_depend>nobody_knows</test_depend>\n"),
                    "my_pkg/a.py": "import launch\nimport pytest\n"}),
         on_python({"my_pkg/a.py": "import depthai\n"}),
+        on_python({"package.xml": manifest("  <exec_depend>sensor_msgs</exec_depend>\n"
+                                           "  <test_depend>geometry_msgs</test_depend>\n"),
+                   "my_pkg/a.py": "import std_msgs.msg\n"}),
     ),
     "DEP103": tuple(
         Example(bad={**OWN, "my_pkg/msg/Battery.msg": None, "my_pkg/launch/a.launch.xml": FINDS.format(name),
@@ -105,6 +109,7 @@ CASES = {
         on_python(BATTERY),
         on_python({**BATTERY, "my_pkg/a.py": "    from my_pkg import (msg)\n"}),
         on_python({**BATTERY, "my_pkg/a.py": "import my_pkg.msg\n"}),
+        on_python({**BATTERY, "my_pkg/a.py": "import my_pkg.battery\n"}),
         on_python({**BATTERY, "my_pkg/a.py": "# import my_pkg.msg\nfrom my_pkg_more.msg import Battery\n"}),
         on_python({**BATTERY, "a.txt": "import my_pkg.msg\n"}),
         Example(bad={**OWN, **USER}, good={}, on=""),
@@ -135,7 +140,7 @@ CASES = {
         }),
     ),
     "XML104": (
-        built_by(CATKIN), built_by(CATKIN + AMENT), built_by(AMENT),
+        built_by(CATKIN), built_by("  <depend>catkin</depend>\n"), built_by(CATKIN + AMENT), built_by(AMENT),
         built_by(CATKIN, TODO.replace("TODO: Package description", "")),
     ),
 }  # fmt: skip

@@ -20,7 +20,7 @@ def is_only_imported(path: str, files: PackageFiles) -> bool:
         return False
     parts = path.removesuffix(".py").split("/")
     names = {".".join(parts[start:]) for start in range(len(parts) - 1)}
-    others = (files.readable_text(each) for each in files.paths if each.endswith(".py") and each != path)
+    others = (files.readable_text(each) for each in files.paths if each.endswith(".py"))
     return not names.isdisjoint(dotted_imports(text for text in others if parts[-1] in text))
 
 
