@@ -60,6 +60,29 @@ from launch import LaunchDescription
 def generate_launch_description():
     return LaunchDescription()
 """
+GENERATOR = """\
+from writer import LaunchFile, Node, Package
+
+
+class Generator:
+    def __init__(self):
+        self.joy = {}
+        {}
+
+    def write(self):
+        return {}
+"""
+JOY, ADDED, AGAIN = "Package('joy')", "pass", "self.joy = None"
+GENERATED = (
+    (JOY, ADDED, "LaunchFile('a', package=self.joy)"),
+    (JOY, AGAIN, "LaunchFile('a', package=self.joy)"),
+    ("'joy'", ADDED, "Node(package=self.joy, executable='joy_node')"),
+    ("'joy'", ADDED, "LaunchFile('a', package=self.joy)"),
+    ("None", ADDED, "LaunchFile('a', package=Package('joy'))"),
+    ("None", ADDED, "LaunchFile('a', package=Package('joy', 'humble'))"),
+    ("None", ADDED, "LaunchFile('a', package=Folder('joy'))"),
+    ("None", ADDED, "LaunchFile('a', package=Package(joy))"),
+)
 IN_FUNCTION = (
     "from writer import LaunchFile\n\n\ndef node():\n    return LaunchFile.Node(package='turtlesim', executable='a')\n"
 )
@@ -76,6 +99,7 @@ CASES = {
         python("", launch__a_DOT_launch_DOT_py=LAUNCH),
         python("", my_pkg__a_DOT_py=DESCRIBED),
         python("", my_pkg__launch__a_DOT_py=IN_FUNCTION),
+        *(python("", my_pkg__a_DOT_py=GENERATOR.format(first, more, call)) for first, more, call in GENERATED),
         python("", my_pkg__launch__a_DOT_py=IN_FUNCTION + "\n\ndef generate_launch_description():\n    return []\n"),
     ),
     "DEP104": (

@@ -12,6 +12,8 @@ from ...source import Span
 
 CLASSES = frozenset({"Node", "LifecycleNode", "ComposableNode", "ComposableNodeContainer"})
 WHAT = frozenset({"executable", "plugin"})
+OBJECT = "Package"
+"""The class of objects that generators of launch files have for the name of a package."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,16 +25,31 @@ class DescribedNode:
 
 
 def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
-    """Yield the nodes whose package and executable (or plugin) are literals in the call, in the order of the text."""
+    """Yield the nodes whose package is known, and which have an executable or a plugin, in the order of the text.
+
+    So are launch files of `package=Package('…')`, an object for the name. A name that is assigned once stands for it.
+    """
     if "package=" not in file.source.text:
         return
+    values = assigned_once(file)
     for node in nodes_of_kind(file.tree, ast.Call):
-        if called(node.func) in CLASSES:
-            arguments = {keyword.arg: keyword.value for keyword in node.keywords}
-            package = arguments.get("package")
-            literal = isinstance(package, ast.Constant) and isinstance(package.value, str)
-            if isinstance(package, ast.Constant) and literal and WHAT & arguments.keys():
-                yield DescribedNode(str(package.value), file.span(package))
+        given = next((each.value for each in node.keywords if each.arg == "package"), None)
+        value = values.get(ast.unparse(given)) or given if isinstance(given, ast.Name | ast.Attribute) else given
+        is_node = called(node.func) in CLASSES and bool(WHAT & {each.arg for each in node.keywords})
+        if isinstance(value, ast.Call) and called(value.func) == OBJECT and len(value.args) == 1:
+            value, is_node = value.args[0], True
+        if is_node and isinstance(value, ast.Constant) and isinstance(value.value, str):
+            yield DescribedNode(value.value, file.span(value))
+
+
+def assigned_once(file: PythonFile) -> dict[str, ast.expr]:
+    """Return the values of names and attributes (`self.package`) that a file assigns in one place."""
+    found: dict[str, list[ast.expr]] = {}
+    for node in nodes_of_kind(file.tree, ast.Assign):
+        for target in node.targets:
+            if isinstance(target, ast.Name | ast.Attribute):
+                found.setdefault(ast.unparse(target), []).append(node.value)
+    return {name: values[0] for name, values in found.items() if len(values) == 1}
 
 
 def called(function: ast.expr) -> str:
