@@ -70,6 +70,8 @@ def test_variables(text: str, said: list[str]) -> None:
         ("string(REGEX REPLACE \"(a+)+$\" b x aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaac)\necho(${x})", ["∅"]),
         ("execute_process(COMMAND git OUTPUT_VARIABLE v)\nfind_library(l x)\necho(${v} ${l})", ["∅ ∅"]),
         ("set(v old)\nsomeones_command(v)\necho(${v})", ["∅"]),
+        ("set(v a.cpp)\nqt5_wrap_cpp(v include/b.hpp ${never_heard_of})\necho(${v})", ["a.cpp /~binary/wrapped_b.hpp.cpp ∅"]),
+        ("qt_wrap_ui(v b.ui)\nqt6_wrap_cpp()\necho(${v})", ["/~binary/wrapped_b.ui.cpp"]),
         ("set(v 'a b')\nset(w a b)\nseparate_arguments(w)\necho(${w})", ["a b"]),
     ],
 )  # fmt: skip

@@ -49,6 +49,8 @@ def findings(source: str, lines: str = "", **more: str) -> list[GIVEN]:
         ('#include "my_pkg/words.h"', [(ERROR, "my_pkg/words.hpp")]),
         ('#include "my_pkg/msg/wodrs.hpp"', []),
         ('#include "my_pkg/wodrs"', []),
+        ('#include "my_pkg/words.hp"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkg/generated.inc"', []),
         ('#include "my_pkg/../wodrs.hpp"', []),
         ('#if A\n#include "my_pkg/wodrs.hpp"\n#endif', []),
         ('#if __has_include("x")\n#endif\n#include "my_pkg/wodrs.hpp"', []),
@@ -124,3 +126,78 @@ def test_a_header_that_git_ignores_is_made_by_somebody() -> None:
     }
     assert len(lint_files(files, ["CMK201"]).findings) == 1
     assert lint_files({**files, ".gitignore": "renamed_*.hpp\n"}, ["CMK201"]).findings == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("#include <ros/ros.h>", [(ERROR, "rclcpp/rclcpp.hpp")]),
+        ("#include <ros/names.h>", [(ERROR, "")]),
+        ("#include <ros/rsos.h>", []),
+        ("#if A\n#include <ros/ros.h>\n#endif", []),
+        ('#if __has_include("x")\n#endif\n#include <ros/ros.h>', []),
+        ("#include <std_msgs/String.h>", [(ERROR, "std_msgs/msg/string.hpp")]),
+        ("#include <sensor_msgs/NavSatFix.h>", [(ERROR, "sensor_msgs/msg/nav_sat_fix.hpp")]),
+        ("#include <std_msgs/Whatever.h>", []),
+        ("#include <nobody_msgs/String.h>", []),
+        ("#include <std_msgs/string.h>", []),
+    ],
+)
+def test_headers_of_ros_1(line: str, expected: list[GIVEN]) -> None:
+    assert of_nobody(line) == expected
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ('#include "my_pkgg/words.hpp"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "my_pkgg/wodrs.hpp"', []),
+        ('#include "my_gpkg/words.hpp"', [(ERROR, "my_pkg/words.hpp")]),
+        ('#include "mx_gpkg/words.hpp"', []),
+        ('#include "my_pkg2/words.hpp"', []),
+        ('#include "My_pkgg/words.hpp"', []),
+        ("#include <toolbxo/frames.hpp>", []),
+        ("#include <sensor_mgs/msg/nav_sat_fix.hpp>", [(ERROR, "sensor_msgs/msg/nav_sat_fix.hpp")]),
+        ("#include <sensor_mgs/msg/whole_world.hpp>", []),
+        ("#include <rclccp/rclcpp.hpp>\n#include <rclcpp/a.hpp>", []),
+        (
+            "#include <rclccp/rclcpp.hpp>\n#include <rclcpp/a.hpp>\n#include <rclcpp/b.hpp>",
+            [(ERROR, "rclcpp/rclcpp.hpp")],
+        ),
+    ],
+)
+def test_a_folder_of_no_package(line: str, expected: list[GIVEN]) -> None:
+    assert of_nobody(line) == expected
+
+
+def test_a_folder_that_is_there_is_not_misspelt() -> None:
+    line = '#include "my_pkgg/words.hpp"'
+    assert of_nobody(line, **{"src/my_pkgg/more.hpp": ""}) == []
+    assert of_nobody(line, **{"package.xml": manifest("<depend>my_pkgg</depend>", "ament_cmake")}) == []
+
+
+def test_a_package_of_ros_1_has_its_headers() -> None:
+    line = "#include <ros/ros.h>"
+    assert of_nobody(line, find="find_package(roscpp REQUIRED)\n") == []
+    header = {"include/my_pkg/a.hpp": f"{line}\n"}
+    assert of_nobody("", **header) == []
+    assert of_nobody('#include "my_pkg/a.hpp"', **header) == [(ERROR, "rclcpp/rclcpp.hpp")]
+    assert of_nobody("", **{"include/my_pkg/a.hpp": '#include "my_pkgg/words.hpp"\n'}) == [
+        (WARNING, "my_pkg/words.hpp")
+    ]
+    assert of_nobody(f"#include <ros/time.h>\n{line}") == [(ERROR, "rclcpp/time.hpp")]
+    assert of_nobody(line, **{"include/ros/ros.h": ""}) == []
+
+
+def of_nobody(source: str, find: str = "", **more: str) -> list[GIVEN]:
+    """Lint a package that depends on rclcpp and sensor_msgs, with one source, for headers that no package has."""
+    depends = "".join(f"  <depend>{name}</depend>\n" for name in ("rclcpp", "sensor_msgs"))
+    files = {
+        "package.xml": manifest(depends, "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{find}add_executable(talker src/a.cpp)\nament_package"),
+        "src/a.cpp": f"{source}\nint main() {{return 0;}}\n",
+        "include/my_pkg/words.hpp": "",
+        **more,
+    }
+    messages = [(each.severity, each.message) for each in lint_files(files, ["CMK201"]).findings]
+    return [(level, text.split("`")[3] if text.count("`") > 2 else "") for level, text in messages]

@@ -26,7 +26,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "entry-point-missing-attribute": ("SET102",),
     "entry-point-invalid": ("SET10",),
     "cmake-unknown-export-dependency": ("CMK110", "CMK117", "DEP"),
-    "cmake-unknown-package": ("DEP104", "DEP0", "DEP1", "CMK110"),
+    "cmake-unknown-package": ("DEP104", "DEP0", "DEP1", "CMK110", "CMK117"),
     "cmake-unknown-target": ("CMK110", "CMK118"),
     "cmake-unknown-variable": ("CMK",),
     "cmake-install-destination": ("CMK104", "CMK101", "LCH004"),

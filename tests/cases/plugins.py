@@ -34,6 +34,14 @@ def described(path: str, cmake: str = plg004.PACKAGE, source: str = plg004.SOURC
     return on_cmake(plg004.FILES, CMakeLists_DOT_txt=cmake, plugins_DOT_xml=text, src__planner_DOT_cpp=source)
 
 
+def of_template(name: str) -> Example:
+    """A plugin of a template, in a library that no target makes; tinyxml2 takes a `<` in a value."""
+    kind = "my_pkg::Planner<nav_msgs::msg::Path>"
+    text = plg004.XML.replace("my_pkg::Planner", name).replace('"my_planner"', '"my_plannre"')
+    source = plg004.SOURCE.replace("my_pkg::Planner", kind)
+    return on_cmake(plg004.FILES, plugins_DOT_xml=text, src__planner_DOT_cpp=source)
+
+
 def asked_for(name: str) -> Example:
     return on_cmake(plg003.FILES, config__nav2_DOT_yaml=plg003.CONFIG.replace("my_pkg/Planner", name))
 
@@ -68,9 +76,19 @@ CASES = {
         described("my_planer", TWICE),
         described("nothing_alike", TWICE),
         described("lib/libmy_third.so", THIRD),
+        of_template("my_pkg::Planner<nav_msgs::msg::Path>"),
+        of_template("my_pkg::Planner&lt;nav_msgs::msg::Path&gt;"),
     ),
     "PLG005": (
         exported_to("rviz_common"),
+        *(
+            on_cmake(
+                plg005.FILES,
+                plugins_DOT_xml=plg005.XML.replace("nav2_core::GlobalPlanner", base),
+                src__planner_DOT_cpp=plg005.FILES["src/planner.cpp"].replace("nav2_core::GlobalPlanner", "a::B<c::D>"),
+            )
+            for base in ("a::B<c::E>", "a::B< c::D >", "a::B<D>", "b::B<c::E>", "a::B")
+        ),
         on_cmake(plg005.FILES, src__planner_DOT_cpp=plg005.FILES["src/planner.cpp"] + LOADER),
     ),
 }

@@ -27,6 +27,17 @@ def linked(before: str, after: str, files: dict[str, str] | None = None) -> Exam
     return package(LINKS.replace(before, after), files)
 
 
+def headers(destination: str, more: str = "", where: str = "include") -> Example:
+    """A library whose headers are installed in one call, and exported."""
+    lines = f"{LIBRARY_ALONE}install(DIRECTORY {where} DESTINATION {destination})\n{more}"
+    files = {"include/my_pkg/core.hpp": "#pragma once\nint core();\n"}
+    return package(f"{lines}ament_export_include_directories(include)\n", files)
+
+
+LIBRARY_ALONE = (
+    "add_library(core SHARED src/core.cpp)\ninstall(TARGETS core DESTINATION lib)\nament_export_libraries(core)\n"
+)
+
 CASES = {
     "CMK001": (
         whole(NAMELESS.replace("ament_package()\n", "")),
@@ -68,12 +79,49 @@ CASES = {
         package(SET + "install(EXPORT core_targets DESTINATION share/${PROJECT_NAME}/cmake)\n"),
         package(SET + "if(FALSE)\n  ament_export_targets(core_targets)\nendif()\n"),
         package(SET + "ament_export_targets(${SETS})\n"),
+        package(SET + "target_link_libraries(core ${THEIR_TARGETS})\n"),
         package(SET + "ament_export_targets(other_targets)\n"),
         package(SET + "team_install_things(core)\n"),
+        package(SET + 'rclcpp_components_register_nodes(core "my_pkg::Core")\n'),
+        package(SET, {"src/core.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
+        package(SET, {"src/other.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
         package(SET + SET.partition("\n")[2]),
         package(SET + "set_target_properties(core PROPERTIES EXPORT_NAME base)\n"),
         package(SET.replace("EXPORT core_targets", "EXPORT ${SET}")),
         package(f"if(WITH_MORE)\n{SET}endif()\n"),
         package(SET.replace("add_library(core SHARED src/core.cpp)", "add_executable(core src/talker.cpp)")),
+    ),
+    "CMK106": (
+        headers("include"),
+        headers("include", "ament_export_include_directories(include/include)\n"),
+        headers("include/${PROJECT_NAME}"),
+        headers("include", "install(DIRECTORY include/ DESTINATION include)\n"),
+        headers("include", "pluginlib_export_plugin_description_file(rviz_common a.xml)\n"),
+        headers("share"),
+        headers("include", where="include/"),
+        headers("include", where="src"),
+        package("install(DIRECTORY include DESTINATION include)\n", {"include/my_pkg/core.hpp": "#pragma once\n"}),
+        headers("include", "install(DIRECTORY ${MORE} DESTINATION include)\n"),
+    ),
+    "CMK115": (
+        package("list(APPEND CORE_SUORCES a.cpp)\nlist(PREPEND CORE_SUORCES b.cpp)\nmessage(${CORE_SOURCES})\n"),
+        package("list(APPEND CORE_SUORCES a.cpp)\nmessage(${CORE_SOURCES} ${CORE_SUORCES})\n"),
+        package("list(APPEND CORE_SUORCES a.cpp)\nmessage(${CORE_SOURCES})\n# CORE_SUORCES\n"),
+        package("list(APPEND CORE_SOURCES2 a.cpp)\nmessage(${CORE_SOURCES})\n"),
+        package("list(APPEND CORE_SUORCES a.cpp)\nmessage(${CORE_SOURCE} ${CORE_SUORCE})\n"),
+        package("list(APPEND SUORCES a.cpp)\nmessage(${SOURCES})\n"),
+        package("list(APPEND CORE_SUORCES a.cpp)\ninclude(${somewhere_DIR}/a.cmake)\nmessage(${CORE_SOURCES})\n"),
+        package("list(SORT CORE_SUORCES)\nlist(APPEND CORE_SUORCES)\nmessage(${CORE_SOURCES})\n"),
+    ),
+    "CMK117": (
+        package("find_package(OpenCV REQUIRED)\nament_export_dependencies(${OpenCV_LIBRARIES})\n"),
+        package("find_package(tf2 REQUIRED)\nament_export_dependencies(${TF2_LIBS} ${nobody_TARGETS} ${MORE})\n"),
+        package("set(MORE_LIBRARIES tf2)\nament_export_dependencies(${MORE_LIBRARIES})\n"),
+        package("if(WITH_MORE)\n  ament_export_dependencies(${OpenCV_LIBRARIES})\nendif()\n"),
+        package("find_package(my_pkg REQUIRED)\n"),
+        package("find_package(${PROJECT_NAME} QUIET)\n"),
+        package("find_package(my_pkg REQUIRED)\n", {"cmake/Findmy_pkg.cmake": ""}),
+        package("if(BUILD_TESTING)\n  find_package(my_pkg REQUIRED)\nendif()\n"),
+        package("add_subdirectory(src)\n", {"src/CMakeLists.txt": "find_package(my_pkg REQUIRED)\n"}),
     ),
 }

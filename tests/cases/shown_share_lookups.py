@@ -28,8 +28,26 @@ def lookup(*lines: str, **files: str | None) -> Example:
     return python({**FILES, "my_pkg/talker.py": HEAD + "".join(f"{line}\n" for line in lines), **paths})
 
 
+def in_cpp(*lines: str, path: str = "src/talker.cpp") -> Example:
+    return python({**NEEDS, path: "".join(f"{line}\n" for line in lines)})
+
+
 CASES = {
     "DEP112": (
+        in_cpp(
+            'auto a = ament_index_cpp::get_package_share_directory("my_pgk") + "/a";',
+            'auto b = get_package_prefix( "sedlom" );',
+            'auto c = get_package_share_path("my_pkg"), d = get_package_prefix("unlike_all");',
+            '// get_package_share_path("my_pgk")',
+            'auto e = get_package_share_directory(name), f = get_package_share_directory("my_pgk" + name);',
+        ),
+        in_cpp(
+            "try {",
+            '  get_package_prefix("my_pgk");',
+            "} catch (const ament_index_cpp::PackageNotFoundError &) {",
+            "}",
+        ),
+        in_cpp('auto a = get_package_share_directory("my_pgk");', path="test/talker.cpp"),
         lookup(
             "get_package_share_path('my_pgk')",
             "get_package_prefix(package_name='my_pkgg')",

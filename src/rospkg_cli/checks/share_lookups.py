@@ -1,4 +1,4 @@
-"""Rule input: the packages and files that Python modules look for in share directories."""
+"""Rule input: the packages and files that Python modules and C++ look for in share directories."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ..files import PackageFiles
+from ..languages.cpp.file import CppFile
 from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.joined_paths import PathJoiner
@@ -20,6 +21,7 @@ from ..ros.names import NameKind
 from ..source import Span
 from ..suggest import near_names, nearest
 from .closest_path import closest_path
+from .cpp.share_names import share_names
 from .run_imports import RunImports
 
 SHARE = frozenset({"get_package_share_directory", "get_package_share_path", "FindPackageShare"})
@@ -59,6 +61,7 @@ class ShareLookups:
     files: PackageFiles
     facts: PackageFacts
     workspace: Workspace
+    sources: tuple[CppFile, ...] = ()
 
     @property
     def modules(self) -> Iterator[PythonFile]:
@@ -68,6 +71,7 @@ class ShareLookups:
                 yield file
 
     def unknown_packages(self) -> Iterator[UnknownShare]:
+        yield from self.unknown_in_cpp()
         for file in self.modules:
             caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
@@ -77,6 +81,12 @@ class ShareLookups:
                 if name is not None and near:
                     whole = file.span(name)
                     yield UnknownShare(file.path, Span(whole.start + 1, whole.end - 1), str(name.value), near)
+
+    def unknown_in_cpp(self) -> Iterator[UnknownShare]:
+        for source in self.sources:
+            for name, span in share_names(source) if role_of(source.path) == "run" else ():
+                if near := self.near_package(name):
+                    yield UnknownShare(source.path, span, name, near)
 
     def near_package(self, name: str) -> str | None:
         """Return the package that is intended by the name of none; None where it is one, or near to none or several."""

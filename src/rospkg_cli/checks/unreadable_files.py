@@ -6,7 +6,6 @@ from ..files import PackageFiles
 from ..languages.cmake.lexer import tokens
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
-from ..package.plugins.read_descriptions import is_like_one
 from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
 from .fault import Level
@@ -27,17 +26,6 @@ class UnreadableFile:
     files: PackageFiles
 
     @property
-    def is_description(self) -> bool:
-        """Whether it describes plugins, which pluginlib reads with tinyxml2."""
-        return is_like_one(self.files, self.file.path)
-
-    @property
-    def is_in_value(self) -> bool:
-        """Whether the fault is in the value of an attribute."""
-        before = self.files.readable_text(self.file.path)[: self.file.span.start]
-        return before[before.rfind("<") :].count('"') % 2 == 1
-
-    @property
     def is_in_comments(self) -> bool:
         """Whether it is a file of CMake whose bytes that are no text stand in comments alone."""
         if not self.file.path.endswith(("CMakeLists.txt", ".cmake")):
@@ -50,8 +38,6 @@ class UnreadableFile:
         path = self.file.path
         if path.endswith(".urdf") and self.file.code in TAKEN_BY_URDFDOM:
             return "warning", "; xacro and Python stop there, urdfdom reads past it"
-        if self.file.code is ReadProblem.XML_LESS_THAN and self.is_description and self.is_in_value:
-            return "info", "; pluginlib takes it in the value of an attribute, other tools do not"
         if path.endswith((".urdf", ".xacro")) and not self.opened.has(path):
             return "warning", "; no file of the package opens it"
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:

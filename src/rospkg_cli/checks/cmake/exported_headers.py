@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import TARGETS, PublicHeaders
 from ...package.workspace import Workspace
@@ -24,6 +26,25 @@ class ExportedHeaders:
         if has_library and (package.cmake.named(*LIBRARIES) or not built):
             return True
         return self.is_built_against
+
+    def in_doubled_folder(self) -> tuple[Word, str] | None:
+        """Return the `include` that is installed as a whole into a folder of that name, and where its headers land.
+
+        None where any header lands elsewhere, or where the longer path is named for those who use them.
+        """
+        cmake = self.headers.package.cmake
+        for rule in cmake.installs if self.headers.exports and self.headers.table.knows("header") else ():
+            words = (word for word in rule.items if path_in_package(word.text, rule.call.folder) == "include")
+            word = next((word for word in words if not word.text.endswith("/")), None)
+            destination = rule.destination or ""
+            if rule.kind != "DIRECTORY" or word is None or not f"{destination}/".startswith("include/"):
+                continue
+            place = f"{destination}/include"
+            rows = [row for row in self.headers.table.rows if row.source in self.headers.offered]
+            is_named = any(place in text for call in cmake.calls for text in call.texts)
+            if rows and not is_named and all(row.destination.startswith(f"{place}/") for row in rows):
+                return word, place
+        return None
 
     @property
     def are_of_plugins(self) -> bool:

@@ -29,16 +29,19 @@ class MistypedLinks:
     workspace: Workspace
 
     def all(self) -> Iterator[MistypedLink]:
-        """Yield each argument once."""
+        """Yield each argument once, and a target that a package does not export at its first place alone."""
         seen: set[tuple[str, int, str]] = set()
+        lost: set[str] = set()
         for link in TargetLinks(self.package.cmake).all:
             word = link.word
             key = (word.path, word.span.start, word.text)
             if word.is_known and not link.package and not word.maybe and not link.call.maybe and key not in seen:
                 seen.add(key)
                 near, exported = self.near_target(word.text), self.all_targets(word.text)
-                if (near is None and exported is None) or self.is_brought(word.text):
+                if (near is None and exported is None) or word.text in lost or self.is_brought(word.text):
                     continue  # last, as it evaluates the CMake of all packages
+                if near is None:
+                    lost.add(word.text)
                 yield MistypedLink(link, near) if near is not None else MistypedLink(link, "", exported or ())
 
     def near_target(self, text: str) -> str | None:

@@ -8,13 +8,17 @@ from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.set_variables import SetVariables
 from ...package.workspace import Workspace
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from .mistyped_links import nearest
 
+EXPORTED = "ament_export_dependencies"
+OF_PACKAGE = regex(r"\$\{(\w+?)_(LIBRARIES|LIBRARY|LIBS|TARGETS|INCLUDE_DIRS?)\}")
 TAKING = {"ament_target_dependencies": 1, "ament_export_dependencies": 0}
 """Commands that are given packages, and their first argument that is one."""
 KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
@@ -24,9 +28,11 @@ KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 class MistypedPackage:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["misspelt", "target"]
+    kind: Literal["misspelt", "target", "variable", "own"]
     near: str = ""
     """The package that is certainly intended, of one that is misspelt."""
+    variable: str = ""
+    """The variable that stands where packages belong, as it is written."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +49,17 @@ class MistypedPackages:
                 seen.add(key)
                 if (found := self.judged(word, call)) is not None:
                     yield found
+        yield from self.libraries()
+
+    def libraries(self) -> Iterator[MistypedPackage]:
+        """Yield variables that hold libraries of a package, where a package belongs."""
+        for call in self.package.cmake.named(EXPORTED):
+            for argument, words in call.by_argument() if not call.maybe else ():
+                match = OF_PACKAGE.fullmatch(argument.text)
+                if match is not None and words and not self.variables.may_be_set(f"{match[1]}_{match[2]}"):
+                    near = next((each for each in (match[1], match[1].lower()) if each in self.found), None)
+                    if near is not None:
+                        yield MistypedPackage(words[0], call, "variable", near, argument.text)
 
     def named(self) -> Iterator[tuple[Word, EvaluatedCommand]]:
         """Yield the packages that commands are given; of those that are looked for, the required ones."""
@@ -54,6 +71,8 @@ class MistypedPackages:
                 yield found.word, found.call
 
     def judged(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
+        if self.is_own(word, call):
+            return MistypedPackage(word, call, "own")
         if self.is_known(word.text):
             return None
         if call.name not in TAKING:
@@ -64,6 +83,12 @@ class MistypedPackages:
             return MistypedPackage(word, call, "target")
         return self.misspelt(word, call, self.found | self.declared)
 
+    def is_own(self, word: Word, call: EvaluatedCommand) -> bool:
+        """Return whether a package looks for itself, before it is installed, and brings no module to be found by."""
+        is_its_name = word.text == self.package.facts.name == self.package.cmake.project_name
+        is_looked_for = call.name == "find_package" and not call.folder and not call.testing
+        return is_its_name and is_looked_for and self.package.is_ament and self.is_looked_for_in_vain(word.text)
+
     def misspelt(self, word: Word, call: EvaluatedCommand, names: frozenset[str]) -> MistypedPackage | None:
         near = nearest(word.text, names, 2)
         return MistypedPackage(word, call, "misspelt", near) if near is not None else None
@@ -73,6 +98,10 @@ class MistypedPackages:
         modules = (f"/find{name}.cmake", f"/{name}config.cmake", f"/{name}-config.cmake")
         paths = self.package.cmake.package_files.paths
         return ROS_NAME.fullmatch(name) is not None and not any(f"/{p}".lower().endswith(modules) for p in paths)
+
+    @cached_property
+    def variables(self) -> SetVariables:
+        return SetVariables(self.package.cmake)
 
     @cached_property
     def unfound(self) -> frozenset[str]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
+from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
+from .missing_export_dependencies import REGISTERS
 from .target_references import EXPORTS, TargetReferences
 
 
@@ -25,9 +28,10 @@ class UnexportedSet:
 @dataclass(frozen=True)
 class UnexportedTargets:
     package: CMakePackage
+    sources: tuple[CppFile, ...]
 
     def all(self) -> Iterator[UnexportedSet]:
-        """Yield each set with a library once; nothing where any command may hand it on."""
+        """Yield each set with a library that others may link, once; nothing where any command may hand it on."""
         cmake = self.package.cmake
         is_clear = cmake.is_complete and not cmake.reads_unknown_files and cmake.ends_a_package
         if not self.package.is_ament or not is_clear or next(foreign_commands(cmake), None) is not None:
@@ -46,18 +50,24 @@ class UnexportedTargets:
 
     def is_library(self, word: Word) -> bool:
         target = self.package.cmake.target(word.text)
-        return target is not None and target.is_library
+        return target is not None and target.is_library and not self.is_only_loaded(target)
+
+    def is_only_loaded(self, target: Target) -> bool:
+        """Return whether a library is a component, or a source of it registers a class: pluginlib or a container loads
+        it, and nobody links it."""
+        if any(each.target.text == target.name for each in self.package.cmake.components):
+            return True
+        paths = {path_in_package(word.text, target.call.folder) for word in target.sources}
+        return any(file.path in paths and any(file.calls_to(*REGISTERS)) for file in self.sources)
 
     def named(self) -> Iterator[str]:
-        """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may be given any set."""
+        """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may export any set."""
         for call in (*self.package.cmake.calls, *self.package.cmake.unreachable):
-            if not fills(call):
-                yield from call.texts if call.name not in EXPORTS else map(or_unknown, call.texts)
+            if call.name in EXPORTS:
+                yield from (UNKNOWN if UNKNOWN in text else text for text in call.texts)
+            elif not fills(call):
+                yield from (text for text in call.texts if UNKNOWN not in text)
 
 
 def fills(call: EvaluatedCommand) -> bool:
     return call.name == "install" and call.texts[:1] == ("TARGETS",)
-
-
-def or_unknown(text: str) -> str:
-    return UNKNOWN if UNKNOWN in text else text

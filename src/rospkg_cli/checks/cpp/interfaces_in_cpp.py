@@ -11,6 +11,7 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
 from ..depends.compiled_sources import compiled_sources, own_compiled
@@ -65,12 +66,22 @@ class InterfacesInCpp:
             package, kind, name = found.groups()
             names = self.names(package, kind)
             lowered = {lower(known): known for known in names}
-            if not names or name in lowered or self.is_own_header(each.path):
+            near = self.as_generated(package, name, names, each.path)
+            if (not names and not near) or name in lowered or self.is_own_header(each.path):
                 continue
-            near = near_names(name, lowered, 2 if self.known.is_here(package) else 1)
+            near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
             if near or self.known.is_here(package):
                 meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
                 yield self.hit(source, each.span, each.path, package, kind, meant)
+
+    def as_generated(self, package: str, name: str, names: Set[str], path: str) -> list[str]:
+        """Return the header of a class by whose own name it is included: rosidl writes no capital letter."""
+        header = lower(name)
+        if header == name:
+            return []
+        is_of_messages = MESSAGES.fullmatch(package) is not None and not self.known.is_here(package)
+        is_generated = header in map(lower, names) if names else is_of_messages and path.endswith(".hpp")
+        return [header] if is_generated else []
 
     def types(self, source: CppFile) -> Iterator[WrongInterface]:
         if not any(self.may_lack(*each) for each in types_named(source.source.text)):

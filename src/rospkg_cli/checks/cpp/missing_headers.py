@@ -48,12 +48,14 @@ class MissingHeaders:
             for each in source.includes:
                 if not each.is_conditional and self.is_header(each.path) and (found := self.missing(source, each)):
                     owner, meant = found
+                    if not meant and not each.path.endswith(HEADERS):
+                        continue  # `.inc`, `.def`: anything may make it
                     yield MissingHeader(source.path, each.span, each.path, owner, meant, source.path in self.compiled)
 
     def is_header(self, path: str) -> bool:
         """Return whether a path may be that of a header that people write: interfaces have generated ones."""
         parts = path.split("/")
-        return path.endswith(HEADERS) and not (len(parts) > 2 and parts[1] in KINDS) and ".." not in parts
+        return "." in parts[-1] and not (len(parts) > 2 and parts[1] in KINDS) and ".." not in parts
 
     def missing(self, source: CppFile, each: IncludeDirective) -> tuple[str, str] | None:
         """Return the package that lacks a header, and the one that is near; None where it may be there."""

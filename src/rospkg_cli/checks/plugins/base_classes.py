@@ -37,6 +37,8 @@ class WrongBaseClass:
     description: PluginDescription
     plugin: PluginClass
     suggestion: str
+    is_of_macro: bool = False
+    """Whether the macro of the class has the other base."""
 
 
 @dataclass(frozen=True)
@@ -93,10 +95,22 @@ class PluginBases:
         for description, classes in self.described():
             known = {base for package in description.bases for base in self.workspace.bases_loaded_from(package)}
             for plugin in classes:
-                if not self.workspace.loaders_of(plugin.base.value):
+                if (base := self.other_arguments(plugin)) is not None:
+                    yield WrongBaseClass(description, plugin, base, True)
+                elif not self.workspace.loaders_of(plugin.base.value):
                     suggestion = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
                     if suggestion is not None:
                         yield WrongBaseClass(description, plugin, suggestion)
+
+    def other_arguments(self, plugin: PluginClass) -> str | None:
+        """Return the base of the macro of a class, where it is of the same template, with other arguments."""
+        exported = self.package.exported if self.package is not None else ()
+        bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
+        if len(bases) != 1 or not plugin.base.value.endswith(">"):
+            return None
+        (base,) = bases
+        own, other = (text.partition("<") for text in (spaceless(plugin.base.value), spaceless(base)))
+        return base if own[0] == other[0] and last_word(own[2]) != last_word(other[2]) else None
 
     def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
         """Return the base class in the export macro, where that one is loaded."""
@@ -114,6 +128,10 @@ class PluginBases:
             if package not in served and (served or known is NameKind.UNKNOWN):
                 suggestion = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
                 yield UnmatchedLoader(loader, suggestion)
+
+
+def last_word(arguments: str) -> str:
+    return arguments.rstrip("> ").rpartition("::")[2]
 
 
 def misspelt(base: str, known: set[str]) -> str | None:

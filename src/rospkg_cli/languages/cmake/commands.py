@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Callable, Mapping
 
 from ...lazy_regex import regex
+from ...light_dataclasses import replace
 from .call_stack import PYTHON, LeaveError
 from .evaluated_command import EvaluatedCommand
 from .file import ROOT
@@ -113,6 +114,17 @@ def run_python_install_dir(interpreter: Interpreter, call: EvaluatedCommand) -> 
         interpreter.set_text(name, PYTHON)
 
 
+def run_qt_wrap(interpreter: Interpreter, call: EvaluatedCommand) -> None:
+    """`qt5_wrap_cpp(sources a.hpp)` appends a generated file for each that is given to the variable."""
+    for name in call.texts[:1]:
+        made = [replace(word, text=generated_name(word.text)) for word in call.words[1:]]
+        interpreter.set(name, (*(interpreter.value_if_set(name) or ()), *made))
+
+
+def generated_name(text: str) -> str:
+    return UNKNOWN if UNKNOWN in text else posixpath.join(BINARY, f"wrapped_{posixpath.basename(text)}.cpp")
+
+
 def set_outputs_unknown(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """The output variables of execute_process and similar commands are unknown."""
     for keyword, name in zip(call.texts, call.texts[1:], strict=False):
@@ -152,6 +164,8 @@ HARMLESS = frozenset(
 )
 """Commands that set no variable of the caller."""
 
+QT_WRAPPERS = tuple(f"qt{version}_{what}" for version in ("4", "5", "6", "") for what in ("wrap_cpp", "wrap_ui"))
+
 COMMANDS: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]] = {
     **dict.fromkeys(HARMLESS, has_no_effect),
     **dict.fromkeys(FIRST_IS_OUTPUT, set_first_unknown),
@@ -165,6 +179,7 @@ COMMANDS: Mapping[str, Callable[[Interpreter, EvaluatedCommand], None]] = {
     "string": run_string,
     "get_filename_component": run_get_filename_component,
     "file": run_file,
+    **dict.fromkeys(QT_WRAPPERS, run_qt_wrap),
     "execute_process": set_outputs_unknown,
     "ament_get_python_install_dir": run_python_install_dir,
     "fetchcontent_makeavailable": has_unknown_effects,

@@ -30,20 +30,30 @@ QUALIFIED = regex(r"[^:]+(:[^:]+)?")
 BOUND = frozenset({"xml", "xmlns"})
 
 
-def read_xml(source: Source, *, prefixes: bool = True) -> Document:
+VALUE = regex(r'="[^"]*"')
+STAND_IN = "\x7f"
+"""A character of one byte, allowed in XML and in nobody's file, that takes the place of a `<`."""
+
+
+def read_xml(source: Source, *, prefixes: bool = True, takes_less_than: bool = False) -> Document:
     """Parse a decoded text; raises UnreadableError at the exact position where it is not well formed.
 
-    Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML.
+    Without `prefixes` a prefix that nothing declares is a part of a name, as it is for TinyXML. It also takes a `<` in
+    the value of an attribute, as this does with `takes_less_than`.
     """
-    return XmlParser(source, prefixes).read()
+    return XmlParser(source, prefixes, takes_less_than).read()
 
 
 class XmlParser:
     """One pass of expat over the text."""
 
-    def __init__(self, source: Source, prefixes: bool) -> None:
+    def __init__(self, source: Source, prefixes: bool, takes_less_than: bool = False) -> None:
         self.source, self.prefixes = source, prefixes
-        self.data = source.text.encode("utf-8", "surrogatepass")
+        self.is_replaced = takes_less_than and STAND_IN not in source.text
+        text = (
+            VALUE.sub(lambda found: found[0].replace("<", STAND_IN), source.text) if self.is_replaced else source.text
+        )
+        self.data = text.encode("utf-8", "surrogatepass")
         self.chars = char_table(source.text) if len(self.data) != len(source.text) else None
         self.parser = expat.ParserCreate("utf-8")
         top = Span(0, len(source.text))
@@ -97,6 +107,8 @@ class XmlParser:
         at = self.at
         if len(attributes) > MAX_ATTRIBUTES:
             self.skip(at, ReadProblem.XML_ATTRIBUTES, tag[:40], f"{MAX_ATTRIBUTES:,}")
+        if self.is_replaced:
+            attributes = {name: value.replace(STAND_IN, "<") for name, value in attributes.items()}
         found, end = start_tag(self.source.text, at + 1 + len(tag), attributes)
         element = Element(tag, Span(at, end), Span(at, end), Span(end, end), found)
         if len(self.stack) > MAX_DEPTH:

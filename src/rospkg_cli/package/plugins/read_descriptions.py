@@ -32,7 +32,8 @@ def read_plugin_descriptions(reading: ReaderInput) -> Iterator[PluginDescription
             found[path] = []
     for path, exports in found.items():
         try:
-            yield PluginDescription(read_xml(reading.files.source(path)), tuple(exports))
+            document = read_xml(reading.files.source(path), takes_less_than=True)
+            yield PluginDescription(document, tuple(exports))
         except UnreadableError as error:
             if exports:
                 yield error.unreadable

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.cmake.missing_paths import MissingPaths
 from ...example import CMAKE, Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.referenced_paths import ReferencedPath
 from ...rule import rule
 from ...suggest import did_you_mean
 
+MAX_RELATED = 3
 INSTALL = CMAKE.replace(
     "ament_package", "install(DIRECTORY meshes «rviz»\n  DESTINATION share/${PROJECT_NAME}\n)\nament_package"
 )
@@ -76,13 +77,23 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     it. Below a submodule that is not checked out. Inside `if(EXISTS …)`, for what is installed inside any condition
     that can't be evaluated, and with OPTIONAL.
     """
-    for named, for_everyone in MissingPaths(package.cmake).all():
+    for (named, for_everyone), *others in together(MissingPaths(package.cmake).all()):
         paths = package.cmake.package_files.paths
         if named.use == "subdirectory":
             paths = tuple(path for path in paths if path.endswith("/CMakeLists.txt"))
         near = did_you_mean(named.path, paths)
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
-        yield Hit(named.word.path, named.word.span, message, None if for_everyone else Severity.WARNING)
+        related = tuple(Related(each.word.path, each.word.span, "and here") for each, _ in others[:MAX_RELATED])
+        level = None if for_everyone else Severity.WARNING
+        yield Hit(named.word.path, named.word.span, message, level, related=related)
+
+
+def together(found: Iterable[tuple[ReferencedPath, bool]]) -> Iterable[list[tuple[ReferencedPath, bool]]]:
+    """Return what is missing by path and consequence, in the order of the first ones: one file is one cause."""
+    same: dict[tuple[str, str, bool], list[tuple[ReferencedPath, bool]]] = {}
+    for named, for_everyone in found:
+        same.setdefault((named.path, consequence(named), for_everyone), []).append((named, for_everyone))
+    return same.values()
 
 
 def consequence(named: ReferencedPath) -> str:

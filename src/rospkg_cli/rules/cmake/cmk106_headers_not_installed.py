@@ -58,7 +58,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that export a library or include directories and install no headers.
-    Only packages that have headers in `include/` are checked.
+    Only packages that have headers in `include/` are checked. It also finds `install(DIRECTORY include DESTINATION
+    include)`, which makes a folder in the folder.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "No such file or directory" at the first
@@ -71,6 +72,11 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     """
     headers = exported.headers
     package = headers.package
+    if package.is_ament and (doubled := exported.in_doubled_folder()):
+        word, place = doubled
+        message = f"the headers land in `{place}/`: who uses `{package.facts.name}` stops at the first `#include`"
+        level = Severity.INFO if exported.are_of_plugins or not exported.may_be_used else None
+        yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
     if not package.is_ament or not headers.are_uninstalled():
         return
     call = headers.exports[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
@@ -48,7 +49,8 @@ def unset_variable(package: CMakePackage) -> Iterator[Hit]:
     ## What it does
     Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one that is set.
     Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, or in other letters than the
-    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)` it finds any that nothing sets.
+    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)` it finds any that nothing sets. It also
+    finds lists that are appended to, stand nowhere else, and are one or two letters off one that is read.
 
     ## Why is this bad?
     A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
@@ -63,6 +65,9 @@ def unset_variable(package: CMakePackage) -> Iterator[Hit]:
     for each in UnsetVariables(package.cmake).all():
         level = Severity.INFO if not each.near else Severity.ERROR if each.call.name == "install" else None
         yield Hit(each.call.path, each.span, message(each), level)
+    for lost in UnreadLists(package.cmake).all():
+        text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
+        yield Hit(lost.path, lost.span, text)
 
 
 def message(each: UnsetVariable) -> str:

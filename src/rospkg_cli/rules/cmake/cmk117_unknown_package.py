@@ -30,7 +30,10 @@ def cmake(name: str) -> str:
     "unknown-package",
     over=MistypedPackages,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is exported, and no package of the workspace is built with this one"},
+    levels={
+        Severity.WARNING: "it is exported, and no package of the workspace is built with this one; or it is the "
+        "package itself, which may be installed from an earlier build"
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake("«rclpcp»"), "package.xml": NEEDS_RCLCPP, "src/core.cpp": SOURCE},
@@ -53,7 +56,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     ## What it does
     Finds packages that CMake looks for, links or exports and that are one or two letters off.
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
-    two it also finds targets of the package itself, which are no packages.
+    two it also finds targets of the package itself, which are no packages, in the last one libraries
+    (`${OpenCV_LIBRARIES}`), and in the first one the package itself.
 
     ## Why is this bad?
     CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
@@ -73,7 +77,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
         is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
-        yield Hit(each.word.path, each.word.span, message(each), Severity.WARNING if is_unused else None, fix=fix)
+        level = Severity.WARNING if is_unused or each.kind == "own" else None
+        yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
 
 
 EXPORT = "ament_export_dependencies"
@@ -89,6 +94,10 @@ def message(each: MistypedPackage) -> str:
     if each.kind == "target":
         advice = "link it with `target_link_libraries`" if "target" in each.call.name else "remove it"
         return f"`{name}` is a target of this package, and no package: {stops}; {advice}"
+    if each.kind == "own":
+        return f"`{name}` looks for itself: on a clean machine CMake stops, as it is not installed yet; remove the line"
+    if each.kind == "variable":
+        return f"`{each.variable}` holds no packages: {stops}; write `{each.near}`"
     near = f"(did you mean `{each.near}`?)"
     if stops is None:
         stops = 'CMake stops with "Could not find a package configuration file"'

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from ...checks.cmake.unexported_targets import UnexportedTargets
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 LIBRARY = """\
@@ -26,7 +25,7 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK119",
     "unexported-targets",
-    over=CMakePackage,
+    over=UnexportedTargets,
     severity=Severity.WARNING,
     levels={Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`"},
     examples=(
@@ -42,7 +41,7 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def unexported_targets(package: CMakePackage) -> Iterator[Hit]:
+def unexported_targets(unexported: UnexportedTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds sets of targets that are installed for other packages and that nothing exports.
@@ -55,9 +54,9 @@ def unexported_targets(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
-    may export it, and for sets of executables alone.
+    may export it, and for sets of executables, plugins and components alone, which nobody links.
     """
-    for found in UnexportedTargets(package).all():
+    for found in unexported.all():
         name = found.word.text
         message = f"nothing exports the set `{name}`: packages that link `{found.library}` stop, as it is not found"
         level = Severity.INFO if found.is_handed_on else None

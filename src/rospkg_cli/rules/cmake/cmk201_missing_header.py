@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cpp.foreign_headers import ForeignHeader, ForeignHeaders
 from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -41,6 +42,14 @@ int main()
             on="ament_cmake",
             fix=Safety.UNSAFE,
         ),
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
+                "src/talker.cpp": "#include <«ros/ros.h»>\n\nint main() {return 0;}\n",
+            },
+            good={"src/talker.cpp": "int main() {return 0;}\n"},
+            on="ament_cmake",
+        ),
     ),
 )
 def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
@@ -48,7 +57,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     ## What it does
     Finds `#include`s of headers of the package, or of another one of the workspace, that do not exist.
     They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
-    folder.
+    folder. So are headers in a folder whose name is one or two letters off that of a package that has them, and
+    headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build compiles.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
@@ -65,6 +75,18 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
         fix = Fix(f"include `{each.meant}`", (Edit(each.path, each.span, each.meant),), Safety.UNSAFE)
         level = None if each.is_compiled else Severity.WARNING
         yield Hit(each.path, each.span, message(each), level, fix=fix if each.meant else None)
+
+    for other in ForeignHeaders(headers).all():
+        level = None if other.is_compiled else Severity.WARNING
+        yield Hit(other.path, other.span, of_nobody(other), level)
+
+
+def of_nobody(each: ForeignHeader) -> str:
+    stops = 'the compiler stops with "No such file"'
+    if each.kind == "folder":
+        return f"no package has a header `{each.header}` (did you mean `{each.meant}`?): {stops}; correct the name"
+    instead = f"include `{each.meant}`" if each.meant else "nothing took its place, remove it"
+    return f"`{each.header}` is a header of ROS 1: {stops}; {instead}"
 
 
 def message(each: MissingHeader) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.share_lookups import ShareLookups
-from ...example import Example, manifest
+from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
 
@@ -14,6 +14,21 @@ from ament_index_python.packages import get_package_share_directory
 
 print(get_package_share_directory('{}'))
 """
+SOURCE = """\
+#include <ament_index_cpp/get_package_share_directory.hpp>
+
+int main() {{return ament_index_cpp::get_package_share_directory("{}").size();}}
+"""
+LINES = """\
+find_package(ament_index_cpp REQUIRED)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker ament_index_cpp::ament_index_cpp)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+CPP = {
+    "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
+    "package.xml": manifest("  <depend>ament_index_cpp</depend>\n", "ament_cmake"),
+}
 NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n")}
 
 
@@ -28,12 +43,18 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
             good={"my_pkg/talker.py": MODULE.format("my_pkg")},
             fix=Safety.UNSAFE,
         ),
+        Example(
+            bad={"src/talker.cpp": SOURCE.format("«my_pgk»"), **CPP},
+            good={"src/talker.cpp": SOURCE.format("my_pkg")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
     ),
 )
 def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python modules that look for the share directory or the prefix of a misspelt package.
+    Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package.
 
     ## Why is this bad?
     The build is green, and the node ends with PackageNotFoundError.

@@ -61,7 +61,8 @@ def unknown_interface_in_cpp(interfaces: InterfacesInCpp) -> Iterator[Hit]:
     The build stops: "No such file or directory", or "is not a member of".
 
     ## When it is quiet
-    Where the package is not in the workspace, unless one of its interfaces has a near name; where its interfaces can't
+    Where the package is not in the workspace, unless one of its interfaces has a near name or the header of a package
+    of messages has capital letters; where its interfaces can't
     be known; inside of `#if`, in files that nothing compiles or installs, and where the package has a header or a class
     of that name itself.
 

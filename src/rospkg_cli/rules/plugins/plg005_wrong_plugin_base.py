@@ -64,8 +64,9 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     ## What it does
     Finds plugins whose base class or package differs from what their loader uses.
     A description must be exported to the package that the loader names (`pluginlib::ClassLoader<Base>("package",
-    "Base")`), and its `base_class_type` must be the string that the loader has. Known are the loaders of the workspace,
-    and those of navigation2, moveit2, ros2_control and rviz; plugins of other base classes are left alone.
+    "Base")`), and its `base_class_type` must be the string that the loader has, and the base in PLUGINLIB_EXPORT_CLASS
+    where both are of one template. Known are the loaders of the workspace, and those of navigation2, moveit2,
+    ros2_control and rviz; plugins of other base classes are left alone.
 
     ## Why is this bad?
     The plugin does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
@@ -111,7 +112,10 @@ def written(bases: PluginBases, found: WrongBaseExport) -> Fix | None:
 def at_class(found: WrongBaseClass) -> Hit:
     base, file = found.plugin.base, found.description.file
     lost = f"`{found.plugin.lookup_name}` is never found"
-    message = f"nothing loads plugins of `{base.value}`: {lost}; write `{found.suggestion}`"
+    why = f"nothing loads plugins of `{base.value}`"
+    if found.is_of_macro:
+        why = f"`{base.value}` is not the base in the macro of `{found.plugin.type.value}`"
+    message = f"{why}: {lost}; write `{found.suggestion}`"
     fix = Fix(f"write `{found.suggestion}`", (Edit(file, base.value_span, found.suggestion),))
     return Hit(file, base.value_span, message, fix=only_plain_names(fix, found.suggestion))
 

@@ -35,8 +35,7 @@ ament_package()
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same",
-        Severity.INFO: "a `<` in the value of an attribute of a plugin description, which pluginlib takes, or bytes "
-        "that are no text in comments of CMake",
+        Severity.INFO: "bytes that are no text in comments of CMake",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -59,8 +58,8 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
     interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
     the package names it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
-    element, in a plain `.urdf`. It is an info where a description of plugins has a `<` in the value of an attribute,
-    which pluginlib takes, and where only comments of a CMake file are not UTF-8.
+    element, in a plain `.urdf`. It is an info where only comments of a CMake file are not UTF-8. A `<` in the value of
+    an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):

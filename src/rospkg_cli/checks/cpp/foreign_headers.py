@@ -1,0 +1,133 @@
+"""Headers that C++ includes from a folder of no package: a misspelt one, or one of ROS 1 (CMK201)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Literal
+
+from ...languages.cpp.file import CppFile, IncludeDirective
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...ros.headers import LIBRARIES, SHARED
+from ...ros.interfaces import KINDS
+from ...ros.names import NameKind
+from ...ros.read_table import pairs
+from ...source import Span
+from ...suggest import near_names
+from ..cmake.mistyped_links import digits
+from ..depends.compiled_sources import compiled_sources
+from ..interfaces.known_interfaces import KnownInterfaces
+from .interfaces_in_cpp import lower
+from .missing_headers import MissingHeaders
+
+FOLDER = regex(r"[a-z][a-z0-9_]{4,}")
+OLD_INTERFACE = regex(r"([a-z]\w*)/([A-Z]\w*)\.h")
+SHORT = 8
+"""Letters of a folder's name from which two may be wrong."""
+ROS_1 = frozenset({"catkin", "roscpp"})
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignHeader:
+    path: str
+    span: Span
+    header: str
+    kind: Literal["folder", "ros1"]
+    meant: str
+    """The header that is intended, or that ROS 2 has; "" where there is none."""
+    is_compiled: bool
+    """Whether the package's own build certainly compiles the file."""
+
+
+@dataclass(frozen=True)
+class ForeignHeaders:
+    headers: MissingHeaders
+    """The package with its own headers, and those of the workspace."""
+
+    def all(self) -> Iterator[ForeignHeader]:
+        """Yield each include in what is compiled or installed whose header is certainly somewhere else.
+
+        Headers of ROS 1 are told where the build meets them, one a file: what is left aside was not yet ported.
+        """
+        package, sources = self.headers.package, self.headers.sources
+        if not package.is_ament or not ROS_1.isdisjoint(each.name for each in package.cmake.packages):
+            return
+        for source, role in compiled_sources(package.cmake, sources):
+            if role == "aside" or "__has_include" in source.source.text:
+                continue
+            found = [
+                foreign
+                for each in source.includes
+                if not each.is_conditional and "/" in each.path and not self.headers.is_there(each.path)
+                for foreign in self.judged(source, each)
+            ]
+            old = [each for each in found if each.kind == "ros1"]
+            yield from (each for each in found if each.kind == "folder")
+            yield from old[:1] if source.path in self.headers.compiled else ()
+
+    def judged(self, source: CppFile, each: IncludeDirective) -> Iterator[ForeignHeader]:
+        kind: Literal["folder", "ros1"] = "ros1"
+        meant = self.of_ros_1(each.path)
+        if meant is None:
+            kind, meant = "folder", self.in_right_folder(each.path)
+        if meant is not None:
+            is_compiled = source.path in self.headers.compiled
+            yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), is_compiled)
+
+    def of_ros_1(self, header: str) -> str | None:
+        """Return what ROS 2 has instead of a header of ROS 1, `-` for nothing; None for any other header."""
+        if (found := pairs("ros1_headers.txt").get(header)) is not None:
+            return found
+        if (old := OLD_INTERFACE.fullmatch(header)) is None:
+            return None
+        package, name = old.groups()
+        kinds = [kind for kind, names in (self.interfaces.of(package) or {}).items() if name in names]
+        return f"{package}/{kinds[0]}/{lower(name)}.hpp" if kinds else None
+
+    def in_right_folder(self, header: str) -> str | None:
+        """Return the header in the folder of the one package that is near and has it; None where there is none."""
+        folder, _, rest = header.partition("/")
+        if not FOLDER.fullmatch(folder) or folder in self.folders:
+            return None
+        if self.headers.workspace.kind_of(folder) in (NameKind.PACKAGE, NameKind.KEY):
+            return None
+        alike = (each for each in self.packages if digits(each) == digits(folder))
+        near = near_names(folder, alike, 1 if len(folder) < SHORT else 2)
+        found = [f"{each}/{rest}" for each in near if self.has(each, rest)]
+        return found[0] if len(found) == 1 else None
+
+    def has(self, package: str, rest: str) -> bool:
+        """Return whether a package certainly has a header in the folder of its name."""
+        kind, _, name = rest.partition("/")
+        if kind in KINDS:
+            names = (self.interfaces.of(package) or {}).get(kind, ())
+            return name.partition(".")[0] in map(lower, names)
+        return self.headers.is_there(f"{package}/{rest}") or package in self.used
+
+    @cached_property
+    def packages(self) -> frozenset[str]:
+        """The packages whose headers the package may include."""
+        return frozenset({*self.headers.workspace.names, *self.declared, self.headers.package.facts.name})
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        return frozenset(each.name for each in self.headers.package.manifest.dependencies)
+
+    @cached_property
+    def used(self) -> frozenset[str]:
+        """The folders from which more than one header is included: those of packages that are declared and not here."""
+        outside = self.declared.difference(self.headers.workspace.names)
+        named = [each.path.partition("/")[0] for source in self.headers.sources for each in source.includes]
+        return frozenset(name for name in outside if named.count(name) > 1)
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """The folders of the package, of libraries, and of packages that are here or declared: none is misspelt."""
+        own = (part for path in self.headers.package.cmake.package_files.paths for part in path.split("/")[:-1])
+        others = (each.partition("/")[0] for facts in self.headers.workspace.packages for each in facts.header_files)
+        return frozenset({*own, *others, *LIBRARIES, *SHARED, *self.packages})
+
+    @cached_property
+    def interfaces(self) -> KnownInterfaces:
+        return KnownInterfaces(self.headers.package.facts, self.headers.workspace)
