@@ -108,3 +108,18 @@ def test_a_page_loads_nothing_and_hinders_nobody(browser: Browser, pages: dict[s
     for scheme in ("light", "dark"):
         browser.color_scheme(scheme)
         assert browser.hindrances() == [], scheme
+
+
+def test_large_parts_and_cycles_have_a_place_for_each(browser: Browser, pages: dict[str, Path]) -> None:
+    browser.open(pages["graph"])
+    script = """
+    const ids = [...Array(400).keys()].map(String);
+    const edges = ids.flatMap((id, at) => [[id, ids[(at * 7 + 3) % 400]], [id, ids[at >> 1]]]);
+    const sizes = [ids, ids.slice(0, 40)].map((some) => {
+      const inside = edges.filter((edge) => edge.every((id) => some.includes(id)));
+      const { places } = arrange(some, inside, () => 80);
+      return new Set([...places.values()].filter(({ x, y }) => x + y > 0).map(({ x, y }) => `${x},${y}`)).size;
+    });
+    return sizes;
+    """
+    assert browser.run(script) == [400, 40]

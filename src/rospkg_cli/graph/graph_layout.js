@@ -1,6 +1,7 @@
 "use strict";
 // Layout: each connected part by dagre, over the edges that no longer way tells already; then the parts side by side.
-const ORDERED_UP_TO = 600; // edges; beyond, finding the order with fewest crossings would take seconds
+const DAGRE_UP_TO = 300; // nodes; beyond, it would take seconds for a strip of a hundred screens
+const ROW = 36;
 
 // Return for each id the set of ids that its edges lead to.
 const edgesFrom = (ids, edges) => {
@@ -39,14 +40,59 @@ const parts = (from) => {
   }).filter((part) => part.length);
 };
 
+// Return for each id how many edges the longest way from it has; an edge back to where a way came from counts nothing.
+const ranks = (ids, from) => {
+  const found = new Map();
+  ids.forEach((start) => {
+    const open = [start];
+    while (open.length) {
+      const id = open[open.length - 1];
+      if (!found.has(id)) {
+        found.set(id, -1);
+        open.push(...[...from.get(id)].filter((each) => !found.has(each)));
+      } else {
+        open.pop();
+        if (found.get(id) < 0) found.set(id, 1 + Math.max(-1, ...[...from.get(id)].map((each) => found.get(each))));
+      }
+    }
+  });
+  return found;
+};
+
+// Return { places, width, height } of a large part: a block of columns for each rank, near to what it needs.
+const arrangeLarge = (ids, edges, widthOf) => {
+  const from = edgesFrom(ids, edges);
+  const rankOf = ranks(ids, from);
+  const levels = [];
+  ids.forEach((id) => (levels[rankOf.get(id)] ||= []).push(id));
+  const rows = Math.ceil(Math.sqrt((ids.length * Math.max(...ids.map(widthOf))) / ROW / 1.5));
+  const found = new Map();
+  const heightOf = (id) => {
+    const below = [...from.get(id)].filter((each) => found.has(each)).map((each) => found.get(each).y);
+    return below.length ? below.reduce((sum, y) => sum + y, 0) / below.length : Infinity;
+  };
+  let right = 0;
+  levels.forEach((level) => {
+    const order = new Map(level.map((id) => [id, heightOf(id)]));
+    level.sort((one, other) => order.get(one) - order.get(other) || 0);
+    const columns = Math.ceil(level.length / rows);
+    const wide = Math.max(...level.map(widthOf)) + 24;
+    level.forEach((id, at) => found.set(id, {
+      x: right - wide * (at % columns) - wide / 2, y: ROW * (Math.floor(at / columns) + .5) + ROW * (rows - Math.ceil(level.length / columns)) / 2 }));
+    right -= wide * columns + 60;
+  });
+  return { places: ids.map((id) => [id, { x: found.get(id).x - right, y: found.get(id).y }]), width: -right, height: ROW * rows };
+};
+
 // Return { places, width, height } of one part.
 const arrangePart = (ids, edges, widthOf) => {
+  if (ids.length > DAGRE_UP_TO) return arrangeLarge(ids, edges, widthOf);
   const graph = new dagre.graphlib.Graph();
   graph.setGraph({ rankdir: "LR", ranker: "longest-path", nodesep: 10, ranksep: 45 });
   graph.setDefaultEdgeLabel(() => ({}));
   ids.forEach((id) => graph.setNode(id, { width: widthOf(id), height: 26 }));
   edges.forEach(([source, target]) => graph.setEdge(source, target));
-  dagre.layout(graph, { disableOptimalOrderHeuristic: edges.length > ORDERED_UP_TO });
+  dagre.layout(graph);
   const { width, height } = graph.graph();
   return { places: ids.map((id) => [id, graph.node(id)]), width, height };
 };

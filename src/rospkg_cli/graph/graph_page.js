@@ -130,31 +130,53 @@ const draw = ({ places, direct }, edges) => picture.batch(() => {
   });
 });
 
-let laidOut = "";
-let shown = filtered();
-const show = () => {
-  shown = filtered();
-  const { names, edges } = shown;
-  picture.batch(() => {
-    picture.nodes().forEach((node) => { node.toggleClass("off", !names.has(nameOf.get(node.id()))); });
-    const kept = new Set(edges);
-    drawnAs.forEach((id, edge) => picture.getElementById(id).toggleClass("off", !kept.has(edge)));
-  });
+const known = new Map(); // layouts, by what they show
+let placed = new Set(); // the names that the layout on the screen has
+let shown = null;
+
+// Lay out what is shown, unless most of what has its place remains: then nothing moves.
+const place = ({ names, edges }) => {
+  if (names.size * 3 > placed.size && [...names].every((name) => placed.has(name))) return;
   const key = `${[...names].join()}|${edges.length}`;
-  if (key !== laidOut) {
-    draw(arrange([...names], edges.map((edge) => [edge.source, edge.target]), (name) => widths.get(name)), edges);
-    laidOut = key;
-    picture.fit(picture.elements(":visible"), 20);
+  if (!known.has(key)) {
+    known.set(key, arrange([...names], edges.map((edge) => [edge.source, edge.target]), (name) => widths.get(name)));
   }
-  const found = light(shown);
+  draw(known.get(key), edges);
+  placed = names;
+  picture.fit(picture.elements(":visible"), 20);
+};
+
+const count = () => {
+  const found = light(shown).length || "nothing";
+  const packages = [...shown.names].filter((name) => !nodes.get(name).is_launch_file).length;
+  get("count").textContent = `${packages} packages, ${shown.edges.length} edges shown, ${found} found`;
+};
+
+const show = () => {
+  const before = shown;
+  shown = filtered();
+  const kept = new Set(shown.edges);
+  picture.batch(() => {
+    data.nodes.forEach(({ name }) => {
+      if (!before || before.names.has(name) !== shown.names.has(name)) {
+        picture.getElementById(keys.get(name)).toggleClass("off", !shown.names.has(name));
+      }
+    });
+    const was = before ? new Set(before.edges) : null;
+    drawnAs.forEach((id, edge) => {
+      if (!was || was.has(edge) !== kept.has(edge)) picture.getElementById(id).toggleClass("off", !kept.has(edge));
+    });
+  });
+  place(shown);
+  count();
   tell();
-  const packages = [...names].filter((name) => !nodes.get(name).is_launch_file).length;
-  get("count").textContent = `${packages} packages, ${edges.length} edges shown, ${found.length || "nothing"} found`;
 };
 
 const choose = (name) => {
   chosen = name === chosen ? null : name;
-  show();
+  if (get("depth").value) return show();
+  count();
+  return tell();
 };
 
 // Show the chosen one with its neighbours, no larger than they are read.
@@ -173,7 +195,7 @@ document.querySelector("aside").addEventListener("click", (event) => {
   choose(event.target.dataset.name);
   look();
 });
-get("search").addEventListener("input", (event) => { event.stopPropagation(); show(); });
+get("search").addEventListener("input", (event) => { event.stopPropagation(); count(); });
 get("filters").addEventListener("input", show);
 get("filters").addEventListener("reset", () => setTimeout(() => { chosen = null; show(); }));
 get("filters").addEventListener("submit", (event) => event.preventDefault());
