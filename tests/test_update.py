@@ -23,6 +23,7 @@ from rospkg_cli.tree import TreeEntry
 
 NAME = "my_robot_nav"
 NODE, SETUP, README, LAUNCH = f"{NAME}/{NAME}_node.py", "setup.py", "README.md", f"launch/{NAME}.launch.py"
+DRIVE = "my_robot_drive"
 Edits = Mapping[str, Callable[[bytes], bytes | None] | bytes | None]
 """What becomes of a file's bytes: a new text, None where it goes."""
 
@@ -111,6 +112,7 @@ HISTORIES: dict[str, tuple[Edits, Edits, dict[str, str]]] = {
                                               {NODE: "updated"}),
     "no line feed at the end": ({README: lambda data: data.rstrip()}, {README: swap(TITLE, b"# Robot\n")},
                                 {README: "merged"}),
+    "a file that the user emptied": ({README: b""}, {README: swap(TITLE, b"# Robot\n")}, {README: "conflict"}),
     "bytes that are no text": ({README: b"\x00\x01\xff"}, {README: added(b"x\n")}, {README: "skipped"}),
     "all lines indented anew": ({NODE: swap(b"    ", b"  ")}, {NODE: swap(MIDDLE, MIDDLE + b"        # new\n")},
                                 {NODE: "conflict"}),
@@ -143,6 +145,7 @@ def test_what_the_user_wrote_survives(made: Plan, tmp_path: Path, history: str) 
         own = set(data.split(b"\n")) - set(written.get(path, b"").split(b"\n"))
         assert own <= set(after.get(path, b"").split(b"\n"))
         assert after.get(path) == data or path == RECORD or told.get(path) not in (None, "kept", "skipped")
+    assert {path for path in yours if b"\r" in yours[path]} == {path for path in after if b"\r" in after[path]}
     for file in new.files:
         if told.get(file.path) in ("updated", "created", None) and file.path in after:
             assert after[file.path].replace(b"\r\n", b"\n") == file.entry.data
@@ -201,6 +204,21 @@ def test_a_launch_file_that_moves_takes_what_the_user_wrote_with_it(renamed: Pat
     update(renamed, with_record(plan("my_robot_drive", nodes=(f"{NAME}_node",))), "my_robot_drive")
     assert (renamed / "launch/my_robot_drive.launch.py").read_bytes().endswith(b"# mine\n")
     assert not (renamed / LAUNCH).exists()
+
+
+def test_a_launch_file_that_is_as_it_would_be_only_moves_and_a_link_stays(renamed: Path) -> None:
+    new = with_record(plan("my_robot_drive", nodes=(f"{NAME}_node",)))
+    [launch] = [file for file in new.files if file.path.startswith("launch/")]
+    (renamed / LAUNCH).write_bytes(launch.entry.data)
+    (renamed / LAUNCH).rename(renamed.parent / "shared.py")
+    (renamed / LAUNCH).symlink_to(renamed.parent / "shared.py")
+    found = {each.path: each for each in updates(renamed, read_record(renamed), DRIVE, new.files)}
+    assert (found[launch.path].status, LAUNCH in found) == ("skipped", False)
+    (renamed / LAUNCH).unlink()
+    (renamed / LAUNCH).write_bytes(launch.entry.data)
+    found = update(renamed, new, DRIVE)
+    assert (found[launch.path].status, found[LAUNCH].status) == ("created", "removed")
+    assert (renamed / launch.path).read_bytes() == launch.entry.data
 
 
 def test_a_record_says_what_was_asked_for(package: Path) -> None:
@@ -306,6 +324,7 @@ def test_git_is_needed_only_where_both_sides_changed(
     made: Plan, package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
+    (package / LAUNCH).write_bytes((package / LAUNCH).read_bytes() + b"# mine\n")
     new = planned(made, {SETUP: added(b"# new\n"), README: added(b"new\n")})
     (package / SETUP).write_bytes(b"# mine\n" + (package / SETUP).read_bytes())
     with pytest.raises(ScaffoldError, match="git is not installed"):
