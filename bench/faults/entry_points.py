@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from bench.faults.fault import PutFault, typo
 from bench.faults.kinds import kind
-from bench.faults.setup_py import ENTRY, in_setup, parses
+from bench.faults.setup_py import ENTRY, in_setup, parses, programs
 from bench.faults.source_package import SourcePackage
 
 
@@ -18,7 +18,7 @@ def setup_comma_between_entry_points(package: SourcePackage) -> Iterator[PutFaul
 
 @kind("setup.py")
 def entry_point_mistyped_module(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in in_setup(package, ENTRY, 2):
+    for spot in programs(package, 2):
         head, dot, last = spot.word.rpartition(".")
         if dot:
             yield spot.put(head + dot + typo(last), last, typo(last), spot[1])
@@ -26,13 +26,15 @@ def entry_point_mistyped_module(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("setup.py")
 def entry_point_mistyped_function(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo(spot[1]) for spot in in_setup(package, ENTRY, 3))
+    yield from (spot.typo(spot[1]) for spot in programs(package, 3))
 
 
 @kind("setup.py")
 def entry_point_other_package(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in in_setup(package, r"['\"]\s*([\w-]+)\s*=\s*(\w+)\.([\w.]+):(\w+)\s*['\"]", 2):
-        yield spot.put("my_package", spot[1])
+    for spot in programs(package, 2):
+        own, dot, module = spot.word.partition(".")
+        if dot:
+            yield spot.put(f"my_package.{module}", spot[1], own, "my_package")
 
 
 @kind("setup.py")
@@ -70,4 +72,5 @@ def entry_point_lost(package: SourcePackage) -> Iterator[PutFault]:
 @kind("setup.py")
 def entry_points_of_console_script(package: SourcePackage) -> Iterator[PutFault]:
     for spot in in_setup(package, r"['\"](console_scripts)['\"]"):
-        yield spot.put("console_script")
+        is_used = next(programs(package, 1), None) is not None
+        yield spot.put("console_script").known(is_used, "no program stands below it")

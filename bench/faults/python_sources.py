@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from bench.faults.fault import PutFault
+from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
 from bench.faults.known import UNKNOWN, has_known_interfaces
 from bench.faults.setup_py import parses
@@ -99,19 +99,36 @@ def python_main_renamed(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.put("run_node")
 
 
+def in_use(package: SourcePackage, faults: Iterable[tuple[Spot, PutFault]]) -> Iterator[PutFault]:
+    """Yield faults of syntax; of a file that nothing installs, imports or tests by its name, nobody is told."""
+    for spot, fault in faults:
+        name = spot.path.rpartition("/")[2]
+        stem = re.escape(name.removesuffix(".py"))
+        inside = spot.path.removeprefix(f"{package.folder}/") if package.folder else spot.path
+        folder = re.escape(inside.partition("/")[0])
+        named = package.holds(r"(^|/)(CMakeLists\.txt|setup\.py)$", rf"\b{stem}\b|DIRECTORY[^()]*\b{folder}\b")
+        is_module = inside.startswith(f"{package.name}/") or f"/{package.name}/" in inside
+        is_test = package.is_python and (name.startswith("test_") or name.endswith("_test.py"))
+        imported = package.holds(r"\.py$", rf"^\s*(from|import) [\w., ]*\b{stem}\b")
+        yield fault.known(named or is_module or is_test or imported, "nothing installs, imports or tests this file")
+
+
 @kind("python")
 def python_colon_lost(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^(?:def|class) \w+\([^\n]*\)(:)$"))
+    places = package.spots(PYTHON, r"^(?:def|class) \w+\([^\n]*\)(:)$")
+    yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
 def python_bracket_lost_at_return(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^\s+return [\w.]+\([^()\n]*(\))$"))
+    places = package.spots(PYTHON, r"^\s+return [\w.]+\([^()\n]*(\))$")
+    yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
 def python_bracket_lost_beside_fstring(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.of_file("") for spot in package.spots(PYTHON, r"^\s+[\w.]+\(f['\"][^\n]*['\"](\))$"))
+    places = package.spots(PYTHON, r"^\s+[\w.]+\(f['\"][^\n]*['\"](\))$")
+    yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
@@ -121,5 +138,6 @@ def python_import_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("python")
 def python_conflict_markers(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"^(import \w+)\n"):
-        yield spot.of_file(f"<<<<<<< HEAD\n{spot.word}\n=======\n>>>>>>> main")
+    places = package.spots(PYTHON, r"^(import \w+)\n")
+    markers = "<<<<<<< HEAD\n{}\n=======\n>>>>>>> main"
+    yield from in_use(package, ((spot, spot.of_file(markers.format(spot.word))) for spot in places))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
-from bench.faults.setup_py import ENTRY
+from bench.faults.setup_py import programs
 from bench.faults.source_package import SourcePackage
 
 CFG = r"^setup\.cfg$"
@@ -14,14 +14,14 @@ SCRIPTS = r"install[_-]scripts\s*=\s*(\$base/lib/[\w-]+)"
 
 
 def in_cfg(package: SourcePackage, pattern: str) -> Iterator[Spot]:
-    """Yield places in the setup.cfg of a package that has executables."""
-    if package.is_python and package.holds(r"^setup\.py$", ENTRY):
+    """Yield places in the setup.cfg of a package that has executables: without any, nothing is put anywhere."""
+    if package.is_python and next(programs(package, 1), None):
         yield from package.spots(CFG, pattern)
 
 
 @kind("setup.cfg")
 def cfg_lost(package: SourcePackage) -> Iterator[PutFault]:
-    if package.is_python and package.holds(r"^setup\.py$", ENTRY):
+    if package.is_python and next(programs(package, 1), None):
         yield from (package.removed(file, "setup.cfg", "lib") for file in package.matching(CFG))
 
 

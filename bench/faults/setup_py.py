@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterable, Iterator
 
 from bench.faults.fault import PutFault, Spot
@@ -27,6 +28,15 @@ def in_setup(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[S
     """Yield places in a setup.py that builds the package: with another build type nobody runs it."""
     if package.is_python:
         yield from package.spots(SETUP, pattern, group)
+
+
+def programs(package: SourcePackage, group: int) -> Iterator[Spot]:
+    """Yield places in the entry points of console scripts that work: a module that is not there is a fault already."""
+    if package.holds(SETUP, r"['\"]console_scripts['\"]"):
+        for spot in in_setup(package, ENTRY, group):
+            file = re.escape(spot[2].replace(".", "/"))
+            if package.matching(rf"(^|/){file}(\.py|/__init__\.py)$"):
+                yield spot
 
 
 def lost_import(package: SourcePackage, name: str, use: str) -> Iterator[PutFault]:

@@ -59,7 +59,9 @@ def urdf_property_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"^\s*<xacro:property\s+name\s*=\s*\"(\w{2,})\"\s+value=[^>]*/>[ \t]*\n"):
         is_only = len(re.findall(rf"xacro:property\s+name\s*=\s*\"{spot.word}\"", spot.text)) == 1
         if is_only and re.search(rf"\$\{{[^}}]*\b{spot.word}\b", spot.text):
-            yield spot.drop()
+            found = re.findall(r"<xacro:include[^>]*filename\s*=\s*\"\$\(find ([^)]*)\)", spot.text)
+            is_here = all(each in package.siblings for each in found)
+            yield spot.drop().known(is_here, "a file that is included and not here may define it")
 
 
 @kind("urdf")
