@@ -44,6 +44,7 @@ def test_what_pytest_does_not_find_may_be_broken(path: str) -> None:
         ("ament_add_pytest_test(it test/it.py)", "test/it.py", True),
         ("add_launch_test(test/it.py TIMEOUT 60)", "test/it.py", True),
         ("add_ros_test(${CMAKE_CURRENT_SOURCE_DIR}/test/it.py)", "test/it.py", True),
+        ("ament_add_test(it COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/test/it.py)", "test/it.py", True),
         ("ament_add_pytest_test(it test/${name})", "test/it.py", False),
         ("ament_add_gtest(it test/it.py)", "test/it.py", False),
         ("ament_add_pytest_test(it test/it)", "test/test_it.py", False),
@@ -52,6 +53,14 @@ def test_what_pytest_does_not_find_may_be_broken(path: str) -> None:
 def test_a_test_that_cmake_registers_is_told(call: str, path: str, is_told: bool) -> None:
     text = BACKDROPS["ament_cmake"]["CMakeLists.txt"].replace("ament_package()", REGISTERED.format(call))
     assert broken({**BACKDROPS["ament_cmake"], "CMakeLists.txt": text, path: TEST}) == [path] * is_told
+
+
+@pytest.mark.parametrize(
+    ("text", "is_told"), [("import helper\n", True), ("from .helper import a\n", False), ("import help\n", False)]
+)
+def test_what_a_test_imports_from_beside_it_is_told(text: str, is_told: bool) -> None:
+    files = {**BACKDROPS["ament_python"], "test/test_it.py": text, "test/helper.py": TEST}
+    assert broken(files) == ["test/helper.py"] * is_told
 
 
 def broken(files: dict[str, str]) -> list[str]:

@@ -103,6 +103,11 @@ CASES = {
     ),
     "DEP110": (
         neighbour("import speech\n"),
+        *(
+            neighbour(text, {"setup.py": setup_py()})
+            for text in ("import speech\n", "import speech\n\nif __name__ == '__main__':\n    print(speech)\n")
+        ),
+        neighbour("import speech\n", {"setup.py": setup_py("scripts=['bin/run'],"), "bin/run": "#!/bin/sh\n"}),
         neighbour("from speech import GREETING as a\nfrom speech.words import b\n"),
         neighbour("from .speech import GREETING\n"),
         neighbour("from speech import GREETING, FAREWELL\n"),

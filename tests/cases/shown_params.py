@@ -168,6 +168,8 @@ CASES = {
                                     "arm.sped: 1.0", "use_sim_time: true", "qos_overrides.x: 1", "depht: x",
                                     "'depht': 1")),
         talker("arm: {sped: 1.0}", given="    verbose: true\n    rate: 1.0\n    depth: 1\n"),
+        talker("ratee: 5.0", *(f"/robot{number}/map/x: 1.0" for number in range(9)),
+               given="    verbose: true\n    depth: 1\n"),
         gets('get_parameter("verbos", verbose_)', 'get_parameter("rate")'),
         gets('get_parameter("verbos")'),
         gets('get_parameter("verbos")', more="    try {} catch (...) {}\n"),

@@ -17,7 +17,7 @@ from .setup.setup_py import SetupPy
 
 TEST = regex(r"test_.*\.py|.*_test\.py")
 """The names by which pytest finds tests."""
-REGISTERS = frozenset({"ament_add_pytest_test", "add_launch_test", "add_ros_test"})
+REGISTERS = frozenset({"ament_add_pytest_test", "ament_add_test", "add_test", "add_launch_test", "add_ros_test"})
 
 
 @dataclass(frozen=True)
@@ -55,10 +55,21 @@ def read_installed_modules(reading: ReaderInput) -> Iterator[PythonFile | Unread
     rows = table.rows if table is not None else ()
     paths = {row.source for row in rows if row.what in ("module", "executable") and row.source.endswith(".py")}
     paths |= set(setup.modules.values()) if setup is not None else set()
-    paths |= set(tests_of(reading))
     if modules is not None:
+        paths |= with_helpers(modules, set(tests_of(reading)))
         for path in sorted(paths):
             yield modules.read(path)
+
+
+def with_helpers(modules: PythonModules, tests: set[str]) -> set[str]:
+    """Return tests with the modules beside them that they import by a bare name."""
+    found = set(tests)
+    for path in tests:
+        file = modules.at(path)
+        folder = path.rpartition("/")[0]
+        beside = {f"{folder}/{each.module}.py" for each in file.imports if not each.level} if file and folder else set()
+        found |= {helper for helper in beside if modules.files.exists(helper)}
+    return found
 
 
 def tests_of(reading: ReaderInput) -> Iterator[str]:

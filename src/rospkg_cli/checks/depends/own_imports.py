@@ -148,9 +148,21 @@ class OwnImports:
         return own or bool(self.workspace.providers_of(top)) or top in {each.name for each in self.facts.dependencies}
 
     @cached_property
+    def is_library(self) -> bool:
+        """Whether the package has modules for others alone: it is known that it installs no program."""
+        programs = any(row.what == "executable" for row in self.table.rows)
+        return not programs and self.table.knows("executable") and self.table.knows("module")
+
+    @cached_property
     def started(self) -> frozenset[str]:
-        """The installed modules that entry points start, and those that these import."""
+        """The installed modules that entry points start, and those that these import.
+
+        Of a library it is every module that does nothing when it is started by its path.
+        """
         waiting = [row.entry.partition(":")[0] for row in self.table.of("executable") if row.entry]
+        for module, source in self.installed.sources.items() if self.is_library else ():
+            file = self.run.modules.at(source)
+            waiting += [module] if file is not None and "__main__" not in file.source.text else []
         found: set[str] = set()
         while waiting:
             module = waiting.pop()

@@ -95,7 +95,7 @@ class ParameterContext:
             parts: dict[str, list[Parameter]] = {}
             for each in block.parameters:
                 if is_its_own(each.name):
-                    parts.setdefault(each.name.rpartition(".")[0].partition(".")[0], []).append(each)
+                    parts.setdefault(group_of(each.name), []).append(each)
             for prefix, parameters in parts.items():
                 owners = self.owners(frozenset(each.name for each in parameters))
                 if owners:
@@ -138,6 +138,11 @@ class ParameterContext:
                 found.append(facts)
                 is_certain = is_certain or own or facts.name in near or count > 2
         return found if is_certain else []
+
+
+def group_of(name: str) -> str:
+    """Return what the names of a group begin with: up to a first dot, or to a last slash."""
+    return name.rpartition(".")[0].partition(".")[0] or name.rpartition("/")[0]
 
 
 def is_its_own(name: str) -> bool:

@@ -38,16 +38,17 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
 
     ## When it is quiet
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
-    as the README or the requirements say; where the own module lacks what is imported from it; for
-    optional imports, for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be
-    started by their path), and where the package changes `sys.path`.
+    as the README or the requirements say; where the own module lacks what is imported from it; for optional imports,
+    for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be started by their
+    path; in a package without programs, those with a `__main__`), and where the package changes `sys.path`.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
     """
+    doing = "the import" if imports.is_library else "`ros2 run`"
     for file, each, full in imports.neighbours():
         message = (
-            f"`{each.module}` is a module of this package, and no top-level one: `ros2 run` "
+            f"`{each.module}` is a module of this package, and no top-level one: {doing} "
             f"ends with ModuleNotFoundError; write `{full}`"
         )
         fix = None
