@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
 
 from rospkg_cli.cli.server import live_lint
+from rospkg_cli.cli.server.language_server import PackageServer
 from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
 from rospkg_cli.cli.server.live_world import LiveWorld
 from rospkg_cli.cli.server.open_text import OpenText
@@ -55,3 +57,12 @@ def test_a_package_on_which_a_rule_fails_keeps_none_from_being_judged(
     assert [run.results.packages for run in runs] == [1, 2, 3, 3]
     assert [run.is_finished for run in runs] == [False, False, True, True]
     assert "RPK005" in [each.code for each in runs[-1].results.findings]
+
+
+def test_what_pygls_keeps_of_notifications_is_let_go() -> None:
+    server = PackageServer()
+    kept = server.protocol._request_futures
+    kept |= {"handled": Future(), "waiting": Future()}
+    kept["handled"].set_result(None)
+    server.forget_answered()
+    assert list(kept) == ["waiting"]

@@ -39,6 +39,7 @@ class PackageServer(LanguageServer):
         """Lint each workspace; return whether all packages are judged."""
         for live in self.workspaces:
             await self.lint(live)
+        self.forget_answered()
         self.shown.forget(self.workspaces.by_folder.keys())
         return all(live.is_finished for live in self.workspaces)
 
@@ -69,6 +70,12 @@ class PackageServer(LanguageServer):
             linted = Linted.of(linted.run, linted.codec, live.crashes.values())
         own = {path: each for path, each in linted.diagnostics.items() if self.workspaces.at(path) is live}
         self.shown.send(live.folder, own, {path: text.uri for path, text in self.workspaces.texts.items()})
+
+    def forget_answered(self) -> None:
+        """Let go of what pygls keeps of each notification that it has handled itself: 3 KB for each key (pygls 2.1)."""
+        kept = getattr(self.protocol, "_request_futures")  # noqa: B009  # private there
+        for each in [number for number, future in kept.items() if future.done()]:
+            del kept[each]
 
     def tell(self, error: Exception) -> None:
         """Say why a run came to nothing: once, until there is another reason."""
