@@ -141,6 +141,13 @@ def test_timer(tmp_path: Path) -> None:
     assert node.heard(4) == "".join(f"[INFO] {number}\n" for number in (3, 2, 1, 0))
 
 
+def test_a_parameter_is_changed_and_not_emptied(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("keeper:parameter",)), tmp_path)
+    changes = {note["value"]: (note["successful"], note["reason"]) for note in node.until("change", 2)}
+    assert changes == {"other": (True, ""), "": (False, "text must not be empty")}
+    assert "[INFO] ready\n[INFO] text is other\n" in node.stop(signal.SIGTERM)
+
+
 def test_service(tmp_path: Path) -> None:
     node = Running(plan(nodes=("adder:service",)), tmp_path)
     assert node.until("response")[0]["data"] == {"sum": 5}

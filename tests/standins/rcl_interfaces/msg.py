@@ -31,6 +31,12 @@ class ParameterDescriptor:
     integer_range: list[IntegerRange] = field(default_factory=list)
 
 
+@dataclass
+class SetParametersResult:
+    successful: bool = False
+    reason: str = ""
+
+
 class ParameterValue:
     def __init__(self, value: object) -> None:
         self.string_value = value if isinstance(value, str) else ""

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from rcl_interfaces.msg import ParameterDescriptor, ParameterValue
+from rcl_interfaces.msg import ParameterDescriptor, ParameterValue, SetParametersResult
 
 import rclpy
+from rclpy.parameter import Parameter
 from rclpy.task import Future
 from rclpy.timer import Timer
 
@@ -102,6 +103,17 @@ class Node:
 
     def get_parameter(self, name: str) -> _Parameter:
         return _Parameter(self._declared[name])
+
+    def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
+        """Change each text parameter, and try to empty it."""
+
+        def change() -> None:
+            for name, value in self._declared.items():
+                for new in ("other", "") if isinstance(value, str) else ():
+                    result = callback([Parameter("another", 1), Parameter(name, new)])
+                    rclpy.note("change", name=name, value=new, successful=result.successful, reason=result.reason)
+
+        self.turns.append(Timer(0.05, change))
 
     def create_publisher(self, kind: type, topic: str, depth: int) -> _Publisher:
         assert isinstance(depth, int)

@@ -11,8 +11,10 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
+#include "rcl_interfaces/msg/set_parameters_result.hpp"
 
 namespace rclcpp
 {
@@ -120,8 +122,24 @@ public:
   void async_send_request(std::shared_ptr<typename T::Request>, std::function<void(SharedFuture)>) {}
 };
 
+class Parameter
+{
+public:
+  const std::string & get_name() const {return text_;}
+  const std::string & as_string() const {return text_;}
+
+private:
+  std::string text_;
+};
+
 namespace node_interfaces
 {
+class OnSetParametersCallbackHandle
+{
+public:
+  using SharedPtr = std::shared_ptr<OnSetParametersCallbackHandle>;
+};
+
 class NodeBaseInterface
 {
 public:
@@ -148,6 +166,10 @@ public:
   {
     return T(value);
   }
+
+  using OnSetParametersCallbackHandle = node_interfaces::OnSetParametersCallbackHandle;
+  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(
+    std::function<rcl_interfaces::msg::SetParametersResult(const std::vector<Parameter> &)>) {return {};}
 
   template<typename T>
   typename Publisher<T>::SharedPtr create_publisher(const std::string &, const QoS &) {return {};}
