@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from adding import added, cmake_package, comes_back, new_findings, python_package, shares, taken, text
+from adding import added, cmake_package, comes_back, new_findings, put, python_package, shares, taken, text
 
+from rospkg_cli.addition.wanted import Wanted
 from rospkg_cli.change import ChangeError, NotUnderstoodError
+from rospkg_cli.change.draft import Draft
 from rospkg_cli.scaffold import ScaffoldError
+from rospkg_cli.tree import MemoryTree
 
 SETUP = """\
 from setuptools import setup
@@ -280,11 +283,23 @@ def test_a_package_without_interfaces_says_how_to_have_some() -> None:
         added(python_package(SETUP), "msg", "Status", here=True)
     with pytest.raises(ChangeError, match="the generated one has the same name"):
         added(
-            cmake_package(CMAKE.replace("add_exec", "ament_python_install_package(a)\nadd_exec")), "msg", "S", here=True
+            cmake_package(CMAKE.replace("add_exec", "ament_python_install_package(my_pkg)\nadd_exec")),
+            "msg",
+            "Status",
+            here=True,
         )
-    files["package.xml"] = files["package.xml"].replace('format="3"', 'format="2"')
+    files["package.xml"] = files["package.xml"].replace('format="3"', 'format="1"')
     with pytest.raises(ChangeError, match="no groups before format 3"):
         added(files, "msg", "Status", here=True)
+
+
+def test_format_2_becomes_3_where_a_group_is_needed() -> None:
+    files = cmake_package(CMAKE.replace("add_exec", "ament_python_install_package(a)\nadd_exec"))
+    old = files["package.xml"].replace('format="3"', 'format="2"').replace("package_format3", "package_format2")
+    draft = Draft(MemoryTree.of({**files, "package.xml": old}))
+    put(draft, Wanted("msg", ("Status",), here=True))
+    whole = text(added(files, "msg", "Status", here=True), "package.xml")
+    assert text(draft, "package.xml") == whole
 
 
 def test_a_test_in_python() -> None:

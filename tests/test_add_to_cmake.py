@@ -243,13 +243,30 @@ def test_what_can_not_be_there_is_refused() -> None:
     taken_name = cmake_package(LOWER.replace("add_executable(old", "add_executable(idler"))
     with pytest.raises(ChangeError, match=r"CMakeLists.txt has a target `idler` already"):
         added(taken_name, "node", "idler:empty")
-    interfaces = LOWER.replace("add_executable", "rosidl_generate_interfaces(my_pkg msg/A.msg)\nadd_executable")
-    with pytest.raises(ChangeError, match=r"CMake generates a Python package.*ear:subscriber:cpp"):
+    calls = "rosidl_generate_interfaces(my_pkg msg/A.msg)\nament_python_install_package(my_pkg)\nadd_executable"
+    interfaces = LOWER.replace("add_executable", calls)
+    with pytest.raises(ChangeError, match=r"installs one of the same name.*ear:subscriber:cpp"):
         added(cmake_package(interfaces), "node", "ear:subscriber:python")
     other = cmake_package(LOWER)
     other["package.xml"] = other["package.xml"].replace("ament_cmake</build_type>", "ament_cargo</build_type>")
     with pytest.raises(ChangeError, match="build type `ament_cargo`"):
         added(other, "node", "idler:empty")
+
+
+def test_python_beside_interfaces_has_a_package_of_its_own_name() -> None:
+    """The one that CMake generates for the interfaces is called like the package."""
+    made = LOWER.replace("add_executable", "rosidl_generate_interfaces(my_pkg msg/A.msg)\nadd_executable")
+    files = cmake_package(made, **{"msg/A.msg": "int32 a\n"})
+    draft = added(files, "node", "idler:empty:python")
+    assert "ament_python_install_package(my_pkg_nodes)" in text(draft, "CMakeLists.txt")
+    assert "from my_pkg_nodes.idler import main" in text(draft, "scripts/idler")
+    assert "idler" in executables(draft)
+    comes_back(files, draft, "node", "idler")
+
+
+def test_python_depends_fully_on_what_cmake_requires() -> None:
+    files = cmake_package(LOWER.replace("add_exec", "find_package(std_msgs REQUIRED)\nadd_exec"))
+    assert "<depend>std_msgs</depend>" in text(added(files, "node", "idler:subscriber:python"), "package.xml")
 
 
 def test_without_an_end_the_lines_are_shown() -> None:

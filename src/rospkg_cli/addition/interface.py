@@ -18,6 +18,7 @@ from .group import GroupMember
 from .interface_list import InterfaceNeed, ListedFile
 from .new_file import NewFile
 from .part import Part
+from .rendered import identifier
 
 GENERATORS, RUNTIME = "rosidl_default_generators", "rosidl_default_runtime"
 
@@ -66,7 +67,8 @@ def check_package(package: Package, manifest: Manifest, form: str, asked: Sequen
         raise ChangeError(
             f"the package generates no interfaces: make a package for them with `{elsewhere}`, or give --here"
         )
-    if cmake.named("ament_python_install_package"):
+    installed = [call.words[0] for call in cmake.named("ament_python_install_package") if call.words]
+    if any(not each.is_known or each.text == identifier(manifest.name) for each in installed):
         raise ChangeError(
             f"CMake installs a Python package here, and the generated one has the same name; make one: {elsewhere}"
         )

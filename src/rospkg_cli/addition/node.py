@@ -27,7 +27,7 @@ from .entry_point import ExecutableEntry
 from .included import included
 from .new_file import NewFile
 from .part import Part
-from .python_home import PythonHome, cmake_python_home, python_home
+from .python_home import PythonHome, cmake_python_home, generates_interfaces, python_home
 from .rendered import identifier, rendered_files
 from .scripts_folder import ScriptsFolder
 
@@ -123,14 +123,14 @@ def python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator
 
 
 def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Part]:
-    if place.cmake is not None and place.cmake.named("rosidl_generate_interfaces"):
-        raise ChangeError(
-            "CMake generates a Python package for the interfaces here, and one of nodes would have the same name; "
-            f"choose C++, as {node.name}:{node.kind.name}:cpp, or another package"
-        )
     home = cmake_python_home(place.cmake, place.manifest)
+    if generates_interfaces(place.cmake) and home.module == identifier(place.manifest.name):
+        raise ChangeError(
+            "CMake generates a Python package for the interfaces here, and installs one of the same name; give the "
+            f"installed one another name, or choose C++, as {node.name}:{node.kind.name}:cpp"
+        )
     yield AddedDependency("ament_cmake_python", "buildtool")
-    compiled = included(place.package)
+    compiled = included(place.package) | {each.name for each in (place.cmake.packages if place.cmake else ())}
     for name in python_needs(node):
         if name != place.manifest.name:
             yield AddedDependency(name, "all" if name in compiled else "exec")

@@ -60,7 +60,10 @@ def take_one(draft: Draft, folder: str, part: Part) -> bool:
     ways: list[tuple[int, Draft]] = []
     for operations in part.remove(draft.package(folder)):
         tried = draft.copy()
-        tried.apply(folder, operations)
+        try:
+            tried.apply(folder, operations)
+        except ValueError:  # two of the edits overlap: this way is none
+            continue
         loss = loss_of(tried, draft, folder, part)
         ways.append((loss, tried))
         if loss == NOTHING:

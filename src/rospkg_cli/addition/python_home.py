@@ -65,4 +65,10 @@ def cmake_python_home(cmake: CMake | None, manifest: Manifest) -> PythonHome:
         if call.words and call.words[0].is_known:
             folders = [call.texts[at + 1] for at, text in enumerate(call.texts[:-1]) if text == "PACKAGE_DIR"]
             return PythonHome(checked(call.words[0].text), folders[0] if folders else call.words[0].text)
+    if generates_interfaces(cmake):  # as the Python package of that name
+        name = f"{name}_nodes"
     return PythonHome(name, name)
+
+
+def generates_interfaces(cmake: CMake | None) -> bool:
+    return cmake is not None and bool(cmake.named("rosidl_generate_interfaces"))

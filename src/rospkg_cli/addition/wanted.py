@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from itertools import product
+from collections.abc import Sequence
 
 from ..change import ChangeError
 from ..light_dataclasses import dataclass
@@ -13,8 +12,6 @@ from ..package.package import Package
 from ..ros.interfaces import KINDS
 from ..scaffold import ScaffoldError
 from ..scaffold.interface import RequestedInterface, text_of
-from ..scaffold.node_kinds import OF, all_kinds
-from ..scaffold.requested_node import RequestedNode
 from ..scaffold.workspace import WorkspacePackages
 from .depend import depend_parts
 from .dependency import AddedDependency, manifest_of
@@ -26,6 +23,7 @@ from .node import node_parts, node_place, requested_node
 from .params import params_parts
 from .part import Part
 from .plugin import plugin_parts, plugin_that_is_there
+from .possible_nodes import possible_nodes
 from .unit_test import parts_of_test
 
 WHATS = ("node", "plugin", "launch", "params", *KINDS, "test", "dependency")
@@ -121,27 +119,6 @@ def node_that_is_there(package: Package, name: str, there: WorkspacePackages, fo
 def is_script(parts: Sequence[Part]) -> bool:
     return any(isinstance(each, NewFile) and each.path.startswith("scripts/") for each in parts)
 
-
-def possible_nodes(package: Package, name: str, there: WorkspacePackages) -> Iterator[RequestedNode]:
-    """Yield a node of each kind in each language, those about a message where the source names one."""
-    place = node_place(package)
-    name = name.partition(":")[0]
-    languages = place.template.languages
-    kinds = [kind for kind in all_kinds() if not kind.endswith(OF)]
-    for kind, language in product(kinds, languages):
-        if language in all_kinds()[kind].languages:
-            yield requested_node(place, f"{name}:{kind}:{language}", there)
-    for path in package.files.matching(f"*{name}.py") + package.files.matching(f"*{name}.cpp"):
-        for owner, message in MESSAGE.findall(package.files.readable_text(path)):
-            for kind, language in product([kind for kind in kinds if kind + OF in all_kinds()], languages):
-                try:
-                    yield requested_node(place, f"{name}:{kind}:{owner}/{message}:{language}", there)
-                except ScaffoldError:
-                    continue
-
-
-MESSAGE = re.compile(r"(?:from |using Message = )(\w+)(?:\.msg import |::msg::)([A-Z]\w*)")
-"""What a node's source says of the message that it is about."""
 
 NODE = re.compile(r"(?:package='|pkg=\"|pkg: )([\w.-]+)(?:',\s*executable='|\" exec=\"|\s+exec: )([\w.+-]+)")
 """What a launch file of ours says of a node that it starts."""

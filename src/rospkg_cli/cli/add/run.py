@@ -48,7 +48,8 @@ def remove_from(place: ChangePlace, wanted: Wanted, options: ChangeOptions, allo
     exact, every = not wanted.force, list[Part]()
     try:
         for name in wanted.names:
-            parts = parts_to_remove(draft.package(place.folder), wanted, name, around(place, name))
+            there = workspace_packages((place.root / place.folder).parent)  # what its interfaces look like
+            parts = parts_to_remove(draft.package(place.folder), wanted, name, there)
             exact &= take_out(draft, place.folder, parts)
             every += parts
     except ScaffoldError as error:
