@@ -14,10 +14,11 @@ from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.write_all import write_all
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.scaffold import ScaffoldError
-from rospkg_cli.scaffold.answers_record import RECORD, read_record, with_record
-from rospkg_cli.scaffold.plan import Plan
+from rospkg_cli.scaffold.answers_record import RECORD, read_record, record_text, request_of, tomllib, with_record
+from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.render import RenderedFile
 from rospkg_cli.scaffold.update import UpdatedFile, updates
+from rospkg_cli.scaffold.workspace import WorkspacePackages
 from rospkg_cli.scaffold.write import write_folder
 from rospkg_cli.tree import TreeEntry
 
@@ -230,6 +231,15 @@ def test_a_record_says_what_was_asked_for(package: Path) -> None:
     assert plan(template="interfaces").asked.launch == ""
 
 
+@pytest.mark.parametrize("template", ["mixed", "interfaces", "plugin", "bringup"])
+def test_what_is_recorded_asks_for_the_same_again(template: str) -> None:
+    """Where defaults follow from the type of package; a plan that asks for all of it writes the same files."""
+    made = plan("my_pkg", template=template, description='Says "ä"', depends=("sensor_msgs",))
+    read = request_of(tomllib.loads(record_text(made.asked, made.files))["answers"])
+    assert read == made.asked
+    assert make_plan(read, Path(), {"license": "MIT", "launch": "xml"}, WorkspacePackages()).files == made.files
+
+
 ADA = ("--maintainer", "Ada", "--email", "ada@example.org", "--distro", "jazzy")
 
 
@@ -288,6 +298,9 @@ BROKEN = {
     "[answers]\n[lines]\na = 1\n": "is not as it was written",
     "answers = 1\nlines = 1\n": "is not as it was written",
     "[answers]\ntests = 'none'\n[lines]\n'../notes.txt' = ''\n": "no path inside of the package",
+    "[answers]\n[lines]\n\"a\\u0000b\" = ''\n": "is no path; take it from git",
+    '[answers]\nmaintainer = "a\\nb\\u0007"\n[lines]\n': "holds U+0007",
+    "[answers]\nnodes = ['../x']\n[lines]\n": "is a node of another package",
     "[answers]\nown_template = 'https://example.org/x.git'\n[lines]\n": "name it, if you trust it: --template https",
     "[answers]\ntemplate = 'rocket'\n[lines]\n": "there is no type of package `rocket`",
 }

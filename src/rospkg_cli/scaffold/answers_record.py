@@ -125,4 +125,6 @@ def request_of(answers: Mapping[str, Any]) -> Request:
 
 
 def lines_of_files(lines: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
+    if broken := [path for path in lines if not path.isprintable()]:
+        raise ValueError(f"{broken[0]!a} is no path")
     return {path: tuple(text.split()) for path, text in lines.items()}

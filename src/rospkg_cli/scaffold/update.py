@@ -18,7 +18,7 @@ from .merge_lines import merge_lines
 from .renamed_record import RenamedRecord
 from .render import RenderedFile, inside
 
-ADDED = ("nodes", "depends", "msgs", "srvs", "actions", "extras")
+ADDED = ("nodes", "plugins", "depends", "msgs", "srvs", "actions", "extras")
 """What is added to the answers that were given before; everything else takes their place."""
 
 
