@@ -167,6 +167,27 @@ def test_lists_of_plugins(names: str, said: str) -> None:
     assert all(said in message for message in found)
 
 
+@pytest.mark.parametrize(
+    "names, meant",
+    [
+        (["rat"], []),
+        (["rrate"], ["`rate`"]),
+        (["raet", "frame"], ["`rate`"]),
+        (["raet", "rate"], []),
+        (["raet", "nothing", "else"], []),
+        (["verbsoe"], ["`verbose`"]),
+        (["vrbsoe"], []),
+        (["vrbsoe", "rate"], ["`verbose`"]),
+        (["fra"], []),
+        (["use_sim_tim"], []),
+    ],
+)
+def test_names_in_launch_files_that_the_package_does_not_declare(names: list[str], meant: list[str]) -> None:
+    inside = "".join(f'<param name="{name}" value="1"/>' for name in names)
+    found = messages(package(xml(inside)), "PRM007")
+    assert [message.rpartition("mean ")[2].rstrip("?") for message in found] == meant
+
+
 def test_lists_of_plugins_beside_a_single_one() -> None:
     """`progress_checker_plugin: progress_checker` names a group as well, and of several the near one is meant."""
     block = PLUGINS.format(names="[spin, back_up]") + "    check: {plugin: a::Check}\n"

@@ -17,6 +17,7 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import nearest
 from .declaring_packages import ParameterContext, is_its_own
+from .launched_names import LaunchedNames
 
 ALLOWED = regex(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
@@ -90,10 +91,11 @@ class ParameterReads:
 
 @dataclass(frozen=True)
 class UnknownParameters:
-    """What files give and code gets, and what code declares (PRM007)."""
+    """What files and launch files give and code gets, and what code declares (PRM007)."""
 
     given: ParameterContext
     reads: ParameterReads
+    launched: LaunchedNames
 
 
 def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:

@@ -77,8 +77,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it. In code `get_parameter` is checked likewise: a name that is not declared, in a file that declares a similar one
-    without getting it.
+    it. Names in launch files are compared with what the node's package declares. In code `get_parameter` is checked
+    likewise: a name that is not declared, in a file that declares a similar one without getting it.
 
     ## Why is this bad?
     There is no warning: the value is dropped, and the node runs with its default; or it stops with a
@@ -100,6 +100,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
             message = f"{start}: the value is dropped; did you mean `{last}`?"
             fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, fix=fix)
+    for named in scope.launched.unknown():
+        message = f"`{named.package}` declares no parameter `{named.name}`: the value is dropped"
+        yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?")
     for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
         message = f"nothing declares the parameter `{read.name}`: {ending(read)}; this file declares"
         hit = f"{message} `{read.suggestion}` and never gets it"

@@ -1,0 +1,59 @@
+"""Parameters that launch files set by a name which the node's package does not declare."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...source import Span
+from ...suggest import near_names
+from .declaring_packages import ENOUGH, is_its_own
+from .launch_parameters import LaunchParameters, NodeArguments
+
+SHORTEST = 4
+"""Letters; a shorter name is near to too many others."""
+DIGITS = regex(r"\d")
+
+
+@dataclass(frozen=True, slots=True)
+class LaunchedName:
+    path: str
+    span: Span
+    package: str
+    name: str
+    meant: str
+
+
+@dataclass(frozen=True)
+class LaunchedNames:
+    launched: LaunchParameters
+    workspace: Workspace
+
+    def unknown(self) -> Iterator[LaunchedName]:
+        """Yield the literal names that a package of the workspace does not declare, where it declares one near name.
+
+        The node is not given that one, and most of the other names that it is given are declared.
+        """
+        for each in self.launched.node_arguments:
+            package = each.node.package.literal if each.node.package else None
+            facts = self.workspace.named(package) if package else None
+            if facts is not None and facts.parameters:
+                yield from self.of_node(each, facts)
+
+    def of_node(self, each: NodeArguments, facts: PackageFacts) -> Iterator[LaunchedName]:
+        given = each.names()
+        declared = {name for name in given if any(one.fits(name) for one in facts.parameters)}
+        free = {one.name for one in facts.parameters if not one.tail} - given
+        for entry in each.node.parameters:
+            for text, _ in entry.values:
+                name = text.literal or ""
+                others = [other for other in given if other != name and is_its_own(other)]
+                known = sum(other in declared for other in others)
+                if not is_its_own(name) or name in declared or len(name) < SHORTEST or known < ENOUGH * len(others):
+                    continue
+                near = near_names(name, free, 2 if others else 1)
+                if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
+                    yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
