@@ -240,6 +240,12 @@ def test_what_is_recorded_asks_for_the_same_again(template: str) -> None:
     assert make_plan(read, Path(), {"license": "MIT", "launch": "xml"}, WorkspacePackages()).files == made.files
 
 
+def test_digests_are_numbers_which_no_speller_reads(made: Plan) -> None:
+    lines = record_text(made.asked, made.files).partition("[lines]\n")[2].splitlines()
+    assert all(re.fullmatch(r'(\d{7}( |$))+|"[^"]+" = """|"""', line) for line in lines if line)
+    assert max(map(len, lines)) < 100
+
+
 ADA = ("--maintainer", "Ada", "--email", "ada@example.org", "--distro", "jazzy")
 
 
