@@ -129,3 +129,16 @@ def test_formats_and_editors_lead_to_a_page_on_the_web(
     assert found["code"] == {"value": "XML104", **({"url": leads_to} if leads_to else {})}
     told = diagnostic(results.findings[0], OneText(text), PositionCodec())
     assert (told.code_description and told.code_description.href) == leads_to
+
+
+@pytest.mark.parametrize("color, width, is_link", [(True, 80, True), (True, None, False), (False, 80, False)])
+def test_on_a_terminal_a_code_is_a_link_to_its_page(
+    color: bool, width: int | None, is_link: bool, clean: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rule_address, "PAGES", WEB)
+    results = lint_files({**clean, "package.xml": clean["package.xml"].replace("Drives my robot", "TODO")}, ["XML104"])
+    stream = io.StringIO()
+    render("text", Report(results, Path("/ws"), Path("/ws"), color=color, width=width), stream)
+    link = "\x1b]8;;https://example.org/rospkg/XML104.html\x1b\\XML104\x1b]8;;\x1b\\"
+    assert (link in stream.getvalue()) is is_link
+    assert "XML104" in stream.getvalue()

@@ -21,7 +21,12 @@ SEVERITY_COLORS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.I
 
 
 def paint(text: str, name: str, color: bool) -> str:
-    return f"\x1b[{CODES[name]}m{text}\x1b[0m" if color and text else text
+    """Return a text in a color of CODES, or as a link that terminals open (OSC 8) where an address is named."""
+    if not color or not text:
+        return text
+    if name.startswith("https://"):
+        return f"\x1b]8;;{name}\x1b\\{text}\x1b]8;;\x1b\\"
+    return f"\x1b[{CODES[name]}m{text}\x1b[0m"
 
 
 def wants_color(choice: str, stream: IO[str], environment: Mapping[str, str] = os.environ) -> bool:

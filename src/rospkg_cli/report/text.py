@@ -62,7 +62,7 @@ def short_blocks(report: Report, findings: Sequence[Finding]) -> Iterator[str]:
         if first.severity is Severity.ERROR:
             yield from full(report, first, "  ")
         else:
-            head = [(f"{report.where(first)}:", "bold"), *level_and_code(first)]
+            head = [(f"{report.where(first)}:", "bold"), *level_and_code(report, first)]
             yield from lines(report, [*head, *words(f"{short_message(first)}{repair(first, '; ')}")], "  ", "    ")
         for _, same_file in groupby(others, key=lambda other: other.location.path):
             yield from lines(report, further(report, list(same_file)), "    ", "      ")
@@ -79,7 +79,7 @@ def further(report: Report, others: Sequence[Finding]) -> Iterator[Word]:
 
 def full(report: Report, finding: Finding, indent: str = "") -> Iterator[str]:
     """Yield the lines that show one finding in full."""
-    head = [(f"{report.where(finding)}:", "bold"), *level_and_code(finding), (finding.name, "dim")]
+    head = [(f"{report.where(finding)}:", "bold"), *level_and_code(report, finding), (finding.name, "dim")]
     inner = f"{indent}  "
     yield from lines(report, head, indent, inner)
     room = None if report.width is None else report.width - len(indent)
@@ -96,8 +96,14 @@ def lines(report: Report, found: Iterable[Word], first: str, rest: str | None = 
     return wrapped(found, report.width, first, rest, report.color)
 
 
-def level_and_code(finding: Finding) -> list[Word]:
-    return [(finding.severity.value, SEVERITY_COLORS[finding.severity]), (finding.code, "")]
+def level_and_code(report: Report, finding: Finding) -> list[Word]:
+    """Return both as words; on a terminal, whose width is known, the code leads to the page of its rule."""
+    page = None
+    if report.color and report.width is not None:
+        from ..rule_address import web_address
+
+        page = web_address(finding.code)
+    return [(finding.severity.value, SEVERITY_COLORS[finding.severity]), (finding.code, page or "")]
 
 
 def repair(finding: Finding, before: str = "") -> str:
