@@ -284,10 +284,20 @@ def test_a_wrong_config_is_a_message_and_nothing_ends(editor: Editor, folder: Pa
     config, path = folder / "rospkg.toml", package / "package.xml"
     config.write_text("selct = []\n")
     editor.open(path)
-    editor.until(lambda: any("there is no key `selct`" in each for each in editor.messages))
+    editor.until(lambda: told(editor, "there is no key `selct`") == 1)
     config.unlink()
     editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
     editor.until(lambda: editor.codes(path) == ["XML104"])
+    config.write_text("selct = []\n")
+    editor.wrote(config)
+    editor.until(lambda: told(editor, "there is no key `selct`") == 2)
+    config.unlink()
+    editor.wrote(config)
+    editor.settle()
+
+
+def told(editor: Editor, part: str) -> int:
+    return sum(part in each for each in editor.messages)
 
 
 def test_without_pygls_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

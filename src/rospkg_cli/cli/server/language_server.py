@@ -32,8 +32,6 @@ class PackageServer(LanguageServer):
         self.shown = Publication(self)
         self.lints = LintLoop(self.lint_all)
         self.linting, self.looking_up = ThreadPoolExecutor(1, "lint"), ThreadPoolExecutor(1, "lookup")
-        self.told = ""
-        """The last error that was shown."""
 
     async def lint_all(self) -> bool:
         """Lint each workspace; return whether all packages are judged."""
@@ -57,7 +55,7 @@ class PackageServer(LanguageServer):
             self.publish(live)
         except Exception as error:
             live.give_back(order)
-            self.tell(error)
+            self.tell(live, error)
         finally:
             self.lints.tell()
 
@@ -68,7 +66,7 @@ class PackageServer(LanguageServer):
         linted = live.linted
         if live.crashes:
             linted = Linted.of(linted.run, linted.codec, live.crashes.values())
-        own = {path: each for path, each in linted.diagnostics.items() if self.workspaces.at(path) is live}
+        own = {path: each for path, each in linted.diagnostics.items() if self.workspaces.shows(live, path)}
         self.shown.send(live.folder, own, {path: text.uri for path, text in self.workspaces.texts.items()})
 
     def forget_answered(self) -> None:
@@ -77,14 +75,14 @@ class PackageServer(LanguageServer):
         for each in [number for number, future in kept.items() if future.done()]:
             del kept[each]
 
-    def tell(self, error: Exception) -> None:
+    def tell(self, live: LiveWorkspace, error: Exception) -> None:
         """Say why a run came to nothing: once, until there is another reason."""
         said = f"rospkg: {error}"
         if not isinstance(error, UserError):
             said = f"rospkg: internal error, please report it: {error!r}"
             self.window_log_message(types.LogMessageParams(types.MessageType.Error, traceback.format_exc()))
-        if said != self.told:
-            self.told = said
+        if said != live.told:
+            live.told = said
             self.window_show_message(types.ShowMessageParams(types.MessageType.Error, said))
 
     def crashed(self, live: LiveWorkspace, path: Path, what: str) -> None:

@@ -33,6 +33,8 @@ class LiveWorkspace:
     """Whether the last run judged all packages, or could not."""
     has_failed: bool = False
     """Whether the run over the texts as they are now came to nothing."""
+    told: str = ""
+    """Why the last run came to nothing, as the user was told."""
     crashes: dict[Path, RuleCrash] = field(default_factory=dict)
     """What failed outside of the runs, by the file where it did; forgotten when that changes."""
     lint: LiveLint = field(init=False)
@@ -66,7 +68,7 @@ class LiveWorkspace:
     def take(self, linted: Linted) -> None:
         """Take what a run came to."""
         self.scene, self.linted, self.is_finished = linted.run.scene, linted, linted.run.is_finished
-        self.is_current, self.has_failed = not self.changed, False
+        self.is_current, self.has_failed, self.told = not self.changed, False, ""
 
     def give_back(self, order: LintOrder) -> None:
         """Take back an order whose run failed: the next run sees its changes as new."""

@@ -12,6 +12,9 @@ from ...engine.discovery.locate import workspace_of
 from .live_workspace import LiveWorkspace
 from .open_text import OpenText
 
+TREES = ("build", "install", "log")
+"""Where colcon puts what it makes."""
+
 
 class OpenWorkspaces:
     """Workspaces by their folder: those of the editor, and those around packages that lie elsewhere."""
@@ -39,6 +42,11 @@ class OpenWorkspaces:
         folder = workspace_of([package]) or package
         return self.by_folder.setdefault(folder, LiveWorkspace(folder))
 
+    def shows(self, live: LiveWorkspace, path: Path) -> bool:
+        """Return whether a workspace is the one that shows what is found in a file: no inner one has it."""
+        around = self.around(path)
+        return not around or around[0] is live
+
     def put(self, path: Path, text: OpenText | None) -> None:
         """Take what is in the editor, None for what is on disk, in all workspaces that see the file."""
         self.texts.pop(path, None)
@@ -50,10 +58,11 @@ class OpenWorkspaces:
             live.wanted |= {package} if package else set()
 
     def touch(self, path: Path) -> None:
-        """Note that a file has changed on disk."""
+        """Note that a file has changed on disk; what git and colcon write there concerns no finding."""
         for live in self.around(path):
-            live.touch(path)
-            live.world.written.put(path)
+            if not is_written_by_tools(path, live.folder):
+                live.touch(path)
+                live.world.written.put(path)
 
     def open(self, folder: Path) -> None:
         """Add a folder of the editor; what is open in it belongs to it from now on."""
@@ -70,6 +79,16 @@ class OpenWorkspaces:
         for path, text in list(self.texts.items()):
             if path.is_relative_to(folder):
                 self.put(path, text)
+
+
+def is_written_by_tools(path: Path, folder: Path) -> bool:
+    """Return whether a path in a folder is of git's own, or in a tree that colcon has made: there, it says so.
+
+    A build writes thousands of files, and one in no package has all packages linted anew.
+    """
+    inner = path.relative_to(folder)
+    above = [folder / each for each in inner.parents]
+    return ".git" in inner.parts[:-1] or any((each / "COLCON_IGNORE").exists() for each in above if each.name in TREES)
 
 
 def path_of(uri: str) -> Path | None:
