@@ -104,7 +104,7 @@ def not_insertions(place: ChangePlace, draft: Draft) -> Iterator[str]:
     for path, entry in draft.changes.items():
         if path not in set(draft.created()):
             before, data = place.session.tree.entry(path).data, entry.data if entry else b""
-            if path.endswith("package.xml") and as_format_3(before) != before and b"_format3" not in before:
+            if path.endswith("package.xml") and as_format_3(before) != before and b'format="3"' in data:
                 yield "~package.xml becomes one of format 3"
                 before = as_format_3(before)
             after = iter(data)

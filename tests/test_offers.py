@@ -36,3 +36,6 @@ def test_what_makes_an_executable() -> None:
     assert node_command(OWN, "talker.py", OWN) == ""
     assert node_command(OWN, "my_pkg", OWN) == ""
     assert node_command(PLAIN, "talker", OWN) == ""
+    written = PackageFacts("my_pkg", "my_pkg", "ament_python", modules=frozenset({"my_pkg", "my_pkg.talker"}))
+    assert node_command(written, "talker", OWN) == ""
+    assert node_command(written, "hearer", OWN) == "rospkg add node hearer"

@@ -22,9 +22,10 @@ def file_command(facts: PackageFacts, path: str, own: PackageFacts) -> str:
 
 
 def node_command(facts: PackageFacts, executable: str, own: PackageFacts) -> str:
-    """Return the command that makes a node of a package; "" for a name that no node has."""
+    """Return the command that makes a node of a package; "" for a name that no node has, or that a module has."""
     is_name = PACKAGE_NAME.fullmatch(executable) and executable != facts.name
-    return command(facts, f"node {executable}", own) if is_name else ""
+    is_module = any(each.rpartition(".")[2] == executable for each in facts.modules)
+    return command(facts, f"node {executable}", own) if is_name and not is_module else ""
 
 
 def command(facts: PackageFacts, what: str, own: PackageFacts) -> str:
