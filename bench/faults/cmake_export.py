@@ -10,6 +10,7 @@ from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
 
 CMAKE = r"^CMakeLists\.txt$"
+LOADED = "PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE"
 
 
 @kind("cmake export", is_seen_outside=True)
@@ -21,14 +22,24 @@ def export_dependency_mistyped(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake export", is_seen_outside=True)
 def export_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     included = package.words(r"^include/.*\.(hpp|h)$", r"^#include\s*[<\"](\w+)/")
+    is_linked = not package.holds(r"\.(cpp|cc)$", LOADED) or is_built_against(package)
     for spot in package.spots(CMAKE, r"^ament_export_dependencies\(\s*([a-z]\w+)\s*\)[ \t]*\n"):
         if spot.word in included:
-            yield spot.drop()
+            yield spot.drop().known(is_linked, "a plugin or a component is loaded, and nothing here links it")
     for spot in package.spots(
         CMAKE, r"ament_export_dependencies\([^()]*?^\s+([a-z]\w+)[ \t]*\n", 1, re.MULTILINE | re.DOTALL
     ):
         if spot.word in included:
-            yield spot.put("", spot.word)
+            fault = spot.put("", spot.word)
+            yield fault.known(is_linked, "a plugin or a component is loaded, and nothing here links it")
+
+
+def is_built_against(package: SourcePackage) -> bool:
+    """Return whether a package of the repository names another one as what it builds with."""
+    folders = [folder for name, folder in package.siblings.items() if name != package.name]
+    texts = [(package.repository / folder / "package.xml").read_text("utf-8", "replace") for folder in folders]
+    tag = re.compile(rf"<(?:build_|build_export_)?depend\b[^>]*>\s*{re.escape(package.name)}\s*<")
+    return any(tag.search(text) for text in texts)
 
 
 @kind("cmake export", is_seen_outside=True)

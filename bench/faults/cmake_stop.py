@@ -17,9 +17,10 @@ BROUGHT = {
     "geometry_msgs": "std_msgs builtin_interfaces",
     "sensor_msgs": "geometry_msgs std_msgs builtin_interfaces",
     "nav_msgs": "geometry_msgs std_msgs builtin_interfaces",
-    "tf2_ros": "rclcpp rclcpp_action tf2 tf2_msgs geometry_msgs message_filters",
+    "tf2_ros": "rclcpp rclcpp_action rclcpp_components rcl_interfaces tf2 tf2_msgs geometry_msgs message_filters",
     "tf2_geometry_msgs": "tf2 tf2_ros geometry_msgs orocos_kdl_vendor",
     "controller_interface": "hardware_interface rclcpp_lifecycle realtime_tools",
+    "controller_manager": "controller_interface hardware_interface pluginlib rclcpp realtime_tools",
     "hardware_interface": "pluginlib rclcpp rclcpp_lifecycle control_msgs lifecycle_msgs rcpputils",
 }
 """What CMake finds along with a package: leaving out their own find_package is no fault."""
@@ -95,8 +96,8 @@ def cmake_mistyped_subdirectory(package: SourcePackage) -> Iterator[PutFault]:
 def cmake_gtest_not_found(package: SourcePackage) -> Iterator[PutFault]:
     for tool in ("gtest", "gmock", "pytest"):
         if package.holds(CMAKE, rf"ament_add_{tool}(_test)?\(") and not package.holds(
-            CMAKE, "ament_lint_auto|ament_cmake_auto"
-        ):
+            CMAKE, "ament_lint_auto|ament_cmake_auto|ament_cmake_ros"
+        ):  # the last one finds all three for whoever finds it
             yield from (
                 spot.drop() for spot in package.spots(CMAKE, rf"^\s*find_package\(\s*(ament_cmake_{tool})\b[^)]*\)\n")
             )

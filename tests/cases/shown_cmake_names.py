@@ -27,6 +27,17 @@ def linked(before: str, after: str, files: dict[str, str] | None = None) -> Exam
     return package(LINKS.replace(before, after), files)
 
 
+def launch(install: str) -> Example:
+    files = {"launch/talker.launch.xml": "<launch/>\n", "launch/listener.launch.xml": "<launch/>\n"}
+    return package(f"install(DIRECTORY {install})\n", files)
+
+
+def finds(name: str, target: str) -> Example:
+    """A library that links a target of a package that nobody knows."""
+    link = f"target_link_libraries(core PUBLIC {name}::{target})\n"
+    return package(f"find_package({name} REQUIRED)\nadd_library(core SHARED src/core.cpp)\n{link}")
+
+
 def headers(destination: str, more: str = "", where: str = "include") -> Example:
     """A library whose headers are installed in one call, and exported."""
     lines = f"{LIBRARY_ALONE}install(DIRECTORY {where} DESTINATION {destination})\n{more}"
@@ -48,6 +59,15 @@ CASES = {
         Example(
             bad={"CMakeLists.txt": NAMELESS, "package.xml": manifest(build_type="cmake")}, good={}, on="ament_cmake"
         ),
+    ),
+    "CMK101": (
+        launch("launch DESTINATION launch"),
+        launch("launch DESTINATION share"),
+        launch("launch DESTINATION share/${PROJECT_NAME}"),
+        launch("launch/ DESTINATION share/${PROJECT_NAME}/launch"),
+        launch("launch DESTINATION share)\ninstall(DIRECTORY launch DESTINATION share/${PROJECT_NAME}"),
+        launch("launch DESTINATION ${SOMEWHERE}"),
+        launch("launch DESTINATION launch)\nif(WITH_MORE)\n  install(DIRECTORY launch DESTINATION share)\nendif("),
     ),
     "CMK102": (
         package(
@@ -73,6 +93,11 @@ CASES = {
             "target_link_libraries(talker PRIVATE my_croe)\n",
             "if(WITH_MORE)\n  target_link_libraries(talker PRIVATE my_croe)\nendif()\n",
         ),
+        finds("camera_driver", "camera_drver"),
+        finds("camera_driver", "camera_drrver_x"),
+        finds("camera2_driver", "camera_driver"),
+        finds("camera", "camerra"),
+        finds("Camera_driver", "Camera_drver"),
         package("target_link_libraries(talker m)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"),
     ),
     "CMK119": (
@@ -84,6 +109,7 @@ CASES = {
         package(SET + "team_install_things(core)\n"),
         package(SET + 'rclcpp_components_register_nodes(core "my_pkg::Core")\n'),
         package(SET, {"src/core.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
+        package("generate_parameter_library(core core.yaml)\n" + SET.partition("\n")[2], {"core.yaml": "core: {}\n"}),
         package(SET, {"src/other.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
         package(SET + SET.partition("\n")[2]),
         package(SET + "set_target_properties(core PROPERTIES EXPORT_NAME base)\n"),
@@ -104,6 +130,11 @@ CASES = {
         headers("include", "install(DIRECTORY ${MORE} DESTINATION include)\n"),
     ),
     "CMK115": (
+        package(
+            "find_package(ament_index_cpp REQUIRED)\nmessage(${A})\ninclude_directories(${AMENT_INDEX_CPP_LIBRARIES})\n"
+        ),
+        package("find_package(tinyxml2_vendor REQUIRED)\ninclude_directories(${TINYXML2_VENDOR_LIBRARIES})\n"),
+        package("find_package(camera_driver REQUIRED)\ninclude_directories(${CAMERA_DRIVER_LIBRARIES})\n"),
         package("list(APPEND CORE_SUORCES a.cpp)\nlist(PREPEND CORE_SUORCES b.cpp)\nmessage(${CORE_SOURCES})\n"),
         package("list(APPEND CORE_SUORCES a.cpp)\nmessage(${CORE_SOURCES} ${CORE_SUORCES})\n"),
         package("list(APPEND CORE_SUORCES a.cpp)\nmessage(${CORE_SOURCES})\n# CORE_SUORCES\n"),

@@ -13,6 +13,9 @@ from ...ros.link_targets import ROS_NAME, link_targets
 from ...ros.names import NameKind
 from ...suggest import near_names
 
+SHORTEST = 8
+"""Letters of a package's name from which its target may be one letter off."""
+
 
 @dataclass(frozen=True)
 class MistypedLink:
@@ -52,8 +55,7 @@ class MistypedLinks:
         if known := self.targets_of(package):
             return None if text in known else nearest(text, known, 2)
         if package in self.found or self.is_known(package):
-            is_swapped = target != package and sorted(target) == sorted(package)
-            return f"{package}::{package}" if is_swapped else None
+            return f"{package}::{package}" if is_nearly(target, package) else None
         return nearest(text, {target for name in self.found for target in self.targets_of(name)}, 1)
 
     def all_targets(self, text: str) -> tuple[str, ...] | None:
@@ -92,6 +94,14 @@ class MistypedLinks:
         """The packages that CMake finds, or that the manifest names, which `ament_auto_…` finds."""
         named = {each.name for each in self.package.manifest.dependencies}
         return frozenset({each.name for each in self.package.cmake.packages} | named)
+
+
+def is_nearly(target: str, package: str) -> bool:
+    """Return whether a target is the misspelt name of its package, which is a lower-case word of some length."""
+    if target == package:
+        return False
+    is_alike = len(package) >= SHORTEST and ROS_NAME.fullmatch(package) is not None
+    return sorted(target) == sorted(package) or (is_alike and nearest(target, {package}, 1) is not None)
 
 
 def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | None:

@@ -9,12 +9,13 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_packa
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.install_table import InstallTable
+from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
 
+LAUNCH = "launch"
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
@@ -28,17 +29,24 @@ class RuntimeFolders:
 
     def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
-        cmake = self.package.cmake
-        if (
-            not self.table.knows("share")
-            or not cmake.is_complete
-            or not cmake.ends_a_package
-            or cmake.reads_unknown_files
-        ):
-            return
-        for folder in FOLDERS:
+        for folder in FOLDERS if self.is_clear else ():
             if not self.is_installed(folder) and not self.is_named(folder) and self.useful(folder):
                 yield folder
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether all that is installed into the share directory is known."""
+        cmake = self.package.cmake
+        is_read = cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files
+        return is_read and self.table.knows("share")
+
+    def misplaced_launch_file(self) -> InstalledFile | None:
+        """Return the first launch file that is installed, where none is below share/ and the package's name."""
+        files = self.useful(LAUNCH) if self.is_clear and self.table.knows("other") else ()
+        rows = [row for row in self.table.rows if row.source in files]
+        share = f"share/{self.package.facts.name}/"
+        is_found = any(row.destination.startswith(share) or row.maybe for row in rows)
+        return rows[0] if rows and not is_found else None
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""

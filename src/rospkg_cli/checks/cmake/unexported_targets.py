@@ -11,6 +11,7 @@ from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.needed_files import PARAMETERS
 from .missing_export_dependencies import REGISTERS
 from .target_references import EXPORTS, TargetReferences
 
@@ -50,7 +51,8 @@ class UnexportedTargets:
 
     def is_library(self, word: Word) -> bool:
         target = self.package.cmake.target(word.text)
-        return target is not None and target.is_library and not self.is_only_loaded(target)
+        is_own = target is not None and target.is_library and target.call.name not in PARAMETERS
+        return target is not None and is_own and not self.is_only_loaded(target)
 
     def is_only_loaded(self, target: Target) -> bool:
         """Return whether a library is a component, or a source of it registers a class: pluginlib or a container loads

@@ -12,7 +12,8 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.set_variables import SetVariables
-from ...ros.link_targets import MESSAGES
+from ...ros.link_targets import MESSAGES, ROS_NAME
+from ...ros.read_table import rows
 from ...source import Span
 from ...suggest import near_names
 from .mistyped_links import digits
@@ -108,7 +109,7 @@ class UnsetVariables:
     def packages(self) -> dict[str, str]:
         """Name in small letters → name of the packages whose variables are known."""
         names = [each.name for each in self.cmake.packages]
-        return {name.lower(): name for name in names if CERTAIN.fullmatch(name) or MESSAGES.fullmatch(name)}
+        return {name.lower(): name for name in names if CERTAIN.fullmatch(name) or is_of_ros(name)}
 
     def near_own(self, name: str) -> str | None:
         """Return a variable that the package itself sets, where no other one can be intended."""
@@ -124,3 +125,9 @@ class UnsetVariables:
     @cached_property
     def variables(self) -> SetVariables:
         return SetVariables(self.cmake)
+
+
+def is_of_ros(name: str) -> bool:
+    """Return whether ament_package() writes what a package sets: its variables begin with its own name."""
+    is_in_table = name in rows("cmake_targets.txt") and ROS_NAME.fullmatch(name) is not None
+    return MESSAGES.fullmatch(name) is not None or (is_in_table and not name.endswith("_vendor"))

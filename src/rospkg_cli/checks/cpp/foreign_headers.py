@@ -59,8 +59,9 @@ class ForeignHeaders:
             found = [
                 foreign
                 for each in source.includes
-                if not each.is_conditional and "/" in each.path and not self.headers.is_there(each.path)
+                if not each.is_conditional and "/" in each.path
                 for foreign in self.judged(source, each)
+                if not self.headers.is_there(each.path)  # last, as it looks into all packages
             ]
             old = [each for each in found if each.kind == "ros1"]
             yield from (each for each in found if each.kind == "folder")
@@ -95,7 +96,12 @@ class ForeignHeaders:
         alike = (each for each in self.packages if digits(each) == digits(folder))
         near = near_names(folder, alike, 1 if len(folder) < SHORT else 2)
         found = [f"{each}/{rest}" for each in near if self.has(each, rest)]
-        return found[0] if len(found) == 1 else None
+        return found[0] if len(found) == 1 and not self.is_of_others(folder) else None
+
+    def is_of_others(self, folder: str) -> bool:
+        """Return whether another package of the workspace has headers in a folder."""
+        headers = (each for facts in self.headers.workspace.packages for each in facts.header_files)
+        return any(each.startswith(f"{folder}/") for each in headers)
 
     def has(self, package: str, rest: str) -> bool:
         """Return whether a package certainly has a header in the folder of its name."""
@@ -123,10 +129,9 @@ class ForeignHeaders:
 
     @cached_property
     def folders(self) -> frozenset[str]:
-        """The folders of the package, of libraries, and of packages that are here or declared: none is misspelt."""
+        """The folders of the package and of libraries, and the packages that are here or declared."""
         own = (part for path in self.headers.package.cmake.package_files.paths for part in path.split("/")[:-1])
-        others = (each.partition("/")[0] for facts in self.headers.workspace.packages for each in facts.header_files)
-        return frozenset({*own, *others, *LIBRARIES, *SHARED, *self.packages})
+        return frozenset({*own, *LIBRARIES, *SHARED, *self.packages})
 
     @cached_property
     def interfaces(self) -> KnownInterfaces:

@@ -47,7 +47,7 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders of launch files, parameters, robots, worlds or maps that CMake does not install.
-    A folder counts (meshes too) if nothing in it is installed.
+    A folder counts (meshes too) if nothing in it is installed, and launch files that are all installed elsewhere.
 
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
@@ -64,6 +64,11 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     if not package.is_ament or place is None:
         return
     name = package.facts.name
+    if row := folders.misplaced_launch_file():
+        into = (
+            f"`{row.source}` is installed as `{row.destination}`: `ros2 launch {name} …` looks in `share/{name}` alone"
+        )
+        yield Hit(row.path, row.span, f"{into}; write `DESTINATION share/${{PROJECT_NAME}}`")
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))

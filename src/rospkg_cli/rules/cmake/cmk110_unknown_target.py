@@ -96,8 +96,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     ## When it is quiet
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
     given the name, for libraries that `find_library()` looks for or that lie in the package, for names with `::` that
-    are near to none of a package whose targets are known (of others only their own name with letters swapped is told),
-    and for `gtest` and `gmock`. Under a condition that can't be evaluated.
+    are near to none of a package whose targets are known (of others only their own name with letters swapped, or a long
+    one with a letter wrong, is told), and for `gtest` and `gmock`. Under a condition that can't be evaluated.
     """
     package = links.package
     for each in links.all():
