@@ -62,14 +62,15 @@ def rule_of(finding: Finding) -> str:
 
 
 def overview(heading: str, names: list[str], findings: tuple[Finding, ...]) -> Iterator[str]:
-    """Yield a table with the number of findings of each level by name, most findings first."""
+    """Yield a table with the number of findings of each level by name, most errors first, then warnings, then infos."""
     counts = Counter((name, finding.severity) for name, finding in zip(names, findings, strict=True))
     levels = "".join(f'<th scope="col" class="n">{level.value}</th>' for level in LEVELS)
+    yield f'<div class="sums" role="region" tabindex="0" aria-label="Findings by {heading.lower()}">'
     yield f'<table>\n<tr><th scope="col">{heading}</th>{levels}</tr>'
-    for name, _ in Counter(names).most_common():
+    for name in sorted(dict.fromkeys(names), key=lambda name: [-counts[name, level] for level in LEVELS]):
         cells = "".join(f'<td class="n">{counts[name, level] or ""}</td>' for level in LEVELS)
         yield f"<tr><td>{text(name)}</td>{cells}</tr>"
-    yield "</table>"
+    yield "</table>\n</div>"
 
 
 def choice(key: str, label: str, values: list[str]) -> Iterator[str]:
