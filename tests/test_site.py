@@ -66,7 +66,7 @@ def commands(guide: str) -> list[str]:
     text = (ROOT / guide).read_text("utf-8")
     if guide == "README.md":
         text = text.partition(TYPED_IN_README)[2].partition("\n## ")[0]
-    return [re.split(r" {2,}", line)[0] for line in re.findall(r"^    (rospkg .*)$", text, re.MULTILINE)]
+    return [re.split(r" {2,}| > ", line)[0] for line in re.findall(r"^    (rospkg .*)$", text, re.MULTILINE)]
 
 
 def words(command: str) -> list[str]:
