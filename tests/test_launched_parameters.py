@@ -188,6 +188,11 @@ def test_names_in_launch_files_that_the_package_does_not_declare(names: list[str
     assert [message.rpartition("mean ")[2].rstrip("?") for message in found] == meant
 
 
+def test_names_of_a_package_that_is_not_here_are_left_alone() -> None:
+    launch = xml('<param name="rrate" value="1"/>').replace('pkg="my_pkg"', 'pkg="elsewhere"')
+    assert messages(package(launch), "PRM007") == []
+
+
 def test_lists_of_plugins_beside_a_single_one() -> None:
     """`progress_checker_plugin: progress_checker` names a group as well, and of several the near one is meant."""
     block = PLUGINS.format(names="[spin, back_up]") + "    check: {plugin: a::Check}\n"

@@ -24,6 +24,7 @@ CASES = {
         node("self.get_parameter('rat')", before="import yaml\n\nhas_parameter = True\n"),
         node("self.get_parameter('rat')", DECLARES + "\n        self.get_parameter('rate')"),
         node("self.get_parameter('frame_id')"),
+        node("self.get_parameter('rate')", f"{DECLARES}\n        self.declare_parameter('rates', [10.0])"),
         node("self.get_parameter(name)"),
         node("self.get_parameter('rat')", "self.declare_parameters('', [('rate', 1.0), ('frame_id', 'map')])"),
         node("self.get_parameter('rat')", "self.declare_parameters('', [('rate', 1.0), (other, 'map')])"),
