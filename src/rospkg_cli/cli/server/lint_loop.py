@@ -12,6 +12,9 @@ PAUSE = 0.15
 IDLE = 0.5
 """Seconds without a change after which garbage is collected, which stops everything for a moment."""
 
+MUCH = 10
+"""Collections of the middle generation after which garbage is worth that: 200,000 objects."""
+
 PATIENCE = 5.0
 """Seconds that a request waits for the run over the last texts."""
 
@@ -52,8 +55,10 @@ class LintLoop:
         try:
             await asyncio.wait_for(self.has_changed.wait(), IDLE)
         except asyncio.TimeoutError:
-            gc.collect()
-            if not gc.get_freeze_count():
+            is_first = not gc.get_freeze_count()
+            if is_first or gc.get_count()[2] >= MUCH:
+                gc.collect()
+            if is_first:
                 gc.freeze()
 
     def tell(self) -> None:
