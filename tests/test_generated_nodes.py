@@ -148,6 +148,17 @@ def test_a_parameter_is_changed_and_not_emptied(tmp_path: Path) -> None:
     assert "[INFO] ready\n[INFO] text is other\n" in node.stop(signal.SIGTERM)
 
 
+def test_frames_are_broadcast_and_looked_up(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("there:tf-broadcaster",)), tmp_path, {"x": 2.5, "rate": 50.0})
+    assert node.until("transform")[0] == {"what": "transform", "parent": "world", "child": "robot", "x": 2.5}
+    node.stop(signal.SIGTERM)
+
+
+def test_a_frame_is_waited_for(tmp_path: Path) -> None:
+    node = Running(plan(nodes=("where:tf-listener",)), tmp_path, {"rate": 50.0})
+    assert node.heard(3) == "[INFO] ready\n[INFO] waiting: no such frame\n[INFO] robot is at 0.00 0.00 0.00\n"
+
+
 def test_service(tmp_path: Path) -> None:
     node = Running(plan(nodes=("adder:service",)), tmp_path)
     assert node.until("response")[0]["data"] == {"sum": 5}

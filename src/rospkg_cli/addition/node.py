@@ -17,6 +17,7 @@ from ..scaffold.message import is_message
 from ..scaffold.node import node_of
 from ..scaffold.render import RenderedFile
 from ..scaffold.requested_node import RequestedNode
+from ..scaffold.resolve_request import distro_of
 from ..scaffold.template import Template, TemplateFile, load_template
 from ..scaffold.workspace import WorkspacePackages
 from .cmake_find import FoundInCMake
@@ -94,7 +95,7 @@ def node_parts(place: NodePlace, node: RequestedNode, force: bool = False) -> tu
 
 
 def python_needs(node: RequestedNode) -> list[str]:
-    found = ["rclpy", *node.kind.interfaces, *(["rcl_interfaces"] if node.kind.parameters else [])]
+    found = ["rclpy", *node.kind.interfaces, *node.kind.modules, *(["rcl_interfaces"] if node.kind.parameters else [])]
     return sorted(dict.fromkeys(found))
 
 
@@ -174,7 +175,7 @@ def node_files(place: NodePlace, node: RequestedNode, name: str) -> tuple[Render
     """Return what the template writes for a node alone."""
     template = place.template
     wanted = tuple(file for file in template.files if is_of_nodes(file))
-    return rendered_files(template, wanted, place.manifest, name, nodes=(node,))
+    return rendered_files(template, wanted, place.manifest, name, nodes=(node,), distro=distro_of("", []))
 
 
 def is_of_nodes(file: TemplateFile) -> bool:

@@ -64,6 +64,8 @@ class NodeKind:
     """Those that it can be written in."""
     libraries: dict[str, str]
     """What C++ needs besides rclcpp: package to target."""
+    modules: tuple[str, ...] = ()
+    """The packages of the modules that Python needs besides rclpy."""
 
 
 FORMS = {"service": "srv", "client": "srv", "action-server": "action", "action-client": "action"}
@@ -115,6 +117,7 @@ def all_kinds() -> dict[str, NodeKind]:
             parameters=tuple(NodeParameter(**parameter) for parameter in row["parameters"]),
             languages=tuple(row.get("languages", LANGUAGES)),
             libraries=row.get("libraries", {}),
+            modules=tuple(row.get("modules", ())),
         )
         for name, row in data.items()
     }

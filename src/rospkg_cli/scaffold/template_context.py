@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from .answers import Answers
-from .cpp import cmake_names, cpp_standard, is_library, packages_of, targets_of
+from .cpp import OF_CMAKE_17, cmake_names, cpp_standard, is_library, packages_of, targets_of
 from .launch_format import autostarted, launch_packages, unconfigured
 from .plugin import plugin_packages
 from .test_level import first_words, has_launch_test, has_linters, launch_test_packages, tested_logics
@@ -45,6 +45,7 @@ def in_cpp(answers: Answers) -> dict[str, Any]:
         "cmake_depends": cmake_names(answers.depends),
         "cpp_standard": cpp_standard(answers.distro),
         "targets_of": targets_of,
+        "tf_suffix": "h" if answers.distro.name in OF_CMAKE_17 else "hpp",  # geometry2's headers after Kilted
     }
 
 
@@ -61,7 +62,8 @@ def in_python(answers: Answers) -> dict[str, Any]:
     nodes = answers.nodes_in("python")
     declaring = any(node.kind.parameters for node in nodes)
     tested = bool(answers.sections) and answers.tests != "none"
-    needs = ["rclpy", *answers.messages_in("python"), *(["rcl_interfaces"] if declaring else [])]
+    modules = [module for node in nodes for module in node.kind.modules]
+    needs = ["rclpy", *answers.messages_in("python"), *modules, *(["rcl_interfaces"] if declaring else [])]
     return {
         "python_nodes": nodes,
         "python_logics": answers.logics_in("python"),

@@ -13,8 +13,8 @@ import json
 import os
 import signal
 import threading
-import time
 from pathlib import Path
+from time import sleep
 from types import FrameType
 from typing import Any
 
@@ -68,5 +68,5 @@ def spin(node: Any, executor: Any = None) -> None:
         for turn in list(node.turns):
             if turn in node.turns:  # another turn may have taken it away
                 turn()
-        time.sleep(0.01)
+        sleep(0.01)
     raise ExternalShutdownException

@@ -14,6 +14,7 @@ from rcl_interfaces.msg import ParameterDescriptor, ParameterValue, SetParameter
 import rclpy
 from rclpy.parameter import Parameter
 from rclpy.task import Future
+from rclpy.time import Time
 from rclpy.timer import Timer
 
 
@@ -151,6 +152,9 @@ class Node:
         assert timer in self.turns
         self.turns.remove(timer)
         return True
+
+    def get_clock(self) -> Time:
+        return Time()
 
     def get_logger(self) -> Any:
         return self._logger_of_mine
