@@ -154,6 +154,7 @@ CPP = {
     "old_name/src/old_name/more.cpp": "",
     "old_name/src/old_name/more.hpp": "",
     "old_name/src/old_name_node.cpp": "int main() { return 0; }\n",
+    "old_name/run.sh": "cat src/old_name_node.cpp old_name_node.cpp.orig my_old_name_node.cpp\n",
     "old_name/plugins.xml": '<library path="old_name"><class type="old_name::Gear" name="old_name/Gear"/></library>\n',
     ".gitignore": "old_name/config/*\n/old_name/include/old_name/a.hpp\nother/old_name\n",
 }
@@ -172,6 +173,7 @@ def test_headers_library_and_files_called_after_the_project() -> None:
     assert done["new_name/src/gear.cpp"] == '#include "new_name/gear.hpp"\n#include "old_name/more.hpp"\n'
     cmake = LIBRARY.replace("old_name", "new_name").replace("src/new", "src/old").replace("(new_name_", "(old_name_")
     assert done["new_name/CMakeLists.txt"] == cmake
+    assert done["new_name/run.sh"] == "cat src/new_name_node.cpp old_name_node.cpp.orig my_old_name_node.cpp\n"
     assert done["new_name/plugins.xml"] == CPP["old_name/plugins.xml"].replace('path="old_name"', 'path="new_name"')
     assert done[".gitignore"] == "new_name/config/*\n/new_name/include/new_name/a.hpp\nother/old_name\n"
     assert Left(".gitignore", 3, "other/old_name") in plan.left

@@ -19,7 +19,7 @@ def in_manifest(source: Source, renamed: RenamedPackage, is_own: bool) -> Iterat
     if is_own and manifest.name == renamed.old:
         yield trimmed(source, manifest.name_span, renamed.old)
     described = manifest.first("description")
-    if is_own and described and described.text == f"The {renamed.old} package":
+    if is_own and described and described.text in (f"The {renamed.old} package", renamed.old):
         yield trimmed(source, manifest.span(described), renamed.old)
     for each in manifest.dependencies:
         if each.name == renamed.old:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ..source import Span
+from .patterns import found
 from .renamed_package import RenamedPackage
 
 
@@ -21,3 +22,10 @@ def own_paths(text: str, renamed: RenamedPackage, folder: str = "") -> Iterator[
         places = {f"{before}{renamed.old}", f"{folder}/{before}{renamed.old}".lstrip("/")}
         if is_path and places & renamed.moved:
             yield Span(*match.span("name"))
+
+
+def file_names(text: str, renamed: RenamedPackage) -> Iterator[Span]:
+    """Yield the name in the names of files that move since CMake makes theirs of the project's: `OLD_node.cpp`."""
+    for file in sorted({path.rpartition("/")[2] for path in renamed.moved} - {renamed.old}):
+        before, _, behind = file.partition(renamed.old)
+        yield from found((r"(?<![\w.-])%PART%(?![\w-]|\.\w)",), text, renamed.old, ((before, behind),))

@@ -16,6 +16,7 @@ from .in_markup import in_markup
 from .in_python import in_python
 from .in_setup import entry_points, in_setup_cfg
 from .in_yaml import in_yaml
+from .own_paths import file_names
 from .patterns import found
 from .renamed_package import HEADERS, RenamedPackage
 
@@ -44,12 +45,15 @@ def places(file: FileInWorkspace, renamed: RenamedPackage, has_model: bool) -> I
     source = Source(file.inner or name, file.text)
     is_own = file.inner is not None
     if name == "CMakeLists.txt" or name.endswith(".cmake"):
+        yield from file_names(without_comments(file.text) if is_own else "", renamed)
         yield from common_places(without_comments(file.text), renamed, has_model)
         yield from in_cmake(Source(file.inner or file.path, file.text), renamed, is_own)
         return
     if name.endswith(PROSE):
         return
     yield from common_places(file.text, renamed, has_model)
+    if is_own:
+        yield from file_names(file.text, renamed)
     if name == "package.xml":
         yield from in_manifest(source, renamed, is_own)
     elif name.endswith((".py", ".pyi")) or file.text.startswith(("#!/usr/bin/env python", "#!/usr/bin/python")):
