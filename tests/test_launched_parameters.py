@@ -142,6 +142,17 @@ def test_a_component_reads_its_file_through_python() -> None:
     assert levels == ["warning", "info"]
 
 
+@pytest.mark.parametrize(
+    "number, told",
+    [("03", ""), ("-07", ""), ("+07", ""), ("00", ""), ("007", ""), ("010", "10"), ("017", "17"), ("08", "8")],
+)
+def test_a_zero_before_a_digit_is_told_where_the_number_is_another(number: str, told: str) -> None:
+    files = package(xml(FILE), f"talker:\n  ros__parameters:\n    a: {number}\n")
+    found = lint_files(files, ["PRM005"]).findings
+    assert [each.severity.value for each in found] == ["warning"] * bool(told)
+    assert all(f"write `{told}`" in each.message for each in found)
+
+
 PLUGINS = """\
 server:
   ros__parameters:

@@ -56,7 +56,7 @@ def number_fault(scalar: ScalarNode) -> Fault | None:
         better = text.replace("_", "")
         message = f"`{text}` is a string for rcl, and a number for PyYAML: write `{better}`"
         return Fault(scalar.span, message, None, replacement(scalar.span, better))
-    if OCTAL.fullmatch(text):
+    if OCTAL.fullmatch(text) and not (rcl == "int" and integer(text) == int(text)):
         decimal = ("-" if text[0] == "-" else "") + (text.lstrip("+-0") or "0")
         shown = f"octal, that is {integer(text)}" if rcl == "int" else "not a whole number"
         return Fault(scalar.span, f"`{text}` is {shown}, because of the zero before it: write `{decimal}`")

@@ -58,7 +58,7 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
 
     ## When it is quiet
     Where no launch file reads the file with Python, what rcl reads as a number is an info. Numbers in quotes are
-    strings for both.
+    strings for both, and `03` is 3 for both, as in decimal.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
