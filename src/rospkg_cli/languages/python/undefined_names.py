@@ -112,23 +112,26 @@ def parts_of(node: ast.AST | None, seen: frozenset[str]) -> Iterator[Part]:
             yield children_of(node), seen
 
 
-def parts_of_function(node: FunctionNode, seen: frozenset[str]) -> Iterator[Part]:
-    arguments = node.args
-    yield [*arguments.defaults, *arguments.kw_defaults], seen
+def parts_of_function(node: FunctionNode, seen: frozenset[str], around: frozenset[str] | None = None) -> Iterator[Part]:
+    """Yield the parts of a function; `around` are the names that its decorators and defaults see, if not `seen`."""
+    arguments, outside = node.args, seen if around is None else around
+    yield [*arguments.defaults, *arguments.kw_defaults], outside
     every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, arguments.vararg, arguments.kwarg]
     own = {each.arg for each in every if each is not None}
     body = [node.body] if isinstance(node, ast.Lambda) else node.body
     if not isinstance(node, ast.Lambda):
-        yield node.decorator_list, seen
+        yield node.decorator_list, outside
     yield body, seen | own | bound_in(body)
 
 
 def parts_of_class(node: ast.ClassDef, seen: frozenset[str]) -> Iterator[Part]:
-    """Yield the body of a class, whose names its own statements see and its methods don't."""
+    """Yield the body of a class, whose names its own statements see and the bodies of its methods don't."""
     own = seen | bound_in(node.body) | {"__class__", "__qualname__", "__module__"}
     for each in node.body:
-        is_function = isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef)
-        yield [each], seen | {"__class__", "super"} if is_function else own
+        if isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef):
+            yield from parts_of_function(each, seen | {"__class__", "super"}, own)
+        else:
+            yield [each], own
 
 
 def bound_in(body: Iterable[ast.AST]) -> frozenset[str]:

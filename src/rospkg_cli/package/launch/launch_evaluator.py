@@ -19,6 +19,11 @@ ENTRIES = ("generate_launch_description", "generate_test_description")
 """What launch and launch_testing call."""
 
 
+def stops_with(file: PythonFile) -> str:
+    """Return the words before the name of an exception: what it ends, a launch or a test that launch_testing runs."""
+    return f"the {'test' if ENTRIES[1] in file.definitions else 'launch'} stops with"
+
+
 def found_path(machine: EvaluationState, call: Call) -> Value:
     """get_package_share_path: what is joined to it with `/` is a path below it."""
     machine.calls.append(call)

@@ -12,6 +12,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
+from ...package.launch.launch_evaluator import ENTRIES, stops_with
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_exports import exporting_module
 from ...rule import rule
@@ -39,7 +40,6 @@ def generate_launch_description():
     return LaunchDescription([LogInfo(msg=FindPackageShare('my_pkg'))])
 """
 
-ENTRY_POINT = "generate_launch_description"
 LEVELS = (None, Severity.WARNING, Severity.INFO)
 
 
@@ -89,8 +89,9 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
-    ImportError`), are left alone. A function that neither `generate_launch_description` nor the module level leads to,
-    by calls or by its name (`OpaqueFunction(function=setup)`), is one info.
+    ImportError`), are left alone. A function that neither the function that launch calls (in a test,
+    `generate_test_description`) nor the module level leads to, by calls or by its name
+    (`OpaqueFunction(function=setup)`), is one info.
     """
     if file.python is None or not file.has_entry_point:
         return
@@ -102,25 +103,27 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         message = f"`{use.found.name}` is defined nowhere: {use.ends}{hint(use.found)}"
         yield Hit(file.path, use.found.span, message, use.level)
     for late in late_names(file.python):
-        unreached = {each.name for each in unreached_functions(file.python, (ENTRY_POINT,))}
+        unreached = {each.name for each in unreached_functions(file.python, ENTRIES)}
         level = Severity.INFO if late.function in unreached else None
         message = f"`{late.name}` is used here and assigned in line {late.line}"
-        yield Hit(file.path, late.span, f"{message}: the launch stops with UnboundLocalError; assign it first", level)
+        message = f"{message}: {stops_with(file.python)} UnboundLocalError; assign it first"
+        yield Hit(file.path, late.span, message, level)
     for each in wrong_imports(file.python):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
-        message = f"`{each.module}` has no `{each.name}`: the launch stops with ImportError; {better}"
+        message = f"`{each.module}` has no `{each.name}`: {stops_with(file.python)} ImportError; {better}"
         yield Hit(file.path, each.span, message)
 
 
 def weighed(file: PythonFile, found: UndefinedName) -> UseOfName:
     """Return a use with its level, and with what happens there."""
-    for each in unreached_functions(file, (ENTRY_POINT,)):
+    for each in unreached_functions(file, ENTRIES):
         if file.span(each.body[0]).start <= found.span.start < file.span(each.body[-1]).end:
             ends = f"`{each.name}` raises NameError once something calls it, which nothing here does"
             return UseOfName(found, Severity.INFO, ends)
+    ends = f"{stops_with(file)} NameError"
     if is_in_branch(file, found.span):
-        return UseOfName(found, Severity.WARNING, "the launch stops with NameError where it gets here")
-    return UseOfName(found, None, "the launch stops with NameError")
+        return UseOfName(found, Severity.WARNING, f"{ends} where it gets here")
+    return UseOfName(found, None, ends)
 
 
 def hint(found: UndefinedName) -> str:
