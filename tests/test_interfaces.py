@@ -219,3 +219,10 @@ def test_a_huge_interface_is_skipped_and_said() -> None:
     assert [(each.code, each.message) for each in findings] == [
         ("RPK007", "`msg/Status.msg` is not read: it has more than 200,000 characters")
     ]
+
+
+def test_a_name_that_rosidl_refuses_is_not_listed() -> None:
+    files = {"msg/Status.msg": "int32 a\n", "msg/Status_backup.msg": "int32 a\n"}
+    cmake = GENERATE.format(before="", inside="msg/Status.msg")
+    found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, **files}, ["IDL005"])
+    assert [finding.fix for finding in found.findings] == [None]

@@ -73,6 +73,7 @@ XSD = 'schematypens="http://www.w3.org/2001/XMLSchema"?>'
         (MODEL + XSD, "warning"),
         ('<?xml-model href="" ' + XSD, "info"),
         (MODEL + "?>", "info"),
+        (MODEL.replace("format3", "format2") + XSD, "info"),
         (MODEL + 'schematypens="http://relaxng.org/ns/structure/1.0"?>', "info"),
     ],
 )

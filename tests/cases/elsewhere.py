@@ -84,6 +84,8 @@ CASES = {
     "CMK105": (
         *(moved(text) for text in (*BY_DOTS, *OF_OTHERS)),
         moved(BY_DOTS[0], STARTED),
+        on_cmake(INSTALLED, {DEEP: STARTED, "cmake/turn.cmake": "set(TURN ${DIR}/../turn.py)\n"}),
+        on_cmake(INSTALLED, {DEEP: STARTED, "cmake/turn.cmake": "set(TURN ${DIR}/return.py)\n"}),
         on_cmake(INSTALLED.replace(".py", ""), {"my_pkg/moves/turn": "#!/bin/sh\nexit\n", "my_pkg/a.py": BY_DOTS[0]}),
     ),
     "DEP101": (

@@ -17,9 +17,9 @@ def python(depends: str, **files: str) -> Example:
     return Example(bad={"package.xml": manifest(depends), **named}, good={})
 
 
-def interfaces(text: str, depends: str = "") -> Example:
+def interfaces(text: str, depends: str = "", cmake: str = dep108.CMAKE_MSG) -> Example:
     body = dep108.TOOLS + depends + dep108.RUNTIME + dep108.GROUP
-    files = {"CMakeLists.txt": dep108.CMAKE_MSG, "msg/Pose.msg": text, "package.xml": manifest(body, "ament_cmake")}
+    files = {"CMakeLists.txt": cmake, "msg/Pose.msg": text, "package.xml": manifest(body, "ament_cmake")}
     return Example(bad=files, good={}, on="ament_cmake")
 
 
@@ -107,6 +107,7 @@ CASES = {
         cmake("find_package(ament_cmake_python REQUIRED)\n", ""),
     ),
     "DEP108": (
+        interfaces("geometry_msgs/Pose2D pose\n", cmake=dep108.CMAKE_MSG.replace(" DEPENDENCIES geometry_msgs", "")),
         interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
         interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
         interfaces("".join(f"geometry_msgs/Pose2D p{number}\n" for number in range(6))),

@@ -49,8 +49,19 @@ def mypy_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("mypy-cache")
 
 
+@pytest.fixture(scope="session")
+def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """What lets CMake compile the same text once in a session, if ccache is there: gtest is in every package."""
+    if not shutil.which("ccache"):
+        return {}
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "ccache"
+    launcher = {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")}
+    return {**launcher, "CCACHE_DIR": str(folder)}
+
+
 @pytest.fixture
-def shell(tmp_path: Path, mypy_cache: Path) -> Shell:
+def shell(tmp_path: Path, mypy_cache: Path, compiler_cache: dict[str, str]) -> Shell:
     """A shell with a home and a git identity of its own; without PYTHON*, ROS_*, AMENT_*, COLCON_* and GIT_*."""
     home = tmp_path / "home"
     home.mkdir()
@@ -58,7 +69,7 @@ def shell(tmp_path: Path, mypy_cache: Path) -> Shell:
     kept = {n: v for n, v in os.environ.items() if n in PASSED_ON or n.startswith(PASSED_ON_PREFIXES)}
     git = str(Path(shutil.which("git") or "/usr/bin/git").parent)
     folders = dict.fromkeys(("/usr/local/bin", "/usr/bin", "/bin", git))
-    own = {"HOME": str(home), "GIT_CONFIG_NOSYSTEM": "1", "MYPY_CACHE_DIR": str(mypy_cache)}
+    own = {"HOME": str(home), "GIT_CONFIG_NOSYSTEM": "1", "MYPY_CACHE_DIR": str(mypy_cache), **compiler_cache}
     return Shell({**kept, **own, "PATH": os.pathsep.join(folders)})
 
 

@@ -10,12 +10,18 @@ from ..finding import Edit
 from ..languages.cmake.values import Word
 from ..package.cmake.cmake_project import CMake
 from ..package.interfaces.interface_file import InterfaceFile
+from ..ros.interfaces import valid_interface_name
 from ..source import Span
 from .cmake_commands import add_argument
 
 
 def add_interface_file(generated: RosidlTargets, interface: InterfaceFile) -> Edit | None:
-    """Add an interface file among those of its kind, sorted where they are; None where none is listed."""
+    """Add an interface file among those of its kind, sorted where they are; None where none is listed.
+
+    None also for a name that rosidl refuses: the build would end there.
+    """
+    if not valid_interface_name(posixpath.basename(interface.path).removesuffix(f".{interface.kind}")):
+        return None
     suffix = f".{interface.kind}"
     of_kind = [each for each in generated.listed if each.word.text.endswith(suffix)]
     like = of_kind or list(generated.listed)

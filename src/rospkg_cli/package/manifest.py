@@ -17,6 +17,7 @@ from ..source import Source, Span
 from ..unreadable import UnreadableError
 from .schema.schema import Verdict, validate
 
+FORMAT_OF_SCHEMA = regex(r"package_format(\d)\.xsd")
 SCHEMA_OF_XML = (
     regex(r"""\bhref\s*=\s*["']\s*[^\s"']"""),
     regex(r"""\bschematypens\s*=\s*["']http://www\.w3\.org/2001/XMLSchema["']"""),
@@ -105,8 +106,15 @@ class Manifest:
 
     @property
     def names_schema(self) -> bool:
-        """Whether the line names an XML schema to ament_xmllint, which reads its `href` and its `schematypens`."""
-        return self.xml_model is not None and all(pattern.search(self.xml_model.data) for pattern in SCHEMA_OF_XML)
+        """Whether the line names an XML schema to ament_xmllint, which reads its `href` and its `schematypens`.
+
+        The schema of another format than the manifest's is none: what it says of a place may not hold.
+        """
+        if self.xml_model is None:
+            return False
+        other = FORMAT_OF_SCHEMA.search(self.xml_model.data)
+        is_other = other is not None and int(other.group(1)) != self.format
+        return not is_other and all(pattern.search(self.xml_model.data) for pattern in SCHEMA_OF_XML)
 
     def all(self, *tags: str) -> list[Element]:
         """Return the children that have one of some tags, in order."""

@@ -118,7 +118,13 @@ class InstalledScripts:
         name = posixpath.basename(path)
         if name.removesuffix(".py") in self.imported:
             return True
-        return any(f"{name}'" in text for text in self.texts_with_python)
+        return any(f"{name}'" in text for text in self.texts_with_python) or self.is_run_by_cmake(name)
+
+    def is_run_by_cmake(self, name: str) -> bool:
+        """Return whether a CMake file other than a CMakeLists.txt names a script: a macro for others hands it on."""
+        files = self.package.cmake.package_files
+        macros = (path for path in files.paths if path.endswith((".cmake", ".cmake.in")))
+        return any(f"/{name}" in files.readable_text(path) for path in macros)
 
     @cached_property
     def imported(self) -> frozenset[str]:

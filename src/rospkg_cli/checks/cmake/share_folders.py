@@ -41,11 +41,14 @@ class RuntimeFolders:
         return is_read and self.table.knows("share")
 
     def misplaced_launch_file(self) -> InstalledFile | None:
-        """Return the first launch file that is installed, where none is below share/ and the package's name."""
+        """Return the first launch file that is installed, where none is below share/ and the package's name.
+
+        Absolute places, and those below the name that project() has by mistake, are told by their own rules.
+        """
         files = self.useful(LAUNCH) if self.is_clear and self.table.knows("other") else ()
         rows = [row for row in self.table.rows if row.source in files]
-        share = f"share/{self.package.facts.name}/"
-        is_found = any(row.destination.startswith(share) or row.maybe for row in rows)
+        told = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
+        is_found = any(row.destination.startswith(told) or row.maybe for row in rows)
         return rows[0] if rows and not is_found else None
 
     def useful(self, folder: str) -> tuple[str, ...]:

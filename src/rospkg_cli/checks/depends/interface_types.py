@@ -32,6 +32,12 @@ class InterfaceTypeDependencies:
                     found.setdefault(each.package, []).append(use)
         return found
 
+    def is_found(self, package: str) -> bool:
+        """Return whether CMake hands a package to rosidl: then it builds wherever that is installed."""
+        cmake = self.generation.cmake
+        targets = cmake.interface_targets if cmake is not None else ()
+        return any(word.text == package for target in targets for word in target.dependencies)
+
     @property
     def is_generated(self) -> bool:
         return self.declared.is_checked and self.declared.facts.build_type != "ament_python"

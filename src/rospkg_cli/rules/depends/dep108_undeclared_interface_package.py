@@ -29,6 +29,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     over=InterfaceTypeDependencies,
     severity=Severity.ERROR,
     levels={
+        Severity.WARNING: "CMakeLists.txt lists it in DEPENDENCIES: it builds where the package is installed",
         Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment",
     },
     examples=(
@@ -79,6 +80,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
             f"does not build; {advice(declared, 'depend', name)}"
         )
         places = related((use.path, use.span) for use in uses)
-        level = Severity.INFO if is_left_out(declared, name) else None
+        mild = Severity.WARNING if interfaces.is_found(name) else None
+        level = Severity.INFO if is_left_out(declared, name) else mild
         yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
     yield from left_to_others(declared, brought, "used in interfaces")

@@ -69,7 +69,7 @@ def element_order(tests: SchemaTests) -> Iterator[Hit]:
     staying = [child for child in manifest.root.children if child not in moved]
     places = [place_of(child.tag) for child in staying]
     if not manifest.names_schema:
-        level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema"
+        level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema of this format"
     elif not tests.is_tested:
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"
     else:

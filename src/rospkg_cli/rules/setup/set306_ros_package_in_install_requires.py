@@ -18,7 +18,7 @@ BAD = GOOD.replace("install_requires=['setuptools']", "install_requires=['setupt
     "SET306",
     "ros-package-in-install-requires",
     over=InstallRequires,
-    severity=Severity.WARNING,
+    severity=Severity.INFO,
     examples=(Example(bad={"setup.py": BAD}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
 def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[Hit]:
@@ -28,8 +28,9 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
     They are interfaces, and packages of the workspace that CMake builds without Python.
 
     ## Why is this bad?
-    `install_requires` names what pip installs. Where scripts are made by an older setuptools (Humble's), each start
-    looks for them and ends with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
+    `install_requires` names what pip installs: `pip install .` ends with "No matching distribution found for std_msgs",
+    and `pip check` complains. colcon does not mind, nor do the executables of any supported distribution: those of
+    Foxy and before ended with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
     packages belong in package.xml.
 
     ## When it is quiet
@@ -42,7 +43,7 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
         edits = remove_item(requirements.package.setup, "install_requires", said)
         fix = Fix(f"remove `{name}` from install_requires", edits, Safety.UNSAFE) if edits else None
         message = (
-            f"`{name}` is no Python distribution: on Humble the executables stop with DistributionNotFound; remove it "
-            f"here, and declare it in package.xml as `<exec_depend>{name}</exec_depend>`"
+            f"`{name}` is no Python distribution: pip finds none, colcon does not look; remove it here, and declare "
+            f"it in package.xml as `<exec_depend>{name}</exec_depend>`"
         )
         yield Hit(said.path, said.shown, message, fix=fix)

@@ -19,7 +19,7 @@ GOOD = SETUP_PY
 BAD = SETUP_PY.replace(f"{MARKER},\n        {ENTRY}", f"«{MARKER}\n        {ENTRY}»")
 
 NAME = regex(r"[A-Za-z][\w./-]*(?:[<>=~!]=?[\w.*]+)?")
-UNFULFILLED = "no distribution has this name, and on Humble the executables stop with DistributionNotFound"
+UNFULFILLED = "no distribution has this name, and pip stops at it"
 LISTS: dict[str, tuple[Severity, str]] = {
     "packages": (Severity.ERROR, "the build stops, there is no such folder"),
     "py_modules": (Severity.ERROR, "the build is green, and installs neither"),

@@ -33,8 +33,7 @@ def undeclared_requirement(requirements: UndeclaredRequirements) -> Iterator[Hit
     Finds Python libraries in `install_requires` that package.xml does not declare.
 
     ## Why is this bad?
-    colcon does not run pip: on a clean machine nothing installs the library, since rosdep reads package.xml alone, and
-    Humble's executables look for each requirement and end with DistributionNotFound.
+    colcon does not run pip: on a clean machine nothing installs the library, since rosdep reads package.xml alone.
 
     ## When it is quiet
     For libraries without a rosdep key, for those that a declared dependency brings or that only some machines need
