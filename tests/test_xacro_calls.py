@@ -123,3 +123,18 @@ def test_what_may_be_included_under_a_computed_name_has_what_its_includer_sets(
     }
     found = [each for each in lint_files(files, ["URD001"]).findings if "offset" in each.message]
     assert [each.severity.value for each in found] == ["error"] * count
+
+
+@pytest.mark.parametrize(
+    "body, level",
+    [
+        ('<gazebo reference="somewhere"/>', "info"),
+        ('<xacro:if value="$(arg x)"><gazebo reference="somewhere"/></xacro:if>', "info"),
+        ('<gazebo reference="base_lnk"/>', "warning"),
+        ('<xacro:if value="$(arg x)"><gazebo reference="base_lnk"/></xacro:if>', "warning"),
+    ],
+)
+def test_a_condition_makes_what_gazebo_leaves_out_no_worse(body: str, level: str) -> None:
+    (found,) = said(a=f'<xacro:arg name="x" default=""/><link name="base_link"/>{body}')
+    assert found[0] == level
+    assert found[1].endswith(", where the condition around it holds") is ("xacro:if" in body)

@@ -114,9 +114,9 @@ class ExpandedTree:
         if place is None or not (near or is_sure):
             return
         hint = f" (did you mean `{near}`?)" if near else ""
-        milder: Level | None = level if is_sure and node.is_certain and not near else None
-        if not is_sure or not node.is_certain or (level and near):
-            milder = "warning"
+        milder: Level | None = level if not near else "warning"
+        if not level:
+            milder = None if is_sure and node.is_certain else "warning"
         when = "" if node.is_certain else IF
         yield place[0].path, Fault(place[1], f"no {kind} is called `{name}`{hint}{harm}{when}", milder)
 
