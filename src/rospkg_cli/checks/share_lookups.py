@@ -16,6 +16,8 @@ from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.launch.file_references import is_file
 from ..package.package_facts import PackageFacts
+from ..package.python.node_calls import called
+from ..package.python.share_paths import SHARE, share_of
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
@@ -24,7 +26,6 @@ from .closest_path import closest_path
 from .cpp.share_names import share_names
 from .run_imports import RunImports
 
-SHARE = frozenset({"get_package_share_directory", "get_package_share_path", "FindPackageShare"})
 LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
 """PackageNotFoundError is a KeyError."""
@@ -75,7 +76,7 @@ class ShareLookups:
         for file in self.modules:
             caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
-                is_lookup = isinstance(node, ast.Call) and called(node) in LOOKUPS and id(node) not in caught
+                is_lookup = isinstance(node, ast.Call) and called(node.func) in LOOKUPS and id(node) not in caught
                 name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
                 near = self.near_package(str(name.value)) if name is not None else None
                 if name is not None and near:
@@ -116,7 +117,7 @@ class ShareLookups:
         """Return a file that is not installed; None where it may be written, or where a rule of its folder tells it."""
         if not facts.knows("share_files") or path in facts.share_files or facts.may_write(path):
             return None
-        if path in facts.uninstalled:
+        if path in facts.uninstalled or path in facts.run_time_files:
             return None
         is_here = facts is self.facts and self.files.is_there(path)
         near = None if is_here else closest_path(path, facts.share_files)
@@ -125,22 +126,11 @@ class ShareLookups:
         return MissingShareFile(file.path, span, facts.name, path, near, is_here)
 
 
-def called(call: ast.Call) -> str:
-    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-
-
 def literal_of(call: ast.Call) -> ast.Constant | None:
     """Return the package's name where a lookup is given a plain string."""
     given = call.args[0] if call.args else next((each.value for each in call.keywords), None)
     plain = isinstance(given, ast.Constant) and isinstance(given.value, str) and given.value.isidentifier()
     return given if plain and isinstance(given, ast.Constant) else None
-
-
-def share_of(call: ast.Call, joiner: PathJoiner) -> str:
-    """Return the package whose share directory a call returns; "" for other calls."""
-    if called(call) not in SHARE or not call.args:
-        return ""
-    return joiner.text(call.args[0]) or ""
 
 
 def looks_first(file: PythonFile) -> bool:

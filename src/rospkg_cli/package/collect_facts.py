@@ -25,6 +25,7 @@ from .params.collect_declared import declared_parameters, given_parameters
 from .params.node_sources import node_code
 from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
+from .python.run_time_files import run_time_files
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
 
@@ -111,6 +112,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("given_parameters",): one("given_parameters", given_parameters),
     ("uninstalled",): one("uninstalled", uninstalled_files),
     ("written_files",): one("written_files", made_files),
+    ("run_time_files",): one("run_time_files", run_time_files),
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
     ("plugin_uses",): one("plugin_uses", plugin_uses),

@@ -95,6 +95,8 @@ class PackageFacts:
     """The files that it has in its folders for run time, and that nothing installs."""
     written_files: frozenset[str] = frozenset()
     """The names of the files that its build writes, or installs from elsewhere; `*` is unknown."""
+    run_time_files: frozenset[str] = frozenset()
+    """The files that its Python code writes into share/<name> when it runs, relative to it."""
     components: frozenset[str] = frozenset()
     cmake_targets: tuple[str, ...] = ()
     """The targets that its CMake exports, with their namespace, as far as they are known."""

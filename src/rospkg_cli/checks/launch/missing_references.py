@@ -123,7 +123,9 @@ class LaunchContext:
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
 
     def is_brought(self, facts: PackageFacts, path: str) -> bool:
-        """Return whether a build or a submodule may bring a file of a package."""
+        """Return whether a build, a submodule, or a program of the package may bring a file of it."""
+        if path in facts.run_time_files:
+            return True
         if facts is self.package:
             return self.files.absent.is_expected(path)
         return self.files.absent_in(facts.folder).is_ignored(path)

@@ -120,7 +120,9 @@ class RobotInWorkspace:
         if path in facts.share_files or path in self.share_folders(facts):
             return None
         if facts is not self.package or not (self.files.exists(path) or path in self.files.folders):
-            return "not installed" if path in facts.uninstalled else "absent"
+            if path in facts.uninstalled:
+                return "not installed"
+            return "absent" if path not in facts.run_time_files else None
         top = path.partition("/")[0]
         partly = "/" not in path or top in self.share_folders(facts)
         return "not installed" if partly and facts.knows("share_files") else None

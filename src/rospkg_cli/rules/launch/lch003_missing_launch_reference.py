@@ -85,11 +85,11 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     missing starts with its defaults ("Parameter file path is not a file"), RViz with its default view.
 
     ## When it is quiet
-    Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build writes, that git
-    ignores or that lie in a submodule that is not checked out (`git submodule update --init`); so are packages whose
-    installed files are not all known (a CMake macro of another package may install some), and launch files of tests
-    that CMake does not run. Where the defaults of the arguments switch the action off, it is a warning, where nothing
-    adds the action or uses the value, an info.
+    Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build or the package's
+    Python code writes, that git ignores or that lie in a submodule that is not checked out
+    (`git submodule update --init`); so are packages whose installed files are not all known (a CMake macro of another
+    package may install some), and launch files of tests that CMake does not run. Where the defaults of the arguments
+    switch the action off, it is a warning, where nothing adds the action or uses the value, an info.
     """
     for each in scope.missing():
         if each.state in ("absent", "no slash"):

@@ -83,11 +83,12 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
-    files that the build writes, git ignores or a submodule holds that is not checked out, and where install rules are
-    not all known (a CMake macro of another package may install files). Where another rule reports that the folder is
-    not installed, it says so alone. In a condition of xacro, and in a macro that nothing here calls, it is a warning;
-    so it is in a robot that no file of the package names, where no other package of the workspace needs this one. The
-    default of an argument is an info where each launch file that opens the robot gives another value.
+    files that the build or the package's Python code writes, git ignores or a submodule holds that is not checked
+    out, and where install rules are not all known (a CMake macro of another package may install files). Where
+    another rule reports that the folder is not installed, it says so alone. In a condition of xacro, and in a macro
+    that nothing here calls, it is a warning; so it is in a robot that no file of the package names, where no other
+    package of the workspace needs this one. The default of an argument is an info where each launch file that opens
+    the robot gives another value.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
