@@ -156,7 +156,7 @@ NO_ROBOT = "Command(['xacro ', 'urdf/wheel.xacro'])\n"
     ],
 )
 def test_a_default_that_each_launch_file_replaces_is_an_info(launches: tuple[str, ...], level: str) -> None:
-    default = '<xacro:arg name="config" default="$(find robot)/meshes/arm.yaml"/>'
+    default = '<xacro:arg name="config" default="$(find robot)/meshes/arm.yaml"/><a b="$(arg config)"/>'
     files = {f"robot/launch/{at}.launch.py": text for at, text in enumerate(launches)}
     (finding,) = lint(default, others=files)
     assert finding.severity.value == level

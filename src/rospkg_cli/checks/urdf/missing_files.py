@@ -19,6 +19,7 @@ from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
 from .opened_robots import OpenedRobots
+from .reached_files import ReachedFiles
 from .xacro_calls import XacroCalls, ancestors
 
 State = Literal["absent", "not installed"]
@@ -58,6 +59,7 @@ class RobotInWorkspace:
     install: InstallFaults
     calls: XacroCalls
     opened: OpenedRobots
+    reached: ReachedFiles
     table: InstallTable | None
 
     @property
@@ -68,12 +70,17 @@ class RobotInWorkspace:
         return any(row.source == self.robot.path for row in self.table.rows)
 
     def weighed(self, fault: Fault) -> Fault:
-        """Return a fault at the level of its place; a default that each launch file replaces is no harm there."""
+        """Return a fault at the level of its place; a default that nothing reads, or all replace, does no harm."""
         for around in ancestors(self.robot.document.root, fault.span):
             name = around.get("name") or ""
             if around.tag == "xacro:arg" and self.opened.is_always_given(self.robot.path, name):
                 return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
-        return self.calls.weighed(self.robot.document.root, fault)
+            if around.tag == "xacro:arg" and not self.reached.reads(self.robot.path, name):
+                return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
+        found = self.calls.weighed(self.robot.document.root, fault)
+        if found.level is None and self.reached.is_off(self.robot.path):
+            return softer(found, "warning", "where the condition around its include holds")
+        return found
 
     def missing(self) -> Iterator[MissingResource]:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""

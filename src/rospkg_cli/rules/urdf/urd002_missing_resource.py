@@ -43,7 +43,7 @@ LEVELS = (None, "warning", "info")
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a condition, or a macro without a call, is around it, or nothing opens the robot",
-        Severity.INFO: "it is in a property that nothing reads, or a default that each launch file replaces",
+        Severity.INFO: "nothing reads the property or default that it is in, or each launch file replaces the default",
     },
     examples=(
         Example(
@@ -85,10 +85,11 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
     files that the build or the package's Python code writes, git ignores or a submodule holds that is not checked
     out, and where install rules are not all known (a CMake macro of another package may install files). Where
-    another rule reports that the folder is not installed, it says so alone. In a condition of xacro, and in a macro
-    that nothing here calls, it is a warning; so it is in a robot that no file of the package names, where no other
-    package of the workspace needs this one. The default of an argument is an info where each launch file that opens
-    the robot gives another value.
+    another rule reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that is
+    only included under one which the defaults of the arguments switch off, and in a macro that nothing here calls, it
+    is a warning; so it is in a robot that no file of the package names, where no other package of the workspace needs
+    this one. The default of an argument is an info where nothing reads the argument, or where each launch file that
+    opens the robot gives another value.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)

@@ -28,6 +28,7 @@ class Expander(ExpansionState):
 
     def run(self, document: Document) -> Expansion:
         self.found.reached.add(document.source.path)
+        self.found.certain.add(document.source.path)
         self.inside(document.root, self.found.children, Context(document.source, self.scope))
         return self.found
 
@@ -46,7 +47,7 @@ class Expander(ExpansionState):
         """Expand the children of an element."""
         self.nodes += 1
         if context.depth > MAX_DEPTH or self.nodes > MAX_NODES:
-            self.found.is_open = True
+            self.found.is_open = self.found.lacks_files = True
             return
         deeper = replace(context, depth=context.depth + 1)
         for span in text_spans(element) if element.chunks and not element.is_self_closing else ():
@@ -81,9 +82,11 @@ class Expander(ExpansionState):
         if isinstance(name, str) and element.get("ns") is None:
             document = self.library.included(name, context.source.path)
         if document is None:
-            self.found.is_open = True
+            self.found.is_open = self.found.lacks_files = True
             return
         self.found.reached.add(document.source.path)
+        if context.is_certain:
+            self.found.certain.add(document.source.path)
         self.inside(document.root, into, replace(context, source=document.source))
 
     def property(self, element: Element, _: list[Node], context: Context) -> None:
@@ -96,10 +99,11 @@ class Expander(ExpansionState):
         context.scope.macros[name] = Macro(name, parameters, element, context.source, certain)
 
     def argument(self, element: Element, _: list[Node], context: Context) -> None:
-        default = element.attributes.get("default")
-        if default is not None:
-            self.evaluate(default.value_span, context)
-        self.texts.arguments.add(element.get("name") or "")
+        default, name = element.attributes.get("default"), element.get("name") or ""
+        value = self.evaluate(default.value_span, context) if default is not None else None
+        if self.with_defaults and value is not None:
+            self.texts.defaults.setdefault(name, value)
+        self.texts.arguments.add(name)
 
     def condition(self, element: Element, into: list[Node], context: Context) -> None:
         written = element.attributes.get("value")

@@ -68,5 +68,9 @@ class Expansion:
     problems: list[FoundProblem] = field(default_factory=list)
     is_open: bool = False
     """Whether there may be other elements, macros and properties, of files that are not here."""
+    lacks_files: bool = False
+    """Whether it includes files that are not here, or are not known."""
     reached: set[str] = field(default_factory=set)
     """The paths of the files that were read."""
+    certain: set[str] = field(default_factory=set)
+    """Those of them that xacro certainly reads."""

@@ -33,6 +33,8 @@ class ExpansionState:
     library: XacroLibrary
     found: Expansion = field(default_factory=Expansion)
     scope: XacroScope = field(default_factory=XacroScope)
+    with_defaults: bool = False
+    """Whether each argument has its default, and not any value."""
 
     def __post_init__(self) -> None:
         self.texts = TextEvaluator(self.undefined, self.undeclared)

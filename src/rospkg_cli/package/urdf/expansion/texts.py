@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
+from xml.sax.saxutils import unescape
 
 from ....lazy_regex import regex
 from ....light_dataclasses import dataclass, field
@@ -14,6 +15,7 @@ from .values import Value, XacroBlock, XacroPlace, XacroScope, XacroText, XacroU
 TOKEN = regex(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$")
 MAX_DEPTH = 40
 PACKAGE = "package://"
+QUOTES = {"&quot;": '"', "&apos;": "'"}
 
 
 @dataclass
@@ -24,6 +26,8 @@ class TextEvaluator:
     undeclared: Callable[[XacroPlace, str], None]
     arguments: set[str] = field(default_factory=set)
     """Those that `<xacro:arg>` has declared so far."""
+    defaults: dict[str, Value] = field(default_factory=dict)
+    """The values of those that are not given; empty where they may have any."""
     depth: int = 0
 
     def evaluate(self, place: XacroPlace, scope: XacroScope) -> Value:
@@ -53,12 +57,14 @@ class TextEvaluator:
                 return PACKAGE + name
             case ["dirname"]:
                 return "."
+            case ["arg", name] if name in self.defaults:
+                return self.defaults[name]
             case ["arg", name] if name not in self.arguments and "$" not in name:
                 self.undeclared(place, name)
         return XacroUnknown(" ".join(token.split()))
 
     def expression(self, token: str, place: XacroPlace, scope: XacroScope) -> Value:
-        tree = parsed(" ".join(token[2:-1].split()))
+        tree = parsed(" ".join(unescape(token[2:-1], QUOTES).split()))
         if tree is None or self.depth > MAX_DEPTH:
             return XacroUnknown(f"{token}{unlike(scope)}")
         names: dict[str, Value] = {}
