@@ -67,6 +67,13 @@ class RobotUses:
             for each in robot.references if self.is_used(robot.path) else ():
                 yield each.package, reference_use(robot.path, each)
 
+    def has_files_of(self, name: str) -> bool:
+        """Return whether this package has each file that robots name in one that is not known: it was renamed."""
+        named = (each for robot in self.robots for each in robot.references if each.package == name)
+        paths = [each.path for each in named if each.path]
+        is_unknown = self.launch.is_unknown_package(name)
+        return bool(paths) and is_unknown and all(map(self.launch.files.exists, paths))
+
     def plugins(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages of plugins that are named, but for those that come with others.
 

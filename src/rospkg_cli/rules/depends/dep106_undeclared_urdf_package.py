@@ -70,7 +70,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     them.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name.
+    The fix is unsafe where no released package has the name. Where this package has the same files, or the name is a
+    slip of another, there is none: correct the path.
 
     ## References
     - REP-149, exec_depend
@@ -82,7 +83,7 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
         if bringer := declared.bringers([name], runs=True).get(name):
             brought.append(BroughtUse(name, bringer, TAG, first.path, first.span))
             continue
-        meant = robots.launch.meant(name)
+        meant = robots.declared.facts.name if robots.has_files_of(name) else robots.launch.meant(name)
         todo = f"did you mean `{meant}`?" if meant else advice(declared, TAG, name)
         message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
         fix = None if meant else declaration(declared, TAG, name)
