@@ -28,10 +28,10 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
     They are interfaces, and packages of the workspace that CMake builds without Python.
 
     ## Why is this bad?
-    `install_requires` names what pip installs: `pip install .` ends with "No matching distribution found for std_msgs",
-    and `pip check` complains. colcon does not mind, nor do the executables of any supported distribution: those of
-    Foxy and before ended with "DistributionNotFound: The 'std_msgs' distribution was not found". Dependencies on ROS
-    packages belong in package.xml.
+    `install_requires` names what pip installs from PyPI, where no ROS package is: outside of a sourced ROS,
+    `pip install .` ends with "No matching distribution found for std_msgs". colcon and rosdep do not read it, nor do
+    the executables of any supported distribution: those of Foxy and before ended with "DistributionNotFound: The
+    'std_msgs' distribution was not found". Dependencies on ROS packages belong in package.xml.
 
     ## When it is quiet
     For packages with Python modules, and for names that are neither a package of the workspace nor end in `_msgs`.
@@ -43,7 +43,7 @@ def ros_package_in_install_requires(requirements: InstallRequires) -> Iterator[H
         edits = remove_item(requirements.package.setup, "install_requires", said)
         fix = Fix(f"remove `{name}` from install_requires", edits, Safety.UNSAFE) if edits else None
         message = (
-            f"`{name}` is no Python distribution: pip finds none, colcon does not look; remove it here, and declare "
-            f"it in package.xml as `<exec_depend>{name}</exec_depend>`"
+            f"`{name}` is not on PyPI, and neither colcon nor rosdep reads this list; remove it here, and declare it "
+            f"in package.xml as `<exec_depend>{name}</exec_depend>`"
         )
         yield Hit(said.path, said.shown, message, fix=fix)
