@@ -174,11 +174,11 @@ def test_types_kinds_and_tests_are_listed_with_what_they_are(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 8)
-    said = capsys.readouterr().err.replace(": ", ":\n").splitlines()
-    assert "  ament_cmake   a C++ package with nodes" in said
-    assert "  timer          a node that counts down" in said
-    assert "  minimal  what needs neither ROS nor ament" in said
-    assert "  pre-commit    checks before each commit" in said
+    said = [" ".join(line.split()) for line in capsys.readouterr().err.replace(": ", ":\n").splitlines()]
+    assert "ament_cmake a C++ package with nodes" in said
+    assert "timer a node that counts down" in said
+    assert "minimal what needs neither ROS nor ament" in said
+    assert "pre-commit checks before each commit" in said
 
 
 def content(folder: Path) -> dict[str, bytes]:

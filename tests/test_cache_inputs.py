@@ -46,7 +46,7 @@ OUTSIDE = (
 WRITING = ("engine.fixing", "cli.lint.add_ignores")
 """Their runs are never kept."""
 
-OWN = {"ros.read_table", "resources", "search_path", "rule_docs", "rule_table", "report.html"}
+OWN = {"ros.read_table", "resources", "search_path", "rule_docs", "rule_table", "report.html", "graph.as_html"}
 """They read what rospkg is made of, which the key holds as a whole."""
 
 STREAMS = {"cli.streams", "cli.progress"}

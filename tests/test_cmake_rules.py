@@ -12,7 +12,7 @@ from rospkg_cli.finding import Safety, Severity
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.rules.cmake import cmk113_missing_export_dependency as cmk113
 from rospkg_cli.testing import lint_files
-from rospkg_cli.tree import MemoryTree
+from rospkg_cli.tree import MemoryTree, TreeEntry
 
 RVIZ = {"rviz/robot.rviz": "Panels: []\n"}
 OPENS = """\
@@ -292,7 +292,7 @@ def test_what_tests_and_parameters_need(lines: str, count: int) -> None:
         ("tf2::tf22", ""),
         ("nav_msgs::nav_smgs", "nav_msgs::nav_msgs"),
         ("nav_msgs::nav_msgs", ""),
-        ("nav_msgs::nav_msg", ""),
+        ("nav_msgs::nav_msg", "nav_msgs::nav_msgs"),
         ("Rclcpp::rclcpp", "rclcpp::rclcpp"),
         ("rclcpP::rclcpp", ""),
     ],
@@ -501,3 +501,10 @@ def test_an_unset_variable_says_what_is_left() -> None:
 )
 def test_files_that_are_for_run_time(path: str, count: int) -> None:
     assert len(said({**package(""), path: "a\n"}, "CMK101")) == count
+
+
+@pytest.mark.parametrize(("more", "count"), [("", 1), (" RENAME hello", 0), (" PERMISSIONS OWNER_EXECUTE", 0)])
+def test_a_bit_is_not_needed_where_ament_makes_no_link(more: str, count: int) -> None:
+    files = package(f"install(PROGRAMS scripts/hello.py{more} DESTINATION lib/${{PROJECT_NAME}})")
+    files = {**files, "scripts/hello.py": TreeEntry("file", b"#!/bin/sh\necho\n", 0o644)}
+    assert len(lint_files(files, ["CMK105"]).findings) == count

@@ -107,6 +107,11 @@ CASES = {
             ("acme_robot_test", "bcme_robot_test"), ("acme_robot_test", "acme_robot_test_dir"),
         )
     ),
+    "SET301": tuple(
+        Example(bad={**OWN, "README.md": text, "my_pkg/my_pkg/speech/words.py": "A = 1\n",
+                     "my_pkg/my_pkg/a.py": "from my_pkg.speech.words import A\n"}, good={}, on="")
+        for text in ("colcon build --symlink-install\n", "colcon build\n")
+    ),
     "IDL008": (
         on_python(BATTERY),
         on_python({**BATTERY, "my_pkg/a.py": "    from my_pkg import (msg)\n"}),

@@ -48,7 +48,11 @@ SPACED = tuple(
 CASES = {
     "XML001": python(("</license>\n", "</license>\n  stray words\n")),
     "XML003": python(('format="3"', 'format=" 3 "')) + SPACED,
-    "XML004": python(('format="3">', 'format="2">'), ("<version>", '<version compatibility="1.0.0">')),
+    "XML004": python(
+        ('format="3">', 'format="2">'),
+        ("package_format3", "package_format2"),
+        ("<version>", '<version compatibility="1.0.0">'),
+    ),
     "XML103": python(("1.0.0", "1.02.0")),
     "XML205": python(("<test_depend>", '<test_depend version_gte="two">')),
 }

@@ -15,6 +15,7 @@ from venvs import COLCON, venv
 
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.family import plan_family, write_family
+from rospkg_cli.scaffold.family_root import family_root
 from rospkg_cli.scaffold.plan import Plan
 
 pytestmark = [pytest.mark.debian, pytest.mark.network]
@@ -105,8 +106,9 @@ STATUS = "RobotStatus:std_msgs/Header header, float32 battery_level, string curr
 def test_a_family_builds(colcon: Shell, debian_colcon: Shell, tmp_path: Path, name: str) -> None:
     template, options = FAMILIES[name]
     asked = {**ADA, "distro": "humble", "template": template, "msgs": (STATUS,), "srvs": ("Go",)}
-    plans = plan_family(Request("my_robot", **asked), tmp_path, {})
-    write_family(plans, tmp_path / "src")
+    request = Request("my_robot", **asked)
+    plans = plan_family(request, tmp_path, {})
+    write_family(plans, tmp_path / "src", family_root(request, tmp_path / "src", "humble"))
     prefixes = os.pathsep.join((str(PREFIX), str(message_prefix(debian_colcon))))
     built = colcon.run("colcon", "build", *options, cwd=tmp_path, CMAKE_PREFIX_PATH=prefixes)
     assert (built.returncode, built.stderr) == (0, "")

@@ -13,6 +13,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
+from ...package.cmake.install_rules import InstallRule
 from ...ros.share_layout import LAUNCH
 from .module_imports import is_only_imported
 
@@ -35,6 +36,11 @@ USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILIN
 class BrokenScript:
     copy: CopiedFile
     wrong: Wrong
+
+
+def is_copied(rule: InstallRule) -> bool:
+    """Return whether a file is copied with `--symlink-install`, too: ament has no link for what these words ask for."""
+    return rule.rename is not None or bool(rule.permissions)
 
 
 @dataclass(frozen=True)
@@ -79,7 +85,7 @@ class InstalledScripts:
         if copy.rule.kind == "PROGRAMS":
             if not shebang:
                 return "no shebang" if self.is_python(copy.source) and self.does_something(copy.source) else None
-            return None if bit else "no bit"
+            return None if bit or is_copied(copy.rule) else "no bit"
         if not shebang or not self.is_runnable(copy.source):
             return None
         if copy.rule.kind == "FILES":

@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
@@ -13,6 +14,8 @@ from ...package.setup.setup_text import SetupText
 from .module_exports import absolute
 from .python_package import PythonPackage
 
+BUILDS = ("build.sh", "Makefile", "Dockerfile", "colcon_defaults.yaml", "README.md")
+LINKS = "symlink-install"
 TESTS = frozenset({"test", "tests", "testing"})
 
 
@@ -58,6 +61,14 @@ class ModuleTree:
             inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
             found.setdefault(inner, []).append((entry, path))
         return found
+
+    @cached_property
+    def linking(self) -> str:
+        """The file above the package that builds it with links to its sources; "" for none."""
+        files = self.package.files
+        whole = PackageFiles(files.whole) if files.whole is not None else files
+        found = (path for name in BUILDS if (path := files.above((name,))) is not None)
+        return next((path for path in found if LINKS in whole.readable_text(path)), "")
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:

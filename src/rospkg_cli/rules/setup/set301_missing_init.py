@@ -21,7 +21,7 @@ MISSPELT = regex(r"/_{0,3}init_{0,3}\.py$")
     "missing-init",
     over=ModuleTree,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing in the package imports it"},
+    levels={Severity.WARNING: "nothing in the package imports it, or the workspace is built with `--symlink-install`"},
     examples=(
         Example(
             bad={**FILES, "my_pkg/speech/words.py": "«»GREETING = 'hello'\n"},
@@ -38,7 +38,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
 
     ## Why is this bad?
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
-    In the source folder, and with `--symlink-install`, it works, so the error is found late.
+    In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a build.sh
+    or the like above the package builds that way, it is a warning.
 
     ## When it is quiet
     With `find_namespace_packages()`, in folders of tests, where setup.py generates the folder's modules, and where
@@ -52,10 +53,12 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             imported, what = False, "setuptools says so at each build, and find_packages() would pass it over"
         else:
             what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"
+            what += f", but for `--symlink-install` (`{tree.linking}`)" if tree.linking else ""
         start = f"`{folder}/` has no `__init__.py`: {what}"
         init, wrong = f"{folder}/__init__.py", next((path for path in inside if MISSPELT.search(path)), None)
         if wrong is not None:
             message, fix = f"{start}; rename `{wrong}`", Fix(f"rename {wrong} to __init__.py", (Move(wrong, init),))
         else:
             message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),))
-        yield Hit(inside[0], Span(0, 0), message, level=None if imported else Severity.WARNING, fix=fix)
+        level = None if imported and not tree.linking else Severity.WARNING
+        yield Hit(inside[0], Span(0, 0), message, level, fix=fix)
