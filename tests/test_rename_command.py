@@ -109,3 +109,14 @@ def test_names_of_earlier_builds_are_told(workspace: Path) -> None:
     done = run_here("rename", "old_name", "new_name", "--dry-run", cwd=workspace / "src/old_name/resource")
     assert "are left of earlier builds" in done.stderr
     assert "the current folder gets another name" in done.stderr
+
+
+def test_a_folder_that_is_the_whole_workspace_keeps_its_name(tmp_path: Path, write: Write) -> None:
+    write(tmp_path, below("old_name", python_package("old_name")))
+    done = run_here("rename", "old_name", "new_name", "--dry-run", cwd=tmp_path)
+    assert "`old_name` keeps its name: no workspace is around it; to rename it too: mv old_name new_name" in done.stderr
+    inside = run_here("rename", ".", "new_name", "--dry-run", cwd=tmp_path / "old_name")
+    assert "to rename it too: mv ../old_name ../new_name" in inside.stderr
+    write(tmp_path / "aside/folder", python_package("old_name"))
+    other = run_here("rename", "folder", "new_name", "--dry-run", cwd=tmp_path / "aside")
+    assert "the folder `folder` keeps its name: it is not that of the package" in other.stderr

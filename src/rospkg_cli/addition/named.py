@@ -6,6 +6,7 @@ import re
 
 from ..lazy_regex import regex
 from ..package.package import Package
+from ..scaffold.answers_record import RECORD
 
 TALK = (".md", ".rst", ".txt", ".html", ".svg")
 """Suffixes of files that only speak of packages; CMakeLists.txt is none of them."""
@@ -48,7 +49,7 @@ def is_code(path: str) -> bool:
     name = path.rpartition("/")[2]
     if name == "CMakeLists.txt":
         return True
-    return name not in ("package.xml", "LICENSE") and not name.endswith(TALK)
+    return name not in ("package.xml", "LICENSE", RECORD) and not name.endswith(TALK)
 
 
 def code_of(package: Package, path: str, name: str) -> str:

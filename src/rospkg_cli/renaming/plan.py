@@ -11,6 +11,7 @@ from ..files import PackageFiles
 from ..finding import Edit
 from ..light_dataclasses import dataclass
 from ..package.package import Package
+from ..scaffold.answers_record import RECORD
 from ..source import Source, Span
 from ..tree import Tree
 from .folder_paths import MovedFolders, folder_paths, moved_folders
@@ -98,10 +99,13 @@ def refuse_taken(paths: Iterable[str], moves: dict[str, str]) -> None:
 
 
 def texts_with(tree: Tree, name: str) -> Iterator[tuple[str, str]]:
-    """Yield the files that hold a name, with their texts; links lead to files that have their own path."""
+    """Yield the files that hold a name, with their texts; links lead to files that have their own path.
+
+    What `new --update` reads holds the name of its day, and is understood under that.
+    """
     data = name.encode()
     for path, kind in tree.files().items():
-        if kind != "file" or path.lower().endswith(UNREAD):
+        if kind != "file" or path.lower().endswith(UNREAD) or path.rpartition("/")[2] == RECORD:
             continue
         try:
             entry = tree.entry(path)

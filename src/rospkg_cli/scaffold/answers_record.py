@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -47,11 +47,13 @@ def with_record(plan: Plan) -> Plan:
     """Return a plan that writes the record too; a minimal package is to be read as a whole, and has none."""
     if plan.asked.minimal:
         return plan
-    record = RenderedFile(RECORD, TreeEntry("file", record_text(plan.asked, plan.files).encode()), ABOUT)
+    lines = {file.path: digests(file.entry.data) for file in plan.files}
+    record = RenderedFile(RECORD, TreeEntry("file", record_text(plan.asked, lines).encode()), ABOUT)
     return replace(plan, files=tuple(sorted((*plan.files, record), key=lambda file: file.path)))
 
 
-def record_text(asked: Request, files: Iterable[RenderedFile]) -> str:
+def record_text(asked: Request, lines: Mapping[str, Sequence[str]]) -> str:
+    """Return the text of a record; `lines` are the digests of each file's lines by its path."""
     return "\n".join(
         [
             f"{HEAD}rospkg = {quoted(__version__)}",
@@ -60,7 +62,7 @@ def record_text(asked: Request, files: Iterable[RenderedFile]) -> str:
             *answer_lines(asked),
             "",
             "[lines]",
-            *digest_lines(files),
+            *digest_lines(lines),
             "",
         ]
     )
@@ -74,10 +76,10 @@ def answer_lines(asked: Request) -> Iterator[str]:
             yield f"{name} = {json.dumps(value, ensure_ascii=False)}"
 
 
-def digest_lines(files: Iterable[RenderedFile]) -> Iterator[str]:
-    for file in files:
-        yield f'{quoted(file.path)} = """'
-        yield from textwrap.wrap(" ".join(digests(file.entry.data)), 99, break_on_hyphens=False, break_long_words=False)
+def digest_lines(lines: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    for path in sorted(lines):
+        yield f'{quoted(path)} = """'
+        yield from textwrap.wrap(" ".join(lines[path]), 99, break_on_hyphens=False, break_long_words=False)
         yield '"""'
 
 
@@ -91,17 +93,24 @@ def read_record(package: Path) -> AnswersRecord:
     path = package / RECORD
     try:
         with path.open("rb") as stream:
-            text = stream.read(LARGEST).decode()
+            data = stream.read(LARGEST)
     except FileNotFoundError:
         raise ScaffoldError(
             f"`{package}` has no `{RECORD}`, so what it was made with is unknown; `rospkg new NAME --diff` shows how "
             "it differs from a new one"
         ) from None
-    except (OSError, UnicodeError) as error:
+    except OSError as error:
         raise ScaffoldError(f"`{path}` can't be read: {error}") from error
+    return record_in(data, str(path))
+
+
+def record_in(text: bytes, path: str) -> AnswersRecord:
+    """Return the record that a file at a path holds; raises ScaffoldError where it holds none."""
     try:
-        data = tomllib.loads(text)
+        data = tomllib.loads(text.decode())
         return AnswersRecord(request_of(data["answers"]), lines_of_files(data["lines"]))
+    except UnicodeError as error:
+        raise ScaffoldError(f"`{path}` can't be read: {error}") from error
     except KeyError as error:
         raise ScaffoldError(f"`{path}` lacks the key {error}; take it from git as it was written") from error
     except (ValueError, TypeError, AttributeError, RecursionError) as error:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ...addition.dependency import AddedDependency, manifest_of
+from ...addition.kept_record import keep_record
 from ...addition.named import is_needed
 from ...addition.node import names_message
 from ...addition.part import Part, put_in, take_out
@@ -30,6 +31,7 @@ def add_to(place: ChangePlace, wanted: Wanted, options: ChangeOptions) -> int:
         for name in wanted.names:
             parts = parts_to_add(draft.package(place.folder), wanted, name, around(place, name))
             put_in(draft, place.folder, parts)
+        keep_record(draft, (place.root / place.folder).parent, place.folder, wanted, adds=True)
     except ScaffoldError as error:
         raise ChangeError(str(error)) from error
     return finish(place, draft, options)
@@ -52,6 +54,7 @@ def remove_from(place: ChangePlace, wanted: Wanted, options: ChangeOptions, allo
             parts = parts_to_remove(draft.package(place.folder), wanted, name, there)
             exact &= take_out(draft, place.folder, parts)
             every += parts
+        keep_record(draft, (place.root / place.folder).parent, place.folder, wanted, adds=False)
     except ScaffoldError as error:
         raise ChangeError(str(error)) from error
     if not (exact or allow_dirty or options.dry_run or options.diff):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator
+from pathlib import Path
 
 from ...control_characters import visible
 from ...current_folder import current_folder
@@ -20,8 +22,13 @@ MAX_WIDTH = 120
 def notes_on(place: ChangePlace, plan: RenamePlan, old: str, new: str) -> Iterator[str]:
     """Yield a sentence on each thing that a user should know before and after."""
     package = plan.package
-    if package.folder not in plan.renamed:
-        yield f"the folder `{place.root.joinpath(package.folder).name}` keeps its name: it is not that of the package"
+    folder = place.root / package.folder
+    if package.folder not in plan.renamed and folder.name == old:
+        above = Path(relative(folder.parent))
+        move = shlex.join(["mv", str(above / old), str(above / new)])
+        yield f"the folder `{old}` keeps its name: no workspace is around it; to rename it too: {move}"
+    elif package.folder not in plan.renamed:
+        yield f"the folder `{folder.name}` keeps its name: it is not that of the package"
     if package.has_executable:
         yield f"the executable `{old}` is called `{new}` too: `ros2 run {new} {new}`"
     if package.has_library:
