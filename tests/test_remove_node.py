@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from adding import added, cmake_package, comes_back, python_package
+from adding import added, cmake_package, comes_back, python_package, taken, text
 
 from rospkg_cli.example import SETUP_PY
 
@@ -28,3 +28,20 @@ SEVERAL = "subscriber:sensor_msgs/Imu@/imu:sensor_data+publisher:geometry_msgs/T
 def test_what_add_wrote_is_taken_away_without_force(files: dict[str, str], asked: str) -> None:
     draft = added(files, "node", f"idler:{asked}")
     comes_back(files, draft, "node", "idler")
+
+
+INSTALLED = "install(TARGETS old DESTINATION lib/${PROJECT_NAME})\nament_python_install_package(${PROJECT_NAME})\n"
+
+
+@pytest.mark.parametrize("found", ["find_package(ament_cmake_python REQUIRED)\n", ""])
+def test_a_python_package_that_was_installed_before_stays(found: str) -> None:
+    cmake = (
+        f"cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n\nfind_package(ament_cmake REQUIRED)\n{found}"
+        f"add_executable(old src/old.cpp)\n{INSTALLED}\ninstall(PROGRAMS\n  scripts/old\n"
+        "  DESTINATION lib/${PROJECT_NAME}\n)\n\nament_package()\n"
+    )
+    files = cmake_package(cmake, **{"my_pkg/__init__.py": "", "scripts/old": "#!/usr/bin/env python3\n"})
+    before = added(files, "node", "idler:empty:python")
+    after, _ = taken(before, "node", "idler")
+    assert text(after, "CMakeLists.txt") == cmake
+    assert after.entry("my_pkg/__init__.py") is not None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ..change.draft import Draft
 from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_script
 from ..edits.cmake_python import FINDER, install_python_package
@@ -52,7 +53,10 @@ class InstalledPythonPackage:
         return install_python_package(cmake, self.module)
 
     def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield the removal, nothing where the folder still has modules, or the build makes some."""
+        """Yield the removal where `add` would bring it back to the byte: any other call was there before the node.
+
+        Nothing where the folder still has modules, or the build makes some.
+        """
         cmake = cmake_of(package)
         if any("PYTHON_INSTALL_DIR" in file.source.text or "pybind11" in file.source.text for file in cmake.files):
             return
@@ -63,8 +67,17 @@ class InstalledPythonPackage:
         finders = [each for each in cmake.root.top if [a.text for a in each.arguments] == [FINDER, "REQUIRED"]]
         finding = tuple(remove(cmake.root, each) for each in finders[-1:])
         for found in block_removals(cmake.root, f"ament_python_install_package({shown})"):
-            yield (*finding, *found)
-            yield found
+            yield from (way for way in ((*finding, *found), found) if self.comes_back(package, way))
+
+    def comes_back(self, package: Package, way: Operations) -> bool:
+        """Return whether the same file is there after a removal and an addition."""
+        draft = Draft(package.files.tree)
+        try:
+            draft.apply("", way)
+        except ValueError:  # two of the edits overlap: this way is none
+            return False
+        draft.apply("", self.add(draft.package("")))
+        return not draft.changes
 
 
 @dataclass(frozen=True)
