@@ -119,3 +119,11 @@ def test_the_command(tmp_path: Path, write: Write) -> None:
     assert "'steer = robot.drive:main'" in (root / "src/robot/setup.py").read_text()
     wrong = run_here("rename", "node", "steer", "New", cwd=root / "src/robot")
     assert (wrong.returncode, "`New` can't be the name of a node" in wrong.stderr) == (2, True)
+
+
+def test_a_node_called_like_its_package_is_refused_without_an_option_of_another_command(
+    tmp_path: Path, write: Write
+) -> None:
+    write(tmp_path, PYTHON)
+    done = run_here("rename", "node", "drive", "robot", "--package", "robot", cwd=tmp_path)
+    assert (done.returncode, "--node" in done.stderr, "; try `robot_node`" in done.stderr) == (2, False, True)

@@ -45,7 +45,7 @@ def check_node_name(name: str, package: str) -> None:
     check_form("node", name)
     if name == package:
         reason = "the module would have the name of its package, and `import` could find the wrong one"
-        raise ScaffoldError(f"a node can't be called like its package: {reason}; try `--node {name}_node`")
+        raise ScaffoldError(f"a node can't be called like its package: {reason}; try `{name}_node`")
     if name == "conftest":
         raise ScaffoldError(
             "pytest takes a module `conftest` for its own setup, and would import it; choose another name"
