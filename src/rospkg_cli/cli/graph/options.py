@@ -9,6 +9,7 @@ from typer import Argument, Option
 
 from ..arguments import one_of, split
 from ..complete import choices, listed
+from ..page_on_terminal import refuse_page_on_terminal
 
 EPILOG = (
     "Examples:  rospkg graph src/  ·  rospkg graph --around my_robot_nav --depth 2  ·  "
@@ -49,6 +50,7 @@ def graph(
     from .run import graph as show
 
     one_of("--format", format, FORMATS)
+    refuse_page_on_terminal(format, "graph")
     kinds = split(kind)
     for each in kinds:
         one_of("--kind", each, GRAPH_KINDS)

@@ -10,6 +10,7 @@ from ...disk_trace import is_file, is_folder
 from ...report import FORMATS
 from .. import UsageError
 from ..arguments import one_of, split
+from ..page_on_terminal import refuse_page_on_terminal
 from .lint_options import LintOptions
 
 LEVELS = ("error", "warning", "info")
@@ -56,6 +57,7 @@ def refuse_wrong_values(typed: dict[str, Any]) -> None:
         raise UsageError(
             f"--statistics is printed as text or json, not as `{typed['format']}`; give --format text or json"
         )
+    refuse_page_on_terminal(typed["format"], "lint")
     one_of("--color", typed["color"], ("auto", "always", "never"))
     for option, level in (("--fail-on", typed["fail_on"]), ("--fix-level", typed["fix_level"])):
         if level is not None:
