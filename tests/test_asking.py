@@ -58,6 +58,24 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
     assert "License (SPDX identifier) [Apache-2.0]: " in said.err
 
 
+def test_launch_formats_and_distributions_stand_in_lines_of_their_own(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answer(monkeypatch, Request("my_pkg", maintainer="Ada", email="ada@example.org"), *[""] * 9)
+    said = capsys.readouterr().err
+    assert "  yaml  YAML, as short, in lists and keys\n  none  no launch file\nLaunch file [py]: " in said
+    assert "  humble   Humble Hawksbill on Ubuntu 22.04, an LTS until 2027-05\n" in said
+    assert "\n  kilted   Kilted Kaiju on Ubuntu 24.04, until 2026-12\n" in said
+    assert "\n  rolling  Rolling Ridley on Ubuntu 26.04, always the newest\nDistribution [" in said
+
+
+def test_a_package_that_starts_others_is_not_offered_no_launch_file(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answer(monkeypatch, Request("my_bringup", template="bringup", **ADA), *[""] * 9)
+    assert "in lists and keys\nLaunch file [py]: " in capsys.readouterr().err
+
+
 def test_a_wrong_answer_is_explained_and_asked_again(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

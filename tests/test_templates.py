@@ -66,7 +66,7 @@ DEPENDS = {"nothing": (), "something": ("sensor_msgs", "python3-numpy", "launch_
 WITH_NODES = [name for name in template_names() if load_template(name).kinds]
 FACTORS = {
     "distro": [distro.name for distro in DISTROS],
-    "launch": LAUNCH_FORMATS,
+    "launch": tuple(LAUNCH_FORMATS),
     "params": (True, False),
     "tests": tuple(TEST_LEVELS),
     "depends": tuple(DEPENDS),

@@ -17,7 +17,7 @@ from planned import plan, texts
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
 from rospkg_cli.scaffold.extras import all_extras
-from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
+from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS, NO_FILE
 from rospkg_cli.scaffold.plan import Plan
 from rospkg_cli.scaffold.template import load_template, template_names
 from rospkg_cli.scaffold.user_text import UnescapedError, UserText, comment, markdown, pieces_of, user_text
@@ -113,7 +113,7 @@ NAMES = st.from_regex(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", fullmatch=True).filter(lam
 
 
 @settings(deadline=None, max_examples=20)
-@given(NAMES, st.sampled_from(template_names()), st.sampled_from(LAUNCH_FORMATS[:3]))
+@given(NAMES, st.sampled_from(template_names()), st.sampled_from(sorted({*LAUNCH_FORMATS} - {NO_FILE})))
 def test_any_name_fits_every_type_of_package(name: str, template: str, launch: str) -> None:
     try:
         planned = plan(name, template=template, launch=launch if load_template(template).launches else "")

@@ -9,15 +9,28 @@ from .answers import Answers
 from .requested_node import RequestedNode
 from .template import Template
 
-LAUNCH_FORMATS = ("py", "xml", "yaml", "none")
+NO_FILE = "none"
+
+LAUNCH_FORMATS = {
+    "py": "Python, the most common; it may compute what it starts",
+    "xml": "XML, shorter",
+    "yaml": "YAML, as short, in lists and keys",
+    NO_FILE: "no launch file",
+}
+"""What may be asked for, with what each is."""
 
 
 def check_typed(asked: str, template: Template) -> None:
     """Raise ScaffoldError where a format was typed and the template can't have it."""
     if asked and not template.launches:
         raise ScaffoldError(f"a package of --type {template.name} has no launch file; leave --launch out")
-    if asked == "none" and not template.kinds:
+    if asked == NO_FILE and not template.kinds:
         raise ScaffoldError(f"launch files are what a package of --type {template.name} is for: py, xml or yaml")
+
+
+def formats_for(template: Template) -> dict[str, str]:
+    """Return the formats that a template's launch files can have, with what each is."""
+    return {name: what for name, what in LAUNCH_FORMATS.items() if template.kinds or name != NO_FILE}
 
 
 def launch_format(asked: str, template: Template) -> str:
@@ -30,8 +43,8 @@ def launch_format(asked: str, template: Template) -> str:
             f"there are no launch files in `{asked}`{did_you_mean(asked, LAUNCH_FORMATS)}; "
             f"known: {', '.join(LAUNCH_FORMATS)}"
         )
-    if asked == "none":
-        return LAUNCH_FORMATS[0] if template.launches and not template.kinds else ""
+    if asked == NO_FILE:
+        return next(iter(LAUNCH_FORMATS)) if template.launches and not template.kinds else ""
     return asked
 
 

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ...light_dataclasses import dataclass
-from ...ros.distros import DISTROS
+from ...ros.distros import DISTROS, Distro
 from ...scaffold.answers import Request
 from ...scaffold.extras import extras_with_meaning
-from ...scaffold.launch_format import LAUNCH_FORMATS
+from ...scaffold.launch_format import formats_for
 from ...scaffold.maintainer import find_maintainer
 from ...scaffold.node import default_nodes
 from ...scaffold.node_kinds import all_kinds
@@ -24,6 +24,13 @@ def types() -> dict[str, str]:
     """Return the types of packages, each with its title as the rest of a sentence."""
     titles = {name: load_template(name).title for name in template_names()}
     return {name: title[:1].lower() + title[1:] for name, title in titles.items()}
+
+
+def about_distro(distro: Distro) -> str:
+    """Return what a distribution is for, and for how long."""
+    end = f"until {distro.end_of_life}" if distro.end_of_life else "always the newest"
+    end = f"an LTS {end}" if distro.lts else end
+    return f"{distro.title} on Ubuntu {distro.ubuntu}, {end}"
 
 
 @dataclass(frozen=True)
@@ -68,15 +75,17 @@ QUESTIONS = (
     Question("depends", "Dependencies: packages and rosdep keys (comma-separated)"),
     Question(
         "launch",
-        f"Launch file: {', '.join(LAUNCH_FORMATS)}",
+        "Launch file",
         lambda request, folder: LAUNCH,
         lambda template: template.launches,
+        formats_for,
     ),
     Question("tests", "Tests", lambda request, folder: TESTS, choices=lambda template: TEST_LEVELS),
     Question(
         "distro",
-        f"Distribution: {', '.join(each.name for each in DISTROS)}",
+        "Distribution",
         lambda request, folder: distro_of("", []).name,
+        choices=lambda template: {each.name: about_distro(each) for each in DISTROS},
     ),
     Question("description", "Description, in one sentence", lambda request, folder: "from its content"),
     Question("license", "License (SPDX identifier)", lambda request, folder: LICENSE),
