@@ -9,12 +9,14 @@ from adding import put
 from in_process import run_here
 from planned import plan
 
+from rospkg_cli.addition import kept_record
 from rospkg_cli.addition.kept_record import keep_record
 from rospkg_cli.addition.part import take_out
 from rospkg_cli.addition.wanted import Wanted, parts_to_remove
 from rospkg_cli.change.draft import Draft
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.write_all import write_all
+from rospkg_cli.scaffold import OwnFaultError, ScaffoldError
 from rospkg_cli.scaffold.answers_record import RECORD, AnswersRecord, read_record, with_record
 from rospkg_cli.scaffold.update import UpdatedFile, updates
 from rospkg_cli.scaffold.workspace import WorkspacePackages
@@ -56,15 +58,14 @@ def updated(package: Path, name: str = "my_pkg", **asked: object) -> dict[str, U
     return {each.path: each for each in updates(package, read_record(package), name, new.files)}
 
 
-@pytest.mark.parametrize(("template", "build"), [("ament_python", "setup.py"), ("ament_cmake", "CMakeLists.txt")])
-def test_an_update_after_an_addition_conflicts_with_nothing(tmp_path: Path, template: str, build: str) -> None:
-    package = made(tmp_path, template=template, nodes=("talker",))
+def test_an_update_after_an_addition_conflicts_with_nothing(tmp_path: Path) -> None:
+    package = made(tmp_path, template="ament_cmake", nodes=("talker",))
     before = content(package)
     record = added(package, "node", "extra:timer", "watch:timer")
     assert record.request.nodes == ("talker", "extra:timer", "watch:timer")
-    found = updated(package, template=template, nodes=(*record.request.nodes, "more:service"))
+    found = updated(package, template="ament_cmake", nodes=(*record.request.nodes, "more:service"))
     assert {each.status for each in found.values()} == {"created", "updated", "identical"}
-    assert (found[build].status, found["README.md"].status) == ("updated", "updated")
+    assert (found["CMakeLists.txt"].status, found["README.md"].status) == ("updated", "updated")
     removed(package, "node", "watch")
     removed(package, "node", "extra")
     assert content(package) == before
@@ -139,3 +140,16 @@ def test_a_record_that_can_not_be_kept_hinders_nothing(tmp_path: Path, text: str
     put(draft, wanted)
     keep_record(draft, tmp_path, "", wanted, adds=True)
     assert RECORD not in draft.changes
+
+
+@pytest.mark.parametrize("fault", [ScaffoldError("no"), OwnFaultError("no")])
+def test_an_addition_that_new_can_not_plan_stays_the_users_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: Exception
+) -> None:
+    def make_plan(*_: object) -> None:
+        raise fault
+
+    package = made(tmp_path, nodes=("talker",))
+    before = read_record(package)
+    monkeypatch.setattr(kept_record, "make_plan", make_plan)
+    assert added(package, "node", "extra:timer") == before

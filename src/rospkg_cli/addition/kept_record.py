@@ -8,7 +8,7 @@ from typing import Any
 
 from ..change.draft import Draft, entry_in
 from ..light_dataclasses import dataclass, replace
-from ..scaffold import ScaffoldError
+from ..scaffold import OwnFaultError, ScaffoldError
 from ..scaffold.answers import Request
 from ..scaffold.answers_record import RECORD, AnswersRecord, record_in, record_text
 from ..scaffold.line_digests import digests
@@ -50,7 +50,7 @@ def keep_record(draft: Draft, place: Path, folder: str, wanted: Wanted, adds: bo
         old = Renamed(name, record.request.name or name)
         made = {old.text(file.path): digests(old.data(file.entry.data)) for file in planned}
         lines = lines_after(record, changed_files(draft, folder, old), made, wanted.what == "dependency" and adds)
-    except (ScaffoldError, UnicodeError):
+    except (ScaffoldError, OwnFaultError, UnicodeError):
         return
     if lines is not None:
         draft.put({path: replace(entry, data=record_text(request, lines).encode())})
