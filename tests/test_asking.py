@@ -32,7 +32,7 @@ def talk(lines: str, cwd: Path, *options: str) -> Done:
 def test_nothing_answered_is_what_nothing_typed_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     asked = Request("my_pkg", **ADA)
-    assert answer(monkeypatch, asked, *[""] * 8) == asked
+    assert answer(monkeypatch, asked, *[""] * 9) == asked
 
 
 def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -42,6 +42,7 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
         "talker, driver:component",
         "nav_msgs",
         "xml",
+        "generate",
         "minimal",
         "jazzy",
         "Drives.",
@@ -50,6 +51,7 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
     found = answer(monkeypatch, Request(""), *given, "Ada", "ada@example.org", "ci, docs")
     assert found == Request(
         "my_pkg", "ament_cmake", ("talker", "driver:component"), ("nav_msgs",), launch="xml", tests="minimal",
+        parameters="generate",
         distro="jazzy", description="Drives.", license="MIT", maintainer="Ada", email="ada@example.org",
         extras=("ci", "docs"),
     )  # fmt: skip
@@ -61,7 +63,7 @@ def test_every_answer_finds_its_place(monkeypatch: pytest.MonkeyPatch, capsys: p
 def test_launch_formats_and_distributions_stand_in_lines_of_their_own(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    answer(monkeypatch, Request("my_pkg", maintainer="Ada", email="ada@example.org"), *[""] * 9)
+    answer(monkeypatch, Request("my_pkg", maintainer="Ada", email="ada@example.org"), *[""] * 10)
     said = capsys.readouterr().err
     assert "  yaml  YAML, as short, in lists and keys\n  none  no launch file\nLaunch file [py]: " in said
     assert "  humble   Humble Hawksbill on Ubuntu 22.04, an LTS until 2027-05\n" in said
@@ -89,6 +91,8 @@ def test_a_wrong_answer_is_explained_and_asked_again(
         "my_pkg",
         "",
         "",
+        "generated",
+        "",
         "",
         "",
         "WTFPL",
@@ -103,6 +107,7 @@ def test_a_wrong_answer_is_explained_and_asked_again(
         "did you mean `ament_python`",
         "did you mean `publisher`",
         "depend on itself",
+        "did you mean `generate`",
         "`WTFPL`",
     ):
         assert why in said
@@ -119,7 +124,7 @@ def test_what_was_typed_is_not_asked_and_the_config_is_the_default(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     typed = Request("my_pkg", "mixed", nodes=("a1", "b1:python"), launch="yaml", tests="none", **ADA)
-    assert answer(monkeypatch, typed, "", "", "", "", license="MIT") == typed
+    assert answer(monkeypatch, typed, "", "", "", "", "", license="MIT") == typed
     said = capsys.readouterr().err
     assert "License (SPDX identifier) [MIT]: " in said
     assert "Type" not in said
@@ -134,7 +139,8 @@ def test_answers_that_end_too_soon_write_nothing(tmp_path: Path) -> None:
 
 
 def test_the_command_at_the_end_writes_the_same(tmp_path: Path) -> None:
-    lines = 'my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\n\nhumble\nDrives "it".\nMIT\nAda\nada@example.org\nci\n\n'
+    lines = "my_pkg\n\ntalker,counter:timer\nnav_msgs\nyaml\ngenerate\n\n"
+    lines += 'humble\nDrives "it".\nMIT\nAda\nada@example.org\nci\n\n'
     done = talk(lines, tmp_path, "--into", "one")
     assert done.returncode == 0, done.stderr
     [command] = [line for line in done.stderr.splitlines() if "the same without questions: " in line]
@@ -152,7 +158,7 @@ ADA_TYPED = ("my_pkg", "--maintainer", "Ada", "--email", "ada@example.org", "--d
     ("said", "writes"), [("", True), ("Y", True), ("maybe\nyes", True), ("n", False), ("no", False)]
 )
 def test_it_writes_after_a_summary_and_a_yes(tmp_path: Path, said: str, writes: bool) -> None:
-    done = talk("\n" * 8 + f"{said}\n", tmp_path, *ADA_TYPED)
+    done = talk("\n" * 9 + f"{said}\n", tmp_path, *ADA_TYPED)
     assert done.returncode == 0, done.stderr
     assert "my_pkg: ament_python, A ROS 2 node that publishes a greeting at a steady rate\n" in done.stderr
     assert "  nodes        my_pkg_node (publisher, Python)\n" in done.stderr
@@ -168,14 +174,14 @@ def test_it_writes_after_a_summary_and_a_yes(tmp_path: Path, said: str, writes: 
 
 
 def test_a_family_is_confirmed_as_a_whole(tmp_path: Path) -> None:
-    done = talk("\n" * 8 + "n\n", tmp_path, *ADA_TYPED, "--family")
+    done = talk("\n" * 9 + "n\n", tmp_path, *ADA_TYPED, "--family")
     assert done.returncode == 0, done.stderr
     assert [f"my_pkg{end}: " in done.stderr for end in ("_interfaces", "_description", "", "_bringup")] == [True] * 4
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_is_only_shown_needs_no_yes(tmp_path: Path) -> None:
-    assert "[Y/n]" not in talk("\n" * 8, tmp_path, *ADA_TYPED, "--dry-run").stderr
+    assert "[Y/n]" not in talk("\n" * 9, tmp_path, *ADA_TYPED, "--dry-run").stderr
 
 
 @pytest.mark.parametrize(("option", "files"), [("--skip", 1), ("--force", 2)])
@@ -183,7 +189,7 @@ def test_of_a_folder_that_exists_only_what_changes_is_counted(tmp_path: Path, op
     assert run_here("new", *ADA_TYPED, cwd=tmp_path).returncode == 0
     (tmp_path / "my_pkg" / "README.md").unlink()
     (tmp_path / "my_pkg" / "LICENSE").write_text("mine\n")
-    done = talk("\n" * 8 + "n\n", tmp_path, *ADA_TYPED, option)
+    done = talk("\n" * 9 + "n\n", tmp_path, *ADA_TYPED, option)
     assert ("Write this file? [Y/n] " if files == 1 else "Write these 2 files? [Y/n] ") in done.stderr
     assert not (tmp_path / "my_pkg" / "README.md").exists()
 
@@ -191,7 +197,7 @@ def test_of_a_folder_that_exists_only_what_changes_is_counted(tmp_path: Path, op
 def test_types_kinds_and_tests_are_listed_with_what_they_are(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 8)
+    answer(monkeypatch, Request("my_pkg", **ADA), *[""] * 9)
     said = [" ".join(line.split()) for line in capsys.readouterr().err.replace(": ", ":\n").splitlines()]
     assert "ament_cmake a C++ package with nodes" in said
     assert "timer a node that counts down" in said

@@ -16,6 +16,7 @@ from rospkg_cli.scaffold.template import load_template, template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 
 TREES = Path(__file__).parent / "trees"
+GENERATING = [name for name in template_names() if load_template(name).generates]
 SHOWN = ("package.xml", "setup.py", "CMakeLists.txt")
 """The files whose text is kept."""
 
@@ -39,7 +40,19 @@ def test_the_tree_is_the_one_that_was_looked_at(template: str, tests: str, pytes
     assert shown(planned) == golden.read_text()
 
 
+@pytest.mark.parametrize("template", GENERATING)
+def test_so_is_the_one_with_generated_parameters(template: str, pytestconfig: pytest.Config) -> None:
+    planned = plan("my_robot", template=template, tests="none", parameters="generate", distro="jazzy")
+    definitions = {path: text for path, text in texts(planned).items() if path.endswith("_parameters.yaml")}
+    text = shown(planned) + "".join(f"\n── {path}\n{text}" for path, text in definitions.items())
+    golden = TREES / f"{template}-generate.txt"
+    if pytestconfig.getoption("--update-golden"):
+        golden.write_text(text)
+    assert text == golden.read_text()
+
+
 def test_no_tree_is_left_over() -> None:
     assert {path.stem for path in TREES.iterdir()} == {
-        f"{name}-{tests}" for name in template_names() for tests in TEST_LEVELS
+        *(f"{name}-{tests}" for name in template_names() for tests in TEST_LEVELS),
+        *(f"{name}-generate" for name in GENERATING),
     }

@@ -52,6 +52,8 @@ class Request:
     """Whether what nothing is built, run or tested with is left out."""
     plugins: tuple[str, ...] = ()
     """`KIND` or `NAME:KIND`."""
+    parameters: str = ""
+    """`file` or `generate`, who declares them; `params` says whether there is a file of values."""
 
     def with_defaults(self, defaults: Mapping[str, str]) -> Request:
         """Return the request with a config's values where nothing was typed."""

@@ -15,20 +15,21 @@ OF_CMAKE_17 = frozenset({"humble", "jazzy", "kilted"})
 
 def libraries_of(node: RequestedNode) -> dict[str, str]:
     """Return the packages of the client library that a node needs, and their targets."""
-    return {"rclcpp": "rclcpp::rclcpp", **node.kind.libraries}
+    generated = {"generate_parameter_library": node.definitions} if node.definitions else {}
+    return {"rclcpp": "rclcpp::rclcpp", **generated, **node.kind.libraries}
 
 
 def packages_of(nodes: tuple[RequestedNode, ...]) -> tuple[str, ...]:
     """Return the packages of the client library that all nodes need, each once, parameters included."""
     found = dict.fromkeys(package for node in nodes for package in libraries_of(node))
-    if any(node.kind.parameters for node in nodes):
+    if any(node.declares for node in nodes):
         found["rcl_interfaces"] = None
     return tuple(found)
 
 
 def targets_of(node: RequestedNode) -> list[str]:
     """Return what a node is linked against, in order."""
-    messages = [*node.kind.interfaces, *(["rcl_interfaces"] if node.kind.parameters else [])]
+    messages = [*node.kind.interfaces, *(["rcl_interfaces"] if node.declares else [])]
     return sorted([*libraries_of(node).values(), *(f"${{{package}_TARGETS}}" for package in messages)], key=by_name)
 
 

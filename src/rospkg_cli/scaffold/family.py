@@ -68,7 +68,7 @@ def members(request: Request, template: Template) -> list[Request]:
     """Return the requests for the packages, each with what it depends on."""
     name = request.name
     request = replace(request, extras=())
-    plain = replace(request, nodes=(), depends=(), msgs=(), srvs=(), actions=(), description="")
+    plain = replace(request, nodes=(), depends=(), msgs=(), srvs=(), actions=(), description="", parameters="")
     plain = replace(plain, launch="" if request.launch == "none" else request.launch)
     nodes = request.nodes or own_nodes(request, template)
     used = any("/" in node or any(word[:1].isupper() for word in node.split(":")) for node in nodes)

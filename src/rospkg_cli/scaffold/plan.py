@@ -15,6 +15,7 @@ from .answers import Answers, Request
 from .bringup import Bringup, bringup_of
 from .custom_template import custom_template
 from .extras import notes_on_extras, with_extras
+from .generated_parameters import generating, is_generating
 from .launch_format import check_typed, launch_format, notes_on_launch
 from .maintainer import Maintainer, check_for_cmake, find_maintainer
 from .minimal import minimal_request, minimal_template
@@ -125,9 +126,10 @@ def answers_of(
         started = bringup_of(request.name, request.nodes, depends, there, request.params)
         notes.extend(started.unknown)
     target = distro_of(request.distro, notes)
+    nodes = nodes_of(request.nodes, request.name, template, there)
     answers = Answers(
         name=request.name,
-        nodes=nodes_of(request.nodes, request.name, template, there),
+        nodes=generating(nodes) if is_generating(request.parameters, template) else nodes,
         started=started,
         interfaces=requested_interfaces(request, template),
         depends=depends,

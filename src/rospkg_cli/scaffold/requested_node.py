@@ -21,6 +21,19 @@ class RequestedNode:
     qos: QualityOfService = DEFAULT
     parts: tuple[RequestedNode, ...] = ()
     """What a node with several interfaces is made of, each as a node of its own would be."""
+    is_generated: bool = False
+    """Whether generate_parameter_library makes the code that declares its parameters."""
+
+    @property
+    def definitions(self) -> str:
+        """The name of the YAML file that its parameters are generated from, of that code and of its namespace; "" where
+        none is generated."""
+        return f"{self.name}_parameters" if self.is_generated else ""
+
+    @property
+    def declares(self) -> bool:
+        """Whether its own source declares parameters."""
+        return bool(self.kind.parameters) and not self.is_generated
 
     @property
     def headers(self) -> list[str]:

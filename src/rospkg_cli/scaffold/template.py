@@ -83,6 +83,11 @@ class Template:
         return any("launch.{{ launch }}" in file.path for file in self.files)
 
     @property
+    def generates(self) -> bool:
+        """Whether it has definitions that the code for parameters is generated from."""
+        return any("{{ node.definitions }}" in file.path for file in self.files)
+
+    @property
     def folders(self) -> tuple[Path, ...]:
         """The folders that sources and includes are looked for in."""
         return (self.folder / "files", resources("templates"))

@@ -36,6 +36,7 @@ def in_cpp(answers: Answers) -> dict[str, Any]:
     """Return what the C++ part of a package knows."""
     return {
         "cpp_nodes": answers.nodes_in("cpp"),
+        "generated_cpp_nodes": [node for node in answers.nodes_in("cpp") if node.definitions],
         "cpp_logics": answers.logics_in("cpp"),
         "cpp_tests": tested_logics(answers, "cpp"),
         "cpp_messages": list(answers.messages_in("cpp")),
@@ -60,15 +61,19 @@ def in_plugins(answers: Answers) -> dict[str, Any]:
 def in_python(answers: Answers) -> dict[str, Any]:
     """Return what the Python part of a package knows."""
     nodes = answers.nodes_in("python")
-    declaring = any(node.kind.parameters for node in nodes)
+    having = any(node.kind.parameters for node in nodes)
+    declaring = any(node.declares for node in nodes)
+    generated = [node for node in nodes if node.definitions]
     tested = bool(answers.sections) and answers.tests != "none"
     modules = [module for node in nodes for module in node.kind.modules]
     needs = ["rclpy", *answers.messages_in("python"), *modules, *(["rcl_interfaces"] if declaring else [])]
+    needs += ["generate_parameter_library_py"] if generated else []
     return {
         "python_nodes": nodes,
+        "generated_python_nodes": generated,
         "python_logics": answers.logics_in("python"),
         "python_needs": needs if nodes else [],
-        "python_tests": [*tested_logics(answers, "python"), *(["params"] if declaring and tested else [])],
+        "python_tests": [*tested_logics(answers, "python"), *(["params"] if having and tested else [])],
     }
 
 

@@ -22,6 +22,7 @@ from .summary import summary_lines
 OPTIONS = {
     "template": "--type", "nodes": "--node", "plugins": "--plugin", "msgs": "--msg", "srvs": "--srv",
     "actions": "--action", "extras": "--with", "own_template": "--template",
+    "parameters": "--params",
 }  # fmt: skip
 """The options whose names differ from those of the request's fields."""
 

@@ -47,6 +47,9 @@ NODE = (
 )
 PLUGIN = "A plugin, as KIND or NAME:KIND; repeatable. Its package is of --type plugin."
 MINIMAL = "No README, .gitignore, CONTRIBUTING.md, file of parameters; tests that need no ROS."
+PARAMS = (
+    "file: config/params.yaml; generate: also definitions that generate_parameter_library declares them from; none."
+)
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
@@ -112,7 +115,10 @@ def new(
     launch: Annotated[
         str, what("The launch file: py, xml, yaml or none.", metavar="FORMAT", default="py", values=LAUNCH)
     ] = "",
-    params: Annotated[bool, what("A file of parameters for the nodes.", "--params/--no-params")] = True,
+    params: Annotated[
+        str, what(PARAMS, "--params", metavar="FORM", default="file", values=choices("file", "generate", "none"))
+    ] = "",
+    no_params: Annotated[bool, what("The same as --params none.", "--no-params")] = False,
     tests: Annotated[str, what("ament, minimal or none.", metavar="TESTS", default="ament", values=TESTS)] = "",
     minimal: Annotated[bool, what(MINIMAL, "--minimal")] = False,
     family: Annotated[bool, what(FAMILY, "--family")] = False,
@@ -145,14 +151,15 @@ def new(
     from .run import new as write_new
 
     one_of("--color", color, ("auto", "always", "never"))
+    has_values, params = not (no_params or params == "none"), params.replace("none", "")
     if family and name in (".", ".."):
         raise UsageError("--family writes four packages; name the robot, and their folder with --into")
     name, into = named_place(name, into)
     type = "plugin" if plugin and type == TYPES[0] else type
     request = Request(
         name, type, split(node), split(depends), tuple(msg or ()), tuple(srv or ()), tuple(action or ()), launch,
-        params, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
-        minimal, split(plugin),
+        has_values, tests, split(with_), template, description, license, maintainer, email, version, distro, year,
+        minimal, split(plugin), params,
     )  # fmt: skip
     if update is not None:
         return update_at(update, request, dry_run, diff, color, force or skip or family or interactive or not record)

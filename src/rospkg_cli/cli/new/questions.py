@@ -9,6 +9,7 @@ from ...light_dataclasses import dataclass
 from ...ros.distros import DISTROS, Distro
 from ...scaffold.answers import Request
 from ...scaffold.extras import extras_with_meaning
+from ...scaffold.generated_parameters import PARAMETER_FORMS
 from ...scaffold.launch_format import formats_for
 from ...scaffold.maintainer import find_maintainer
 from ...scaffold.node import default_nodes
@@ -79,6 +80,13 @@ QUESTIONS = (
         lambda request, folder: LAUNCH,
         lambda template: template.launches,
         formats_for,
+    ),
+    Question(
+        "parameters",
+        "Parameters",
+        lambda request, folder: "file",
+        lambda template: template.generates,
+        lambda template: PARAMETER_FORMS,
     ),
     Question("tests", "Tests", lambda request, folder: TESTS, choices=lambda template: TEST_LEVELS),
     Question(

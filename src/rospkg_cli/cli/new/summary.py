@@ -20,6 +20,7 @@ def summary_lines(plan: Plan, into: Path) -> Iterator[str]:
         "interfaces": ", ".join(each.name for each in answers.interfaces),
         "depends on": ", ".join(answers.depends),
         "launch file": answers.launch,
+        "parameters": "generated" if any(node.definitions for node in answers.nodes) else "",
         "tests": answers.tests,
         "with": ", ".join(plan.asked.extras),
         "for": f"ROS 2 {answers.distro.name}",
