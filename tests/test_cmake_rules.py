@@ -508,3 +508,30 @@ def test_a_bit_is_not_needed_where_ament_makes_no_link(more: str, count: int) ->
     files = package(f"install(PROGRAMS scripts/hello.py{more} DESTINATION lib/${{PROJECT_NAME}})")
     files = {**files, "scripts/hello.py": TreeEntry("file", b"#!/bin/sh\necho\n", 0o644)}
     assert len(lint_files(files, ["CMK105"]).findings) == count
+
+
+@pytest.mark.parametrize(
+    ("place", "count"),
+    [
+        ("lib/python3.12/site-packages/my_pkg", 0), ("lib/python3/dist-packages/my_pkg", 0),
+        ("lib/python3.12/other/my_pkg", 1), ("lib/python3.12/site-packages-of/my_pkg", 1),
+    ],
+)  # fmt: skip
+def test_modules_that_are_installed_where_one_python_looks(place: str, count: int) -> None:
+    files = {
+        **package(
+            "install(PROGRAMS scripts/hello.py DESTINATION lib/${PROJECT_NAME})\n"
+            f"install(DIRECTORY my_pkg/ DESTINATION {place})"
+        ),
+        "scripts/hello.py": "#!/usr/bin/env python3\nfrom my_pkg.words import HELLO\n\nprint(HELLO)\n",
+        "my_pkg/__init__.py": "",
+        "my_pkg/words.py": "HELLO = 'hello'\n",
+    }
+    assert len(said(files, "CMK109")) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("ament_target_dependencies", 0), ("more", 1)])
+def test_a_copy_of_a_command_in_its_own_file(name: str, count: int) -> None:
+    text = "function(ament_target_dependencies)\nendfunction()\n"
+    files = {**package(f"include(cmake/{name}.cmake)"), f"cmake/{name}.cmake": text}
+    assert len(said(files, "CMK116")) == count

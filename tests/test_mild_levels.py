@@ -291,3 +291,26 @@ def test_an_included_file_of_cmake_with_bytes_that_are_no_text() -> None:
     lines = CMAKE.replace("ament_package", "include(cmake/a.cmake)\nament_package")
     found = lint_files({**NATIVE, "CMakeLists.txt": lines, "cmake/a.cmake": b"# \xa9\n"}, ["RPK001"]).findings
     assert [each.severity.value for each in found] == ["info"]
+
+
+LINTED = "find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_dependencies()\n"
+
+
+@pytest.mark.parametrize(
+    ("depend", "call", "level"),
+    [
+        ("ament_xmllint", "", "info"),
+        ("ament_xmllint", "ament_xmllint()\n", "warning"),
+        ("ament_cmake_xmllint", "", "warning"),
+    ],
+)
+def test_what_runs_ament_xmllint_in_cmake(depend: str, call: str, level: str) -> None:
+    text = (
+        xml002.BAD.replace("«", "")
+        .replace("»", "")
+        .replace("ament_xmllint", depend)
+        .replace("ament_python", "ament_cmake")
+    )
+    cmake = CMAKE.replace("ament_package", f"{LINTED}{call}ament_package")
+    (finding,) = found("XML002", NATIVE, {"package.xml": text, "CMakeLists.txt": cmake})
+    assert finding.severity.value == level

@@ -165,3 +165,10 @@ def test_broken_yaml_with_parameters_is_unreadable() -> None:
 def test_numbers_that_two_readers_take_differently(text: str, says: str) -> None:
     found = [each.message for each in number_faults(read(f"{BLOCK}    a: {text}\n"), is_read_by_python=False)]
     assert (says in found[0]) if says else not found
+
+
+def test_a_name_that_a_program_fills_in_is_left_alone() -> None:
+    texts = {"config/a.yaml": "<ROS_NAMESPACE>/talker:\n  ros__parameters:\n    a: 1\n"}
+    assert not lint_files({**BACKDROPS["config"], **texts}, ["PRM004"]).findings
+    texts = {"config/a.yaml": "a<b>/talker:\n  ros__parameters:\n    a: 1\n"}
+    assert len(lint_files({**BACKDROPS["config"], **texts}, ["PRM004"]).findings) == 1

@@ -35,7 +35,10 @@ class RedefinedCommands:
     cmake: CMake
 
     def all(self) -> Iterator[RedefinedCommand]:
-        """Yield what stands outside of any `if`, and does not call the former command by its name `_command`."""
+        """Yield what stands outside of any `if`, and does not call the former command by its name `_command`.
+
+        A file that is called like the command is the one that defines it, or a copy of that.
+        """
         for file in self.cmake.files:
             for block in file.body:
                 if isinstance(block, Block) and block.command.name in ("function", "macro"):
@@ -46,7 +49,8 @@ class RedefinedCommands:
             name = argument.text.lower()
             called = {each.name for each in inside(block)}
             is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
-            if name in self.known and f"_{name}" not in called and not is_wrapper:
+            is_copy = file.path.rpartition("/")[2].lower() == f"{name}.cmake"
+            if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
                 yield RedefinedCommand(name, file.path, argument.span, name in called)
 
     @cached_property

@@ -19,6 +19,8 @@ RUNS_LINTERS = regex(
 )
 """A call that runs the linters which are declared: of ament, or of a wrapper such as autoware_package."""
 
+CALLED = regex(r"^[^#\n]*\bament_xmllint[ \t]*\(", re.MULTILINE)
+
 LEFT_OUT = regex(r"^[^#\n]*\bament_cmake_xmllint(?:_FOUND\b|\W)", re.MULTILINE)
 """A line that switches it off: `set(ament_cmake_xmllint_FOUND TRUE)`, or AMENT_LINT_AUTO_EXCLUDE."""
 
@@ -38,8 +40,17 @@ class SchemaTests:
         ament_xmllint checks the schema that an `<?xml-model …?>` line names, and without one only that the file is
         well-formed (ament_xmllint/main.py).
         """
-        manifest = self.manifest
-        return manifest.names_schema and any(manifest.depends_on(name) for name in CHECKERS) and self.runs_linters
+        return self.manifest.names_schema and self.declares_checker and self.runs_linters
+
+    @property
+    def declares_checker(self) -> bool:
+        """Whether a dependency brings the test; ament_xmllint alone has no part that CMake would run by itself."""
+        is_called = self.manifest.build_type(self.targets) == "ament_python" or bool(CALLED.search(self.cmake_text))
+        return any(self.manifest.depends_on(name) for name in CHECKERS if is_called or name != "ament_xmllint")
+
+    @property
+    def cmake_text(self) -> str:
+        return self.files.readable_text("CMakeLists.txt") if self.files.exists("CMakeLists.txt") else ""
 
     @property
     def runs_linters(self) -> bool:
@@ -47,8 +58,7 @@ class SchemaTests:
         if self.manifest.build_type(self.targets) == "ament_python":
             tests = (path for path in self.files.paths if path.startswith("test") and path.endswith(".py"))
             return any("xmllint" in path or "xmllint" in self.files.readable_text(path) for path in tests)
-        text = self.files.readable_text("CMakeLists.txt") if self.files.exists("CMakeLists.txt") else ""
-        return RUNS_LINTERS.search(text) is not None and LEFT_OUT.search(text) is None
+        return RUNS_LINTERS.search(self.cmake_text) is not None and LEFT_OUT.search(self.cmake_text) is None
 
     @property
     def harm(self) -> str:

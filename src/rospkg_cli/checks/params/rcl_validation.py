@@ -23,6 +23,8 @@ from ..fault import Fault
 REFUSES = "rcl refuses the file, and the node does not start"
 NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 WILDCARDS = ("*", "**")
+PLACEHOLDER = regex(r"<\w+>")
+"""What a program writes something else for, before rcl reads the file: `<robot_namespace>`."""
 MAX_NAME = 255
 
 
@@ -78,6 +80,8 @@ def name_problem(name: str) -> str | None:
     if has_empty or name.startswith("//"):
         return f"`{name}` has two `/` in a row"
     for part in (*namespace.split("/"), node):
+        if PLACEHOLDER.fullmatch(part):
+            return None
         if part and part not in WILDCARDS and not NAME.fullmatch(part):
             return f"`{part}` is no name of a node or namespace: letters, digits and `_`, no digit first"
     return f"`{node[:20]}…` is longer than {MAX_NAME} characters" if len(node) > MAX_NAME else None

@@ -6,8 +6,10 @@ import posixpath
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
+from ...languages.cmake.call_stack import PYTHON
 from ...languages.cmake.evaluated_command import EvaluatedCommand, by_keyword
 from ...languages.cmake.values import PREFIX, UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 
 Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
@@ -21,6 +23,9 @@ OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "
            "RUNTIME_DEPENDENCY_SET")  # fmt: skip
 TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 """Where `TYPE` puts files, by GNUInstallDirs."""
+
+SITE = regex(r"\Alib/python3(?:\.\d+)?/(?:site|dist)-packages(?=/|\Z)")
+"""Where modules go, with the version of Python written out: they are found on distributions with that Python alone."""
 
 PACKAGE_KEYWORDS = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
 """Of ament_python_install_package: each takes one value."""
@@ -67,7 +72,7 @@ def below_prefix(text: str) -> str | None:
         text = text[len(PREFIX) :].lstrip("/") or "."
     if UNKNOWN in text or "\1" in text or "$<" in text:
         return None
-    return posixpath.normpath(text) if text else "."
+    return SITE.sub(PYTHON, posixpath.normpath(text)) if text else "."
 
 
 def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
