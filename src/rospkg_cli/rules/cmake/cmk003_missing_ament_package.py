@@ -56,7 +56,7 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
     package whose name has `package` in it is called: both may call `ament_package()`. Where its name is misspelt, which
-    CMK114 tells.
+    CMK114 reports.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:

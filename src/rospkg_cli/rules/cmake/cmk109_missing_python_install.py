@@ -34,7 +34,7 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     over=PythonPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a module beside a script, which a build with --symlink-install finds; or nothing in the "
+        Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; or nothing in the "
         "package imports it"
     },
     examples=(
@@ -71,7 +71,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     ## What it does
     Finds Python packages of a CMake package that are imported at run time and not installed.
     An installed script or launch file imports them, and no `ament_python_install_package()` installs them. Modules that
-    a script imports from its own folder have to be installed beside it. The Python package that is called like the
+    a script imports from its own folder have to be installed next to it. The Python package that is called like the
     package counts, too, where ament_cmake_python is looked for and nothing installs any file of it.
 
     ## Why is this bad?
@@ -97,7 +97,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         yield Hit(place.path, place.command.span, message, related=(related,), fix=fix)
     if folder := packages.forgotten():
         start = f"the Python package `{folder}` is not installed, though CMake looks for ament_cmake_python"
-        message = f"{start}: nobody can import it; call `ament_python_install_package({folder})`"
+        message = f"{start}: no one can import it; call `ament_python_install_package({folder})`"
         fix = only_plain_names(
             Fix(f"install the Python package {folder}", install_python_package(cmake, folder)), folder
         )
@@ -108,7 +108,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
 
 def beside(packages: PythonPackages, left: LeftModule) -> Hit:
     message = (
-        f"`{left.script}` imports `{left.source}`, which is not installed beside it: it ends with ModuleNotFoundError; "
+        f"`{left.script}` imports `{left.source}`, which is not installed: the script ends with ModuleNotFoundError; "
         "add it to the `install(PROGRAMS …)`"
     )
     fix = only_plain_names(

@@ -97,7 +97,7 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
     given the name, for libraries that `find_library()` looks for or that lie in the package, for names with `::` that
     are near to none of a package whose targets are known (of others only their own name with letters swapped, or a long
-    one with a letter wrong, is told), and for `gtest` and `gmock`. Under a condition that can't be evaluated.
+    one with a letter wrong, is reported), and for `gtest` and `gmock`. Under a condition that can't be evaluated.
     """
     package = links.package
     for each in links.all():

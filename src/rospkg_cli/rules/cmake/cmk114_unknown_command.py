@@ -46,7 +46,7 @@ def cmake(lines: str) -> str:
 def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     """
     ## What it does
-    Finds commands in CMakeLists.txt that nobody defines.
+    Finds commands in CMakeLists.txt that are defined nowhere.
     They are nearly called like a known one (of CMake, ament, rosidl and the like, or of the package's own functions;
     near is one or two letters), or come with a package that no `find_package()` looks for:
     `ament_package()` without `find_package(ament_cmake REQUIRED)`.

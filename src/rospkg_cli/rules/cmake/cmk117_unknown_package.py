@@ -69,7 +69,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     compared with those declared that are not found otherwise. Under a condition that can't be evaluated.
 
     ## Fix safety
-    The nearest name may not be the one that was meant.
+    The nearest name may not be the one that was intended.
     """
     for each in packages.all():
         fix = None

@@ -53,7 +53,7 @@ def cmake(lines: str) -> str:
 def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     """
     ## What it does
-    Finds libraries in `ament_export_libraries()` that nobody can link.
+    Finds libraries in `ament_export_libraries()` that cannot be linked.
     They are programs, have no file (INTERFACE and OBJECT libraries), or are nearly called like a library of the
     package; or they are called like the package, which has no such target.
 
@@ -66,7 +66,7 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     where a file that can't be read is included. Under a condition that can't be evaluated.
 
     ## Fix safety
-    The nearest library may not be the one that was meant.
+    The nearest library may not be the one that was intended.
     """
     is_needed = exported.workspace.is_built_against(exported.package.facts.name)
     for each in exported.wrong():

@@ -54,7 +54,7 @@ def unexported_targets(unexported: UnexportedTargets) -> Iterator[Hit]:
 
     ## When it is quiet
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
-    may export it, and for sets of executables, plugins and components alone, which nobody links.
+    may export it, and for sets of executables, plugins and components alone, which nothing links.
     """
     for found in unexported.all():
         name = found.word.text

@@ -33,7 +33,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     Finds modules that import another module of their own Python package by its bare name.
 
     ## Why is this bad?
-    It works where the file is started by its path, for Python looks beside it. `ros2 run` starts the entry point, and
+    It works where the file is started by its path, for Python looks next to it. `ros2 run` starts the entry point, and
     there is "No module named 'speech'".
 
     ## When it is quiet

@@ -20,7 +20,7 @@ OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
     "ros1-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where ROS 1 had it, and nobody says that it went away"},
+    levels={Severity.INFO: "where ROS 1 had it, and nothing says that it went away"},
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},

@@ -62,7 +62,7 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
 
     ## When it is quiet
     In files that can't be evaluated to the end, or that set configurations of unknown names, a name is told that stands
-    there once and is one letter from an argument which nothing mentions beside its declaration. One that
+    there once and is one letter from an argument which nothing mentions but its declaration. One that
     others include may get the argument from them: an info, as where it uses many, or declares none at all: then it is
     the user, or the file that includes it, who must set it. Where it includes a file that is not here, it is an info,
     if it declares others and no file of the workspace has that name.

@@ -75,7 +75,7 @@ def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
     rules.
 
     ## Fix safety
-    The tag that is meant is written; where it is misspelt another one may be right.
+    The tag that is intended is written; where it is misspelt another one may be right.
 
     ## References
     - [REP-149](https://ros.org/reps/rep-0149.html), [REP-140](https://ros.org/reps/rep-0140.html),

@@ -52,7 +52,7 @@ def several_build_types(package: ManifestForTargets) -> Iterator[Hit]:
         for other in found[:index]:
             if can_hold_together(other.get("condition"), element.get("condition"), environments):
                 message = (
-                    f"`{element.text}` is a second build type beside `{other.text}`: colcon builds the folder as a "
+                    f"`{element.text}` is a second build type next to `{other.text}`: colcon builds the folder as a "
                     f"plain package; keep one, or give each a condition (`$ROS_VERSION == 2`)"
                 )
                 related = (Related(manifest.path, manifest.span(other), "the first"),)

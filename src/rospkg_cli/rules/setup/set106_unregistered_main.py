@@ -43,7 +43,7 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
     ## When it is quiet
     Where entry points can't be evaluated or are misspelt (SET103, SET310), in packages that extend a command line tool,
     where another module imports it, or a README or another file names it, and where a launch file starts an executable
-    of its name (LCH002 tells that it is not there).
+    of its name (LCH002 reports that it is not there).
 
     ## Fix safety
     It makes an executable of a module that may be there for import only.

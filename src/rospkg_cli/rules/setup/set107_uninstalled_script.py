@@ -37,7 +37,7 @@ NODE = "import rclpy\n\n\ndef «main»():\n    rclpy.init()\n\n\nif __name__ == 
 def uninstalled_script(scripts: UninstalledScripts) -> Iterator[Hit]:
     """
     ## What it does
-    Finds nodes beside the Python package, in `scripts/` and its like, that setup.py does not install.
+    Finds nodes next to the Python package, in `scripts/` and its like, that setup.py does not install.
 
     ## Why is this bad?
     The build is green, and `ros2 run` finds nothing: of an ament_python package only the modules of `packages` are
@@ -45,7 +45,7 @@ def uninstalled_script(scripts: UninstalledScripts) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a README or another file names the script, where git ignores it, where it does not start itself, and where
-    setup.py may write files or can't be evaluated. Where entry points start the package's nodes, a script beside them
+    setup.py may write files or can't be evaluated. Where entry points start the package's nodes, a script next to them
     is probably there for its developers: an info.
     """
     package = scripts.package.name

@@ -48,7 +48,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
     other kinds than the folder is for. All files that one glob misses are one finding, an info where no code and no
-    README names them and the glob is for another kind: `robot.rviz` beside `*.yaml`.
+    README names them and the glob is for another kind: `robot.rviz` next to `*.yaml`.
 
     ## Fix safety
     A wider glob may install more than is wanted.

@@ -37,7 +37,7 @@ def undeclared_requirement(requirements: UndeclaredRequirements) -> Iterator[Hit
 
     ## When it is quiet
     For libraries without a rosdep key, for those that a declared dependency brings or that only some machines need
-    (`; python_version < "3"`), and where a module imports the library too (DEP101 tells it).
+    (`; python_version < "3"`), and where a module imports the library too (DEP101 reports it).
     """
     for said, name, key in requirements.found():
         message = (
