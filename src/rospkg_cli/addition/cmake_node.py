@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..change import ChangeError, NotUnderstoodError, Paste
 from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_executable, install_library
 from ..light_dataclasses import dataclass
@@ -12,8 +11,9 @@ from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.cpp import targets_of
 from ..scaffold.requested_node import RequestedNode
-from .cmake_block import argument_removals, block_removals, put_before_installs
+from .cmake_block import argument_removals, block_removals
 from .cmake_find import FINDERS, cmake_of
+from .cmake_target import put_target
 from .part import Operations
 
 AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
@@ -37,20 +37,7 @@ class NodeTarget:
     def add(self, package: Package) -> Operations:
         """Return the block; raises ChangeError where the name is taken, NotUnderstoodError where no place is found."""
         cmake = cmake_of(package)
-        target = cmake.target(self.name)
-        if target is not None:
-            if any(word.text.endswith(f"src/{self.node.name}.cpp") for word in target.sources):
-                return ()
-            raise ChangeError(f"CMakeLists.txt has a target `{self.name}` already; choose another name")
-        lines = self.lines(cmake)
-        edits = put_before_installs(cmake.root, lines)
-        if not edits:
-            raise NotUnderstoodError(
-                "CMakeLists.txt has no ament_package() at its end: put the lines where the targets are, and run the "
-                "command again",
-                Paste("CMakeLists.txt", lines),
-            )
-        return edits
+        return put_target(cmake, self.name, f"src/{self.node.name}.cpp", self.lines(cmake))
 
     def lines(self, cmake: CMake) -> str:
         """Return the commands, in lower case, without a blank line around them."""

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..change import ChangeError, NotUnderstoodError, Paste
 from ..edits.cmake_commands import remove
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.plugin import RequestedPlugin
-from .cmake_block import block_removals, put_before_installs
+from .cmake_block import block_removals
 from .cmake_find import FINDERS, cmake_of
 from .cmake_node import STANDARD, sets_standard
+from .cmake_target import put_target
 from .part import Operations
 
 EXPORT = "pluginlib_export_plugin_description_file"
@@ -27,20 +27,7 @@ class PluginTarget:
     def add(self, package: Package) -> Operations:
         """Return the block; raises ChangeError where the name is taken, NotUnderstoodError where no place is found."""
         cmake = cmake_of(package)
-        target = cmake.target(self.plugin.library)
-        if target is not None:
-            if any(word.text.endswith(f"src/{self.plugin.name}.cpp") for word in target.sources):
-                return ()
-            raise ChangeError(f"CMakeLists.txt has a target `{self.plugin.library}` already; choose another name")
-        lines = self.lines(cmake)
-        edits = put_before_installs(cmake.root, lines)
-        if not edits:
-            raise NotUnderstoodError(
-                "CMakeLists.txt has no ament_package() at its end: put the lines where the targets are, and run the "
-                "command again",
-                Paste("CMakeLists.txt", lines),
-            )
-        return edits
+        return put_target(cmake, self.plugin.library, f"src/{self.plugin.name}.cpp", self.lines(cmake))
 
     def lines(self, cmake: CMake) -> str:
         """Return the commands, in lower case, without a blank line around them."""
