@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cached_property
 from typing import Literal
 
@@ -116,15 +115,16 @@ class Workspace:
             wanted = value[0] if len(value) == 1 else value
             waiting = (facts for facts in self._waiting if facts.may_have(field, value))
             found = [facts for facts in waiting if wanted in getattr(facts, field)]
-            self._answers[asked] = self._in_order(self._holders(field).get(wanted, ()), found)
+            every = (*self._holders(field).get(wanted, ()), *found)
+            self._answers[asked] = tuple(sorted(every, key=lambda facts: facts.folder))
         return self._answers[asked]
 
     def _holders(self, field: ValuesField) -> Holders:
         """Return the packages whose facts are collected, by each value of a field."""
         if field not in self._by_value:
             found: Holders = {}
-            for facts in self.packages if len(self._waiting) < len(self.packages) else ():
-                for each in dict.fromkeys(getattr(facts, field)) if not facts.is_on_demand else ():
+            for facts in self._collected:
+                for each in dict.fromkeys(getattr(facts, field)):
                     found.setdefault(each, []).append(facts)
             self._by_value[field] = found
         return self._by_value[field]
@@ -134,8 +134,10 @@ class Workspace:
         """The packages of which each fact is collected when it is asked for."""
         return tuple(facts for facts in self.packages if facts.is_on_demand)
 
-    def _in_order(self, one: Iterable[PackageFacts], other: Iterable[PackageFacts]) -> tuple[PackageFacts, ...]:
-        return tuple(sorted((*one, *other), key=lambda facts: facts.folder))
+    @cached_property
+    def _collected(self) -> tuple[PackageFacts, ...]:
+        """The other packages, whose facts are all there."""
+        return tuple(facts for facts in self.packages if not facts.is_on_demand)
 
     def needing(self, name: str) -> tuple[PackageFacts, ...]:
         """Return the other packages that declare a dependency, whatever its tag."""
@@ -212,8 +214,8 @@ class Workspace:
     def _by_module(self) -> dict[str, str]:
         """By the first name of their modules, the packages whose facts are collected."""
         found: dict[str, str] = {}
-        for facts in self.packages:
-            for module in facts.modules if not facts.is_on_demand else ():
+        for facts in self._collected:
+            for module in facts.modules:
                 found.setdefault(module.partition(".")[0], facts.name)
         return found
 

@@ -40,12 +40,13 @@ class MistypedLinks:
             key = (word.path, word.span.start, word.text)
             if word.is_known and not link.package and not word.maybe and not link.call.maybe and key not in seen:
                 seen.add(key)
-                near, exported = self.near_target(word.text), self.all_targets(word.text)
+                near = self.near_target(word.text)
+                exported = self.all_targets(word.text) if near is None else None
                 if (near is None and exported is None) or word.text in lost or self.is_brought(word.text):
                     continue  # last, as it evaluates the CMake of all packages
                 if near is None:
                     lost.add(word.text)
-                yield MistypedLink(link, near) if near is not None else MistypedLink(link, "", exported or ())
+                yield MistypedLink(link, near or "", exported)
 
     def near_target(self, text: str) -> str | None:
         """Return what to write for `package::target`; None where it may exist."""
