@@ -59,6 +59,18 @@ def test_only_the_packages_that_are_linted_count(workspace: Path) -> None:
     assert "`acme_b`, `acme_c`, `acme_d` exist is not" in found[3]
 
 
+@pytest.mark.parametrize("name, code", [("std-msgs", "DEP001"), ("roscpp", "DEP203")])
+def test_a_name_that_is_judged_all_the_same_is_left_out(workspace: Path, name: str, code: str) -> None:
+    for package in ("one", "two"):
+        path = workspace / "src" / package / "package.xml"
+        path.write_text(path.read_text().replace("acme_b", name))
+    assert f"`acme_a`, `{name}`, `acme_c` and 1 other exist" in notes(workspace)[0][3]
+    done = rospkg("lint", "--select", f"RPK008,{code}", "--format", "json", cwd=workspace)
+    told = {each["code"]: each["message"] for each in json.loads(done.stdout)["findings"]}
+    assert told[code].startswith(f"`{name}`")
+    assert told["RPK008"].startswith("whether `acme_a`, `acme_c`, `acme_d` exist is not checked")
+
+
 def test_known_names_switch_nothing_off(workspace: Path) -> None:
     for name in ("one", "two"):
         path = workspace / "src" / name / "package.xml"

@@ -10,13 +10,14 @@ from ...light_dataclasses import dataclass, replace
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ...ros.aliases import key_for_pip
+from ...ros.aliases import key_for_pip, successors
 from ...ros.distros import Targets
 from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RELATIONS, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
 from .brought_dependencies import COLCON, WITH_COLCON, Bringer, Brought, brought, brought_by_others
+from .intended_names import intended_names
 
 MAX_DEPTH = 20
 
@@ -71,13 +72,19 @@ class DeclaredDependencies:
         """Return whether package.xml names it wrongly, which another rule reports.
 
         It is the package itself in another spelling or by the name of its own module, a dependency in an unknown tag,
-        or one with an unknown name that is similar, or that is the name on PyPI.
+        one of several in one tag, what took the place of a ROS 1 package, or one with an unknown name that is similar,
+        or that is the name on PyPI.
         """
-        if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags:
+        if normalized(name) == normalized(self.facts.name) or name in self.in_unknown_tags or self.is_own_folder(name):
             return True
         if name in self.own_modules and self.workspace.named(name) is None:
             return True
-        return name in self.keys_of_pip_names or bool(self.unknown_names and near_names(name, self.unknown_names))
+        return name in self.written_otherwise or bool(self.unknown_names and near_names(name, self.unknown_names))
+
+    def is_own_folder(self, name: str) -> bool:
+        """Return whether the package lies in a folder of a name that its own name is a slip of."""
+        is_folder = name == self.facts.folder.rpartition("/")[2] and self.workspace.named(name) is None
+        return is_folder and bool(near_names(self.facts.name, [name]))
 
     @cached_property
     def own_modules(self) -> frozenset[str]:
@@ -85,8 +92,8 @@ class DeclaredDependencies:
 
     @cached_property
     def in_unknown_tags(self) -> frozenset[str]:
-        children = self.manifest.root.children
-        return frozenset(e.text for e in children if "depend" in e.tag.lower() and e.tag not in DEPENDENCY_TAGS)
+        unknown = (each for each in self.manifest.root.children if each.tag not in DEPENDENCY_TAGS)
+        return frozenset(e.text for e in unknown if "depend" in e.tag.lower() or near_names(e.tag, DEPENDENCY_TAGS))
 
     @cached_property
     def unknown_names(self) -> frozenset[str]:
@@ -95,9 +102,12 @@ class DeclaredDependencies:
         return frozenset(d.name for d in self.manifest.dependencies if self.workspace.kind_of(d.name) not in known)
 
     @cached_property
-    def keys_of_pip_names(self) -> frozenset[str]:
-        """The rosdep keys of declared names that are names on PyPI."""
-        return frozenset(key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
+    def written_otherwise(self) -> frozenset[str]:
+        """What declared names stand for that are names on PyPI or in ROS 1, or several in one tag."""
+        keys = (key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
+        parts = (words for name in self.unknown_names if len(words := name.replace(",", " ").split()) > 1)
+        old = (successors(d.name) or () for d in self.manifest.dependencies if self.workspace.named(d.name) is None)
+        return frozenset([*keys, *(each for words in (*parts, *old) for each in words)])
 
     def bringer(self, names: Iterable[str], *, runs: bool) -> Bringer | None:
         """Return what brings one of some names for certain, else what may bring it; None where nothing does.
@@ -139,7 +149,8 @@ class DeclaredDependencies:
     def brought_with(self, tags: Collection[str]) -> Brought:
         """Return what comes with the dependencies of some tags."""
         needs = [need for need in self.facts.dependencies if need.tag in tags]
-        certain = self.closure(need.name for need in needs if need.certain)
+        sure = (name for need in needs if need.certain for name in intended_names(need.name, self.workspace))
+        certain = self.closure([*sure, *self.in_unknown_tags])
         return brought(sorted(certain), sorted(need.name for need in needs if not need.certain), self.workspace)
 
     def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:

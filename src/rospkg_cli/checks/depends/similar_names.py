@@ -44,10 +44,14 @@ class SimilarNames:
 
     def meant(self, name: str) -> str | None:
         """Return the only name that differs in case, hyphens and underscores alone, or by one typo; else None."""
-        for group in self.groups(name) if len(name) >= MIN_LETTERS else ():
-            if group:
-                return group[0] if len(group) == 1 else None
-        return None
+        known: dict[str, str | None] = vars(self.workspace).setdefault("similar_names", {})
+        if name not in known:  # several packages may declare it, and several rules ask
+            groups = self.groups(name) if len(name) >= MIN_LETTERS else iter(())
+            alike = next(filter(None, groups), [])
+            known[name] = alike[0] if len(alike) == 1 else None
+            if Effort.left < 0:
+                return known.pop(name)
+        return known[name]
 
     def groups(self, name: str) -> Iterator[list[str]]:
         """Yield names that are alike, the most certain first, those of the workspace before all others; none when

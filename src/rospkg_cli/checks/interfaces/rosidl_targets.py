@@ -100,7 +100,7 @@ class RosidlTargets:
             if any(not word.is_known or word.maybe for word in target.dependencies):
                 continue
             passed_on, certain = self.passed_on(target)
-            seen = {*passed_on, "", self.package.name}
+            seen = {*passed_on, "", self.package.name, self.cmake.project_name}
             for each in self.listed:
                 interface = by_path.get(each.path or "") if each.target is target else None
                 for kind in interface.types if interface else ():

@@ -52,6 +52,10 @@ class InterfacePackage:
         """The declared dependency that the runtime comes with, or may come with, as messages that these use do."""
         return self.declared.bringer(RUNTIMES, runs=True)
 
+    def declares(self, name: str) -> bool:
+        """Return whether package.xml names a package, be it in a way that another rule reports."""
+        return self.manifest.depends_on(name) or self.declared.is_reported_elsewhere(name)
+
     @property
     def is_member(self) -> bool:
         return any(element.text == GROUP for element in self.manifest.all("member_of_group"))

@@ -196,7 +196,7 @@ class Session:
         findings = index.apply(self.asked_for(findings))
         crashes = one_each(crashes)
         events: list[Any] = [*index.unused(), *index.unknown(), *index.without_reason(), *crashes]
-        events += switched_off(workspace) if self.tells_switched_off else ()
+        events += switched_off(workspace, findings) if self.tells_switched_off else ()
         findings += index.apply(self.report(workspace, events))
         findings.sort(key=lambda f: f.sort_key)
         return Results(

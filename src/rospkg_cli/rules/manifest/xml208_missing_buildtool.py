@@ -61,6 +61,8 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
+    if tools.declared.is_reported_elsewhere(name):
+        return
     for element in manifest.build_types(package.targets):
         if element.text == "ament_cmake":
             bringer = tools.bringer(name)

@@ -87,7 +87,7 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", Severity.WARNING),
         ("exec_depend", RUNTIMES, harm_to_users, Severity.INFO if bringer else Severity.WARNING),
     ):
-        if not package.installs or any(manifest.depends_on(name) for name in names):
+        if not package.installs or any(map(package.declares, names)):
             continue
         if names is RUNTIMES and (wrong := package.generators_to_run):
             yield generators_to_run(package, wrong)

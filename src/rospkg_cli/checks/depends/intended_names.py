@@ -1,0 +1,31 @@
+"""What is intended by a declared name that is wrong and that another rule reports: DEP001, or DEP203."""
+
+from __future__ import annotations
+
+from ...package.workspace import Workspace
+from ...ros.aliases import key_for_pip, successors
+from ...ros.names import NameKind
+from .similar_names import SimilarNames
+
+PYTHON_2, PYTHON_3 = "python-", "python3-"
+KNOWN = (NameKind.PACKAGE, NameKind.KEY)
+
+
+def intended_names(name: str, workspace: Workspace) -> tuple[str, ...]:
+    """Return the names to write instead of one: the name itself where it is right, or where nothing is near.
+
+    Several stand in one tag, or a package of ROS 1 was split.
+    """
+    if workspace.is_available(name):
+        return (name,)
+    if taken := successors(name):
+        return taken
+    if name.startswith(PYTHON_2) and workspace.index.is_key(key := PYTHON_3 + name.removeprefix(PYTHON_2)):
+        return (key,)
+    if workspace.kind_of(name) in KNOWN:
+        return (name,)
+    parts = name.replace(",", " ").split()
+    if len(parts) > 1:
+        return tuple(parts)
+    meant = None if workspace.may_lack(name) else SimilarNames(workspace).meant(name)
+    return (key_for_pip(name, workspace.index) or meant or name,)
