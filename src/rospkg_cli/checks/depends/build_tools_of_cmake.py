@@ -1,0 +1,81 @@
+"""Tools that CMake runs, or whose variables it reads, and that package.xml does not declare (DEP114)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.file import CMakeFile
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...source import Span
+from .declared_dependencies import DeclaredDependencies
+
+CLONED_BY = {"GIT_REPOSITORY": "git", "HG_REPOSITORY": "mercurial", "SVN_REPOSITORY": "subversion"}
+"""The keywords of CMake's ExternalProject and FetchContent, and the rosdep keys of the programs that clone."""
+
+FETCHES = ("externalproject_add", "fetchcontent_declare")
+ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
+PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
+FOUND = {"PkgConfig": PKG_CONFIG, "Git": "git"}
+VARIABLE = regex(r"\$ENV\{(ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION)\}")
+"""The variables that the package ros_environment sets where it is installed."""
+
+
+@dataclass(frozen=True, slots=True)
+class BuildTool:
+    name: str
+    """The rosdep key, or the package."""
+    what: str
+    """The command, or the variable, that needs it."""
+    tag: str
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class BuildToolsOfCMake:
+    declared: DeclaredDependencies
+    cmake: CMake
+
+    def missing(self) -> Iterator[BuildTool]:
+        """Yield each tool once, where it is used first, unless it is declared or comes with what is declared."""
+        seen: set[str] = set()
+        for tool in self.used() if self.declared.is_checked else ():
+            if tool.name not in seen and not self.declared.has([tool.name]) and not self.is_brought(tool.name):
+                yield tool
+            seen.add(tool.name)
+
+    def is_brought(self, name: str) -> bool:
+        """Return whether what is declared brings a tool where the package is built, on some distributions at least."""
+        there = self.declared.brought_to_build
+        return name in there.certain or name in there.perhaps
+
+    def used(self) -> Iterator[BuildTool]:
+        for call in self.cmake.calls:
+            for name in self.needed_by(call):
+                tag = "test_depend" if call.testing else "buildtool_depend"
+                yield BuildTool(name, call.name, tag, call.path, call.command.name_span)
+        for file in self.cmake.files:
+            yield from self.read_in(file)
+
+    def needed_by(self, call: EvaluatedCommand) -> Iterator[str]:
+        """Yield what a command fails without, wherever it runs."""
+        if call.name in FETCHES:
+            yield from (CLONED_BY[word.text] for word in call.words if word.text in CLONED_BY)
+        elif call.name in ASKS_PKG_CONFIG and "REQUIRED" in call.texts:
+            yield PKG_CONFIG
+        elif call.name == "find_package" and "REQUIRED" in call.texts[1:]:
+            yield from (FOUND[name] for name in call.texts[:1] if name in FOUND)
+
+    def read_in(self, file: CMakeFile) -> Iterator[BuildTool]:
+        """Yield the first variable of ros_environment that a file reads and never asks for (`if(DEFINED ENV{…})`)."""
+        asked: set[str] = set()
+        read: list[BuildTool] = []
+        for command in file.syntax.commands:
+            for argument in command.arguments:
+                asked.add(argument.text)
+                for variable in VARIABLE.findall(argument.text):
+                    read.append(BuildTool(ENVIRONMENT, variable, "build_depend", file.path, argument.span))
+        yield from (each for each in read if f"ENV{{{each.what}}}" not in asked)

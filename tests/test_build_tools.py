@@ -1,0 +1,58 @@
+"""Tools that CMake runs and package.xml lacks (DEP114): which count, and what makes up for them."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+FETCH = "FetchContent_Declare(parts {} https://example.com/parts)"
+
+
+def told(lines: str, body: str = "") -> list[str]:
+    """Return the tags that are asked for in a package whose CMakeLists.txt has some lines."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}\nament_package()"),
+        "package.xml": manifest(body, "ament_cmake"),
+    }
+    return [finding.message.rpartition("; add ")[2] for finding in lint_files(files, ["DEP114"]).findings]
+
+
+@pytest.mark.parametrize(
+    "lines, wanted",
+    [
+        (FETCH.format("GIT_REPOSITORY"), "<buildtool_depend>git</buildtool_depend>"),
+        (FETCH.format("HG_REPOSITORY"), "<buildtool_depend>mercurial</buildtool_depend>"),
+        (FETCH.format("SVN_REPOSITORY"), "<buildtool_depend>subversion</buildtool_depend>"),
+        ("find_package(Git REQUIRED)", "<buildtool_depend>git</buildtool_depend>"),
+        ("find_package(PkgConfig REQUIRED)", "<buildtool_depend>pkg-config</buildtool_depend>"),
+        ("pkg_search_module(X REQUIRED x)", "<buildtool_depend>pkg-config</buildtool_depend>"),
+        (
+            "if(BUILD_TESTING)\n  find_package(PkgConfig REQUIRED)\nendif()",
+            "<test_depend>pkg-config</test_depend>",
+        ),
+        ("if($ENV{ROS_VERSION} EQUAL 1)\nendif()", "<build_depend>ros_environment</build_depend>"),
+        ('set(NAME "x_$ENV{ROS_DISTRO}")', "<build_depend>ros_environment</build_depend>"),
+    ],
+)
+def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
+    assert told(f"{lines}\n{lines}") == [wanted]
+
+
+@pytest.mark.parametrize(
+    "lines, body",
+    [
+        (FETCH.format("URL"), ""),
+        ("find_package(PkgConfig)\npkg_check_modules(X x)", ""),
+        ("find_package(REQUIRED)", ""),
+        ("set(NAME $ENV{HOME})", ""),
+        ("if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nendif()", ""),
+        (FETCH.format("GIT_REPOSITORY"), "  <build_depend>git</build_depend>\n"),
+        (FETCH.format("GIT_REPOSITORY"), "  <buildtool_depend>ament_cmake_vendor_package</buildtool_depend>\n"),
+        ("find_package(PkgConfig REQUIRED)", "  <depend>rclcpp</depend>\n"),
+        ("set(NAME $ENV{ROS_DISTRO})", "  <buildtool_depend>autoware_cmake</buildtool_depend>\n"),
+    ],
+)
+def test_what_is_optional_or_comes_with_others_is_left_alone(lines: str, body: str) -> None:
+    assert told(lines, body) == []
