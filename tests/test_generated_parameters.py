@@ -12,11 +12,14 @@ import pytest
 import yaml
 from in_process import run_here
 from planned import plan, texts
+from test_kept_record import removed
 from test_templates import faultless, node_sets
 
 from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.scaffold import ScaffoldError
+from rospkg_cli.scaffold.answers_record import RECORD, read_record, with_record
 from rospkg_cli.scaffold.node_kinds import all_kinds
+from rospkg_cli.scaffold.write import write_folder
 from rospkg_cli.testing import lint_files
 
 TYPES = ("ament_python", "ament_cmake", "mixed")
@@ -126,3 +129,60 @@ def test_a_node_that_add_wrote_stays_as_it_is(tmp_path: Path) -> None:
     assert run_here("add", "node", "later:timer", cwd=tmp_path / "my_pkg").returncode == 0
     done = run_here("new", "--update", ".", cwd=tmp_path / "my_pkg")
     assert "nothing is to be done" in done.stderr
+
+
+def written(package: Path, template: str, *nodes: str) -> Path:
+    asked = {"launch": "none", "params": False, "tests": "none", "description": "Does it"}
+    planned = plan("my_pkg", template=template, parameters="generate", nodes=nodes, **asked)
+    write_folder(package, with_record(planned).files)
+    return package
+
+
+def same_files(one: Path, other: Path) -> dict[str, bool]:
+    names = ("CMakeLists.txt", "setup.py", "package.xml", ".gitignore")
+    same = {name: (one / name).read_text() == (other / name).read_text() for name in names if (one / name).exists()}
+    return {**same, RECORD: read_record(one).request == read_record(other).request}
+
+
+FIRST = {
+    "ament_python": ("talker",),
+    "ament_cmake": ("talker",),
+    "mixed": ("talker", "idle:empty:python"),
+    "mixed in Python": ("idle:empty", "caller:client:python"),
+}
+
+
+@pytest.mark.parametrize("case", FIRST)
+def test_a_node_goes_with_its_definitions(tmp_path: Path, case: str) -> None:
+    template, first = case.partition(" ")[0], FIRST[case]
+    more = "counter:timer:python" if "Python" in case else "counter:timer"
+    package, fresh = (
+        written(tmp_path / n / "my_pkg", template, *ns) for n, ns in (("a", (*first, more)), ("b", first))
+    )
+    removed(package, "node", "counter")
+    assert [path.name for path in package.rglob("counter*")] == []
+    same = same_files(package, fresh)
+    assert same.pop("CMakeLists.txt", True) or template == "mixed"
+    assert set(same.values()) == {True}, same
+
+
+def test_the_last_one_takes_the_library_with_it(tmp_path: Path) -> None:
+    for template, last in (("ament_python", "counter:timer"), ("mixed", "counter:timer:python")):
+        kept = ("idle:empty", *(("other:empty:python",) if template == "mixed" else ()))
+        package = written(tmp_path / template, template, last, *kept)
+        removed(package, "node", "counter")
+        files = (path for path in package.rglob("*") if path.is_file() and path.suffix != ".md")
+        assert not [path for path in files if b"generate_par" in path.read_bytes()]
+        again = written(tmp_path / "again" / template, template, *kept)
+        assert same_files(package, again) == dict.fromkeys(same_files(again, again), True)
+
+
+def test_definitions_that_were_edited_need_force(tmp_path: Path) -> None:
+    package = written(tmp_path / "my_pkg", "ament_python", "talker", "counter:timer")
+    definitions = package / "my_pkg/counter_parameters.yaml"
+    definitions.write_text(definitions.read_text().replace("10", "20"))
+    done = run_here("remove", "node", "counter", "--allow-dirty", cwd=package)
+    assert (done.returncode, definitions.exists()) == (2, True)
+    assert "`my_pkg/counter_parameters.yaml` is not as `add` writes it; --force" in done.stderr
+    assert run_here("remove", "node", "counter", "--allow-dirty", "--force", cwd=package).returncode == 0
+    assert not definitions.exists()

@@ -44,7 +44,11 @@ def keep_record(draft: Draft, place: Path, folder: str, wanted: Wanted, adds: bo
     try:
         record = record_in(entry.data, path)
         request = answered(record.request, wanted, adds)
-        if request is None or request.own_template or (request.parameters == "generate" and wanted.what == "node"):
+        if (
+            request is None
+            or request.own_template
+            or (adds and request.parameters == "generate" and wanted.what == "node")
+        ):
             return  # `add` writes nodes that declare their parameters themselves
         planned = make_plan(replace(request, name=name), place, {}).files
         old = Renamed(name, record.request.name or name)

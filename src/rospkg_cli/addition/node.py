@@ -25,6 +25,7 @@ from .cmake_node import NodeTarget, TargetInstalled
 from .cmake_python import InitFile, InstalledProgram, InstalledPythonPackage
 from .dependency import AddedDependency, manifest_of
 from .entry_point import ExecutableEntry
+from .generated_code import GeneratedBySetup, GeneratorDeclared, IgnoredModule, generated_by_cmake
 from .included import included
 from .new_file import NewFile
 from .part import Part
@@ -95,18 +96,20 @@ def node_parts(place: NodePlace, node: RequestedNode, force: bool = False) -> tu
 
 
 def python_needs(node: RequestedNode) -> list[str]:
-    found = ["rclpy", *node.kind.interfaces, *node.kind.modules, *(["rcl_interfaces"] if node.kind.parameters else [])]
-    return sorted(dict.fromkeys(found))
+    declared = ["generate_parameter_library_py"] if node.definitions else ["rcl_interfaces"] * node.declares
+    return sorted({"rclpy", *node.kind.interfaces, *node.kind.modules, *declared})
 
 
-def python_files(place: NodePlace, node: RequestedNode, home: PythonHome, force: bool) -> Iterator[NewFile]:
+def python_files(place: NodePlace, node: RequestedNode, home: PythonHome, force: bool) -> Iterator[Part]:
     """Yield the modules: what needs no ROS first."""
+    if node.definitions:
+        yield IgnoredModule(posixpath.join(home.folder, f"{node.definitions}.py"))
     files = node_files(place, node, home.module)
     prefix = home.module + "/"
     for file in sorted(files, key=lambda each: each.path.endswith(f"/{node.name}.py")):
         if file.path.startswith(prefix):
             path = posixpath.join(home.folder, file.path.removeprefix(prefix))
-            shared = not file.path.endswith(f"/{node.name}.py")
+            shared = not file.path.endswith((f"/{node.name}.py", ".yaml"))
             yield new_file(path, file, rf"^\s*(?:from|import)\b.*\b{node.kind.logic}\b" if shared else "", force)
 
 
@@ -118,6 +121,9 @@ def new_file(path: str, file: RenderedFile, users: str, force: bool) -> NewFile:
 def python_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Part]:
     home = python_home(place.package, place.manifest)
     yield from (AddedDependency(name, "exec") for name in python_needs(node) if name != place.manifest.name)
+    if node.definitions:
+        yield GeneratorDeclared()
+        yield GeneratedBySetup(node.definitions)
     yield from python_files(place, node, home, force)
     yield ExecutableEntry(node.name, f"{home.module}.{node.name}")
     yield ScriptsFolder(node.name)
@@ -135,6 +141,7 @@ def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> It
     for name in python_needs(node):
         if name != place.manifest.name:
             yield AddedDependency(name, "all" if name in compiled else "exec")
+    yield from generated_by_cmake(node)
     yield InitFile(home.folder, home.module)
     yield InstalledPythonPackage(home.module)
     yield from python_files(place, node, home, force)
@@ -146,18 +153,18 @@ def cmake_python_parts(place: NodePlace, node: RequestedNode, force: bool) -> It
 def cpp_parts(place: NodePlace, node: RequestedNode, force: bool) -> Iterator[Part]:
     cmake = place.cmake
     assert cmake is not None
-    needs = [*libraries_of(node), *node.kind.interfaces, *(["rcl_interfaces"] if node.kind.parameters else [])]
+    needs = [*libraries_of(node), *node.kind.interfaces, *(["rcl_interfaces"] if node.declares else [])]
     needs = [name for name in dict.fromkeys(needs) if name != place.manifest.name]
     yield from (AddedDependency(name, "all") for name in sorted(needs))
     yield from (FoundInCMake(name) for name in sorted(needs))
+    yield from generated_by_cmake(node)
     namespace = identifier(place.manifest.name)
     library = logic_library(cmake, place.package, namespace)
     for file in sorted(node_files(place, node, namespace), key=lambda each: each.path == f"src/{node.name}.cpp"):
         path = file.path if library else re.sub(r"^include/", "src/", file.path)
+        is_shared = path.endswith(".hpp")
         name = path.rpartition("/")[2]
-        yield new_file(
-            path, file, "" if path == f"src/{node.name}.cpp" else rf'include\s*"(?:{namespace}/)?{name}"', force
-        )
+        yield new_file(path, file, rf'include\s*"(?:{namespace}/)?{name}"' if is_shared else "", force)
     linked = library if node.kind.logic else ""
     yield NodeTarget(node, namespace, linked)
     yield TargetInstalled(f"{node.name}_component" if node.kind.name == "component" else node.name)

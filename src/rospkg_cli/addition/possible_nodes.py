@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import product
 
 from ..lazy_regex import regex
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..package.package import Package
 from ..scaffold import ScaffoldError
 from ..scaffold.node_kinds import OF, all_kinds
@@ -53,10 +53,13 @@ def possible_nodes(package: Package, name: str, there: WorkspacePackages) -> Ite
     name = name.partition(":")[0]
     for language in place.template.languages:
         kinds = [kind for kind, each in all_kinds().items() if not kind.endswith(OF) and language in each.languages]
-        yield from requested(place, name, kinds, language, there)
+        found = [*requested(place, name, kinds, language, there)]
         for path in package.files.matching(f"*{name}{SOURCES[language]}"):
             uses = list(uses_of(package.files.readable_text(path), language))
-            yield from requested(place, name, texts_of(uses, kinds), language, there)
+            found += requested(place, name, texts_of(uses, kinds), language, there)
+        if package.files.matching(f"*{name}_parameters.yaml"):
+            yield from (replace(node, is_generated=True) for node in found if node.kind.parameters)
+        yield from found
 
 
 def requested(
