@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.interfaces import KINDS
 from ...ros.names import NameKind
-from ...ros.read_table import pairs
+from ...ros.read_table import rows
 from ...source import Span
 from ...suggest import near_names
 from ..cmake.mistyped_links import digits
@@ -78,8 +78,8 @@ class ForeignHeaders:
 
     def of_ros_1(self, header: str) -> str | None:
         """Return what ROS 2 has instead of a header of ROS 1, `-` for nothing; None for any other header."""
-        if (found := pairs("ros1_headers.txt").get(header)) is not None:
-            return found
+        if (found := rows("ros1_headers.txt").get(header)) is not None:
+            return found[0]
         if (old := OLD_INTERFACE.fullmatch(header)) is None:
             return None
         package, name = old.groups()

@@ -34,6 +34,15 @@ class KnownInterfaces:
 
     def of(self, package: str) -> Mapping[str, Set[str]] | None:
         """Return the interfaces of a package by kind; None where nothing is known of it."""
+        if package not in self._kinds:
+            self._kinds[package] = self.kinds_of(package)
+        return self._kinds[package]
+
+    @cached_property
+    def _kinds(self) -> dict[str, Mapping[str, Set[str]] | None]:
+        return {}
+
+    def kinds_of(self, package: str) -> Mapping[str, Set[str]] | None:
         if (facts := self.facts(package)) is not None:
             found: dict[str, set[str]] = {}
             for kind, _, name in (each.partition("/") for each in facts.interfaces):

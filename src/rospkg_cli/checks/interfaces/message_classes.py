@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+from bisect import bisect_left
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of, nodes_of_kind
@@ -31,6 +33,17 @@ class MessageClasses:
             self.names.pop(name, None)
         for node in nodes_of_kind(file.tree, ast.Import):
             self.modules |= {alias.name for alias in node.names if not alias.asname}
+
+    @cached_property
+    def _lines(self) -> list[int]:
+        """The lines of all names that an interface, or a module of them, is reached by."""
+        starts = self.names.keys() | {module.partition(".")[0] for module in self.modules}
+        return sorted(node.lineno for node in nodes_of_kind(self.file.tree, ast.Name) if node.id in starts)
+
+    def may_be_named_in(self, node: ast.stmt) -> bool:
+        """Return whether a statement may name an interface: most functions of a file need no closer look."""
+        at = bisect_left(self._lines, node.lineno)
+        return at < len(self._lines) and self._lines[at] <= (node.end_lineno or node.lineno)
 
     def named(self, node: ast.expr) -> str:
         """Return the interface, the message or the module of interfaces that an expression names; "" for others."""

@@ -4,37 +4,60 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import nodes_of_kind
+from ...light_dataclasses import dataclass
 from .callback_types import callback_types
 from .message_classes import MessageClasses
 from .message_variables import Environment, Fields, FunctionNode, asked_names, attributes_of, variables_of
 
+Body = tuple[list[ast.stmt], Environment]
+"""The statements of a function or a file, and the variables that hold a message in them."""
+FUNCTIONS: tuple[type[FunctionNode], ...] = (ast.FunctionDef, ast.AsyncFunctionDef)
 
-def bodies_with_variables(
-    file: PythonFile, classes: MessageClasses, fields: Fields
-) -> Iterator[tuple[list[ast.stmt], Environment]]:
-    """Yield the file's own statements and those of each function, with the variables that hold a message there."""
-    yield file.tree.body, variables_of(file.tree.body, {}, classes, fields)
-    signatures = Signatures(file, classes)
-    owned: set[int] = set()
-    for owner in nodes_of_kind(file.tree, ast.ClassDef):
-        methods = [each for each in owner.body if isinstance(each, FunctionNode)]
-        owned |= {id(each) for each in methods}
+
+@dataclass(frozen=True)
+class MessageScopes:
+    file: PythonFile
+    classes: MessageClasses
+    fields: Fields
+
+    def bodies(self) -> Iterator[Body]:
+        """Yield the file's own statements and those of each function that may have to do with a message."""
+        yield self.file.tree.body, variables_of(self.file.tree.body, {}, self.classes, self.fields)
+        owned: set[int] = set()
+        for owner in nodes_of_kind(self.file.tree, ast.ClassDef):
+            methods = [each for each in owner.body if isinstance(each, FunctionNode)]
+            owned |= {id(each) for each in methods}
+            yield from self.of_class(owner, methods)
+        functions = (each for kind in FUNCTIONS for each in nodes_of_kind(self.file.tree, kind))
+        for function in (each for each in functions if id(each) not in owned):
+            held = local(self.variables_in(function, ""))
+            if held or self.classes.may_be_named_in(function):
+                yield function.body, held
+
+    def of_class(self, owner: ast.ClassDef, methods: list[FunctionNode]) -> Iterator[Body]:
         named: list[tuple[FunctionNode, Environment]] = [
-            (each, variables_of(each.body, signatures.parameters(each, owner.name), classes, fields))
-            for each in methods
+            (each, self.variables_in(each, owner.name)) for each in methods
         ]
-        shared = attributes_of(owner, named, classes, fields)
+        may_hold = any(variables or self.classes.may_be_named_in(each) for each, variables in named)
+        shared = attributes_of(owner, named, self.classes, self.fields) if may_hold else {}
         for each, variables in named:
             asked = set(asked_names(each.body)) if shared else ()
-            attributes = {name: kind for name, kind in shared.items() if name not in asked}
-            yield each.body, {**attributes, **local(variables)}
-    for function in nodes_of(file.tree):
-        if isinstance(function, FunctionNode) and id(function) not in owned:
-            given = signatures.parameters(function, "")
-            yield function.body, local(variables_of(function.body, given, classes, fields))
+            held = {**{name: kind for name, kind in shared.items() if name not in asked}, **local(variables)}
+            if held or self.classes.may_be_named_in(each):
+                yield each.body, held
+
+    def variables_in(self, function: FunctionNode, owner: str) -> Environment:
+        given = self.signatures.parameters(function, owner)
+        is_of_interest = given or self.classes.may_be_named_in(function)
+        return variables_of(function.body, given, self.classes, self.fields) if is_of_interest else {}
+
+    @cached_property
+    def signatures(self) -> Signatures:
+        return Signatures(self.file, self.classes)
 
 
 class Signatures:

@@ -26,7 +26,7 @@ Environment = Mapping[str, str]
 """The message that each variable holds: `msg`, `self.msg`."""
 
 
-def own_nodes(body: list[ast.stmt] | list[ast.AST]) -> Iterator[ast.AST]:
+def own_nodes(body: list[ast.stmt]) -> Iterator[ast.AST]:
     """Yield the nodes of statements, without those in functions, classes and lambdas in them."""
     waiting: list[ast.AST] = list(body)
     while waiting:
@@ -86,7 +86,7 @@ def bound_values(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr | None, a
     None as a value is left out: what is done with it fails anyway.
     """
     plain: set[int] = set()
-    nodes = [node for node in own_nodes(list(body)) if node.__class__ in BINDERS]
+    nodes = [node for node in own_nodes(body) if node.__class__ in BINDERS]
     for node in nodes:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and name_of(node.targets[0]):
             plain.add(id(node.targets[0]))

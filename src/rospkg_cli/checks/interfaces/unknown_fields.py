@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
-from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import KINDS
@@ -16,7 +15,7 @@ from ...suggest import near_names, nearest
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
-from .message_scopes import bodies_with_variables
+from .message_scopes import MessageScopes
 from .message_variables import Environment, held_by, own_nodes
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
@@ -51,14 +50,15 @@ class FieldUses:
                 yield from (found[span] for span in sorted(found))
 
     def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
-        for body, variables in bodies_with_variables(file, classes, self.known.fields):
+        for body, variables in MessageScopes(file, classes, self.known.fields).bodies():
             yield from self.in_body(file, body, variables, classes)
 
     def in_body(
         self, file: PythonFile, body: list[ast.stmt], variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        caught = set(guarded_nodes(body, CATCHES)) if nodes_of_kind(file.tree, ast.Try) else ()
-        for node in own_nodes(list(body)):
+        own = list(own_nodes(body))
+        caught = set(guarded_nodes((node for node in own if isinstance(node, ast.Try)), CATCHES))
+        for node in own:
             if id(node) in caught:
                 continue
             if isinstance(node, ast.Attribute):
