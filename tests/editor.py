@@ -12,6 +12,7 @@ from urllib.parse import unquote
 
 from lsprotocol import types
 from pygls.lsp.client import LanguageClient
+from pygls.protocol import default_converter
 
 PATIENCE = 60
 """Seconds after which what does not come is missed."""
@@ -27,7 +28,7 @@ class Editor:
 
     def __init__(self, folder: Path, **environment: str) -> None:
         self.loop, self.folder = asyncio.new_event_loop(), folder
-        self.client = LanguageClient("editor", "1")
+        self.client = LanguageClient("editor", "1", converter_factory=converter)
         self.diagnostics: dict[Path, tuple[types.Diagnostic, ...]] = {}
         self.messages: list[str] = []
         self.watched: list[types.Registration] = []
@@ -45,7 +46,9 @@ class Editor:
         folders = [types.WorkspaceFolder(folder.as_uri(), folder.name)]
         watching = types.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
         able = types.ClientCapabilities(types.WorkspaceClientCapabilities(did_change_watched_files=watching))
-        asked = types.InitializeParams(able, root_uri=folder.as_uri(), workspace_folders=folders)
+        asked = types.InitializeParams(
+            able, initialization_options={"answerWithin": PATIENCE}, root_uri=folder.as_uri(), workspace_folders=folders
+        )
         self.capabilities = (await self.client.initialize_async(asked)).capabilities
         self.client.initialized(types.InitializedParams())
 
@@ -140,6 +143,18 @@ class Editor:
         self.client.exit(None)
         self.run(self.client.stop())
         self.loop.close()
+
+
+def converter() -> Any:
+    """Return pygls' converter, which takes an action that has a command for the command (lsprotocol 2025.0)."""
+    found = default_converter()
+
+    def action(given: Any, _: Any) -> types.Command | types.CodeAction:
+        kind = types.Command if isinstance(given.get("command"), str) else types.CodeAction
+        return found.structure(given, kind)
+
+    found.register_structure_hook(types.Command | types.CodeAction, action)
+    return found
 
 
 def applied(text: str, edits: Any) -> str:

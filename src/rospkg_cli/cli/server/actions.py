@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
+from itertools import count
 from pathlib import Path
 
 from lsprotocol import types
 
 from ...engine.fixing.fix import fix_all
+from ...engine.live.noting_pool import NotingPool
 from ...engine.suppression.insert_ignores import ignore_comments
 from ...finding import Finding, Fix, Safety, Severity
 from ...light_dataclasses import replace
@@ -19,8 +22,13 @@ from .positions import to_range
 from .text_overlay import package_of
 
 FIX_ALL = "source.fixAll.rospkg"
+FIX_ALL_COMMAND = "rospkg.fixAll"
 REASON = "say here why"
 """What stands for the reason of an ignore until somebody writes it."""
+
+
+KEYS = count(1)
+"""What tells each action to fix all from the others."""
 
 
 def actions(linted: Linted, path: Path, asked: types.CodeActionParams) -> Iterator[types.CodeAction]:
@@ -31,8 +39,14 @@ def actions(linted: Linted, path: Path, asked: types.CodeActionParams) -> Iterat
         if is_wanted(types.CodeActionKind.QuickFix, only) and touch(at, asked.range):
             yield from fixes(linted, finding)
     if is_wanted(FIX_ALL, only) and linted.by_file.get(path):
-        package = linted.by_file[path][0].package
-        yield types.CodeAction(f"rospkg: fix all in {package}", kind=FIX_ALL, data={"path": str(path)})
+        yield fix_all_action(linted.by_file[path][0].package, path)
+
+
+def fix_all_action(package: str, path: Path) -> types.CodeAction:
+    """Return the action whose edit is made when it is chosen, or by its command where it is not ready by then."""
+    title, key = f"rospkg: fix all in {package}", str(next(KEYS))
+    command = types.Command(title, FIX_ALL_COMMAND, arguments=[key, str(path)])
+    return types.CodeAction(title, kind=FIX_ALL, data={"key": key, "path": str(path)}, command=command)
 
 
 def is_wanted(kind: str, only: Iterable[str] | None) -> bool:
@@ -69,9 +83,14 @@ def quick_fix(
 
 
 def all_fixes(linted: Linted, path: Path) -> types.WorkspaceEdit:
-    """Return all safe fixes of warnings and errors in the package of a file, as `rospkg lint --fix` makes them."""
+    """Return all safe fixes of warnings and errors in the package of a file, as `rospkg lint --fix` makes them.
+
+    Raises RunInterrupted as soon as one of the texts changes.
+    """
     session = linted.session
     folder = package_of(path, linted.root, session.scope.folders)
     scope = replace(session.scope, selected=frozenset([] if folder is None else [folder]))
-    found = fix_all(replace(session, scope=scope, kept=None), (Safety.SAFE,), Severity.WARNING)
+    pool = partial(NotingPool, look=linted.run.order.look)
+    session = replace(session, scope=scope, kept=None, make_pool=pool, make_small_pool=pool)
+    found = fix_all(session, (Safety.SAFE,), Severity.WARNING)
     return edit_of_changes(found.changes, linted)

@@ -29,24 +29,25 @@ def offer_lookups(server: PackageServer) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DEFINITION)
     async def definition(asked: types.DefinitionParams) -> list[types.Location]:
-        return await at_place(server, asked, Navigation.definition) or []
+        return await server.in_time(at_place(server, asked, Navigation.definition)) or []
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     async def hover(asked: types.HoverParams) -> types.Hover | None:
-        return await at_place(server, asked, Navigation.hover)
+        return await server.in_time(at_place(server, asked, Navigation.hover))
 
     @server.feature(
         types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=[">", "'", '"', "=", "/", " "])
     )
     async def completion(asked: types.CompletionParams) -> types.CompletionList | None:
-        return await at_place(server, asked, Navigation.completion)
+        return await server.in_time(at_place(server, asked, Navigation.completion))
 
     @server.feature(types.TEXT_DOCUMENT_FORMATTING)
-    def formatted(asked: types.DocumentFormattingParams) -> list[types.TextEdit]:
+    async def formatted(asked: types.DocumentFormattingParams) -> list[types.TextEdit]:
         uri = asked.text_document.uri
         if not uri.endswith("/package.xml"):
             return []
-        return formatting(server.workspace.get_text_document(uri).source, server.workspace.position_codec)
+        text, codec = server.workspace.get_text_document(uri).source, server.workspace.position_codec
+        return await server.in_time(looked_up(server, formatting, text, codec))
 
 
 async def at_place(
@@ -62,14 +63,18 @@ async def at_place(
     await server.lints.until(lambda: live.scene is not None or live.has_failed)
     if live.scene is None:
         return None
-    codec, loop = server.workspace.position_codec, asyncio.get_running_loop()
+    codec, texts = server.workspace.position_codec, dict(live.texts)
     try:
-        return await loop.run_in_executor(
-            server.looking_up, look_up, live.world, live.scene, dict(live.texts), codec, path, asked.position, answer
-        )
+        return await looked_up(server, look_up, live.world, live.scene, texts, codec, path, asked.position, answer)
     except Exception:
         server.crashed(live, path, answer.__name__)
         return None
+
+
+async def looked_up(server: PackageServer, call: Callable[..., T], *given: object) -> T:
+    """Return what a call returns in the thread of lookups, while runs wait."""
+    with server.way.taken():
+        return await asyncio.get_running_loop().run_in_executor(server.looking_up, call, *given)
 
 
 def look_up(

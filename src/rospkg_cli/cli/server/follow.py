@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lsprotocol import types
 
+from .in_time import limit_of
 from .language_server import PackageServer
 from .open_text import OpenText
 from .open_workspaces import path_of
@@ -44,6 +45,15 @@ def follow_texts(server: PackageServer) -> None:
 def follow_folders(server: PackageServer) -> None:
     """Let the server follow which folders are open."""
 
+    @server.feature(types.INITIALIZE)
+    def initialize(asked: types.InitializeParams) -> None:
+        server.limit = limit_of(asked)
+
+    @server.feature(types.SHUTDOWN)
+    def shut_down(*_: object) -> None:
+        for live in server.workspaces:
+            live.look.end()
+
     @server.feature(types.INITIALIZED)
     def initialized(_: types.InitializedParams) -> None:
         for folder in server.workspace.folders.values():
@@ -66,6 +76,7 @@ def follow_folders(server: PackageServer) -> None:
     async def settled(*_: object) -> None:
         """Answer when all diagnostics are up to date."""
         await server.lints.is_settled.wait()
+        await server.shown.all_left.wait()
 
 
 def follow_disk(server: PackageServer) -> None:

@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import asyncio
 import traceback
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import TypeVar
 
 from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 from pygls.workspace import PositionCodec
 
 from ... import __version__
+from ...engine.live.safe_point import RightOfWay, RunInterrupted
 from ...package.run_events import RuleCrash
 from ...user_error import UserError
+from .in_time import LIMIT, in_time
 from .lint_loop import LintLoop
 from .linted import Linted
 from .live_lint import LintOrder, LiveLint, Scene
 from .live_workspace import LiveWorkspace
 from .open_workspaces import OpenWorkspaces
 from .publication import Publication
+
+T = TypeVar("T")
 
 
 class PackageServer(LanguageServer):
@@ -31,6 +36,10 @@ class PackageServer(LanguageServer):
         self.workspaces = OpenWorkspaces()
         self.shown = Publication(self)
         self.lints = LintLoop(self.lint_all)
+        self.way = RightOfWay()
+        """Taken by what is asked while a run goes on."""
+        self.limit = LIMIT
+        """Seconds within which what is asked is answered or refused."""
         self.linting, self.looking_up = ThreadPoolExecutor(1, "lint"), ThreadPoolExecutor(1, "lookup")
 
     async def lint_all(self) -> bool:
@@ -43,7 +52,7 @@ class PackageServer(LanguageServer):
 
     async def lint(self, live: LiveWorkspace) -> None:
         """Lint a workspace beside what goes on, and publish."""
-        order, loop, codec = live.order(), asyncio.get_running_loop(), self.workspace.position_codec
+        order, loop, codec = live.order(self.way), asyncio.get_running_loop(), self.workspace.position_codec
 
         def begins(scene: Scene) -> None:
             loop.call_soon_threadsafe(live.begin, scene)
@@ -51,10 +60,12 @@ class PackageServer(LanguageServer):
 
         try:
             linted = await loop.run_in_executor(self.linting, lint, live.lint, order, codec, begins)
-            live.take(linted)
-            self.publish(live)
+            if linted is None:
+                live.give_back(order)
+            elif live.take(linted):
+                self.publish(live)
         except Exception as error:
-            live.give_back(order)
+            live.fail(order)
             self.tell(live, error)
         finally:
             self.lints.tell()
@@ -67,7 +78,9 @@ class PackageServer(LanguageServer):
         if live.crashes:
             linted = Linted.of(linted.run, linted.codec, live.crashes.values())
         own = {path: each for path, each in linted.diagnostics.items() if self.workspaces.shows(live, path)}
-        self.shown.send(live.folder, own, {path: text.uri for path, text in self.workspaces.texts.items()})
+        uris = {path: text.uri for path, text in self.workspaces.texts.items()}
+        self.shown.send(live.folder, own, uris, live.asked)
+        live.asked.clear()
 
     def forget_answered(self) -> None:
         """Let go of what pygls keeps of each notification that it has handled itself: 3 KB for each key (pygls 2.1)."""
@@ -94,16 +107,26 @@ class PackageServer(LanguageServer):
             live.crashes[path] = RuleCrash(what, path.parent.name, place, error, "answer to")
             self.publish(live)
 
+    async def in_time(self, answer: Awaitable[T]) -> T:
+        """Return an answer; raises JsonRpcContentModified where it takes longer than the editor is to wait."""
+        return await in_time(answer, self.limit)
+
     async def linted_at(self, path: Path) -> Linted | None:
         """Return the run that saw all texts as they are in the editor, once it has ended; None where none comes."""
         live = self.workspaces.at(path)
-        if live is None or not await self.lints.until(lambda: live.is_current or live.has_failed):
+        if live is None:
             return None
+        if not (live.is_current or live.has_failed):
+            self.lints.hurry()
+        await self.lints.until(lambda: live.is_current or live.has_failed)
         return live.linted if live.is_current else None
 
 
-def lint(live: LiveLint, order: LintOrder, codec: PositionCodec, begins: Callable[[Scene], None]) -> Linted:
-    """Return what a run finds, made ready to be shown."""
-    found = Linted.of(live.run(order, begins), codec)
+def lint(live: LiveLint, order: LintOrder, codec: PositionCodec, begins: Callable[[Scene], None]) -> Linted | None:
+    """Return what a run finds, made ready to be shown; None where it was interrupted."""
+    try:
+        found = Linted.of(live.run(order, begins), codec)
+    except RunInterrupted:
+        return None
     assert found.diagnostics is not None  # made here, not in the event loop
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 
 PAUSE = 0.15
 """Seconds without a change after which packages are linted."""
@@ -15,9 +16,6 @@ IDLE = 0.5
 MUCH = 10
 """Collections of the middle generation after which garbage is worth that: 200,000 objects."""
 
-PATIENCE = 5.0
-"""Seconds that a request waits for the run over the last texts."""
-
 
 class LintLoop:
     """Calls `lint_all` whenever something has changed and then rested, and again until it returns True."""
@@ -25,6 +23,8 @@ class LintLoop:
     def __init__(self, lint_all: Callable[[], Awaitable[bool]]) -> None:
         self.lint_all = lint_all
         self.has_changed = asyncio.Event()
+        self.is_urgent = asyncio.Event()
+        """Set where somebody waits for the run that is to come."""
         self.is_settled = asyncio.Event()
         """Set while the diagnostics are those of the texts in the editor, in all packages."""
         self.went_on = asyncio.Event()
@@ -45,10 +45,16 @@ class LintLoop:
             while self.has_changed.is_set() or not is_finished:
                 while self.has_changed.is_set():
                     self.has_changed.clear()
-                    await asyncio.sleep(PAUSE)
+                    await self.pause()
                 is_finished = await self.lint_all()
             self.is_settled.set()
             await self.rest()
+
+    async def pause(self) -> None:
+        """Wait for more changes, unless somebody waits for the run."""
+        with suppress(asyncio.TimeoutError):
+            await asyncio.wait_for(self.is_urgent.wait(), PAUSE)
+        self.is_urgent.clear()
 
     async def rest(self) -> None:
         """Collect garbage if nothing changes for a moment; what is known of all packages by then is left alone."""
@@ -66,14 +72,11 @@ class LintLoop:
         self.went_on.set()
         self.went_on = asyncio.Event()
 
-    async def until(self, holds: Callable[[], bool]) -> bool:
-        """Wait until something holds, looking after each step of a run; False where it still doesn't after PATIENCE."""
-        try:
-            await asyncio.wait_for(self._until(holds), PATIENCE)
-        except asyncio.TimeoutError:
-            return False
-        return True
+    def hurry(self) -> None:
+        """Let the next run begin without a pause."""
+        self.is_urgent.set()
 
-    async def _until(self, holds: Callable[[], bool]) -> None:
+    async def until(self, holds: Callable[[], bool]) -> None:
+        """Wait until something holds, looking after each step of a run."""
         while not holds():
             await self.went_on.wait()

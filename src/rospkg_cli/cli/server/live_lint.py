@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 
 from ...config.hierarchy import ConfigTree
@@ -11,6 +12,7 @@ from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
 from ...engine.live.live_packages import LivePackages
 from ...engine.live.noting_pool import NotingPool
+from ...engine.live.safe_point import SafePoint
 from ...engine.run.session import Results, Session, no_progress
 from ...light_dataclasses import dataclass, field, replace
 from ...package.package_facts import PackageFacts
@@ -32,6 +34,8 @@ class LintOrder:
     """The paths whose content is not what it was in the last run."""
     wanted: frozenset[Path]
     """Packages that are linted first."""
+    look: SafePoint = field(default_factory=SafePoint)
+    """Where the run, and what is made of it later, may be interrupted."""
 
 
 @dataclass(frozen=True)
@@ -68,10 +72,13 @@ class LiveLint:
     def run(self, order: LintOrder, begins: Callable[[Scene], object] = lambda _: None) -> LintRun:
         """Lint what is judged already and the next packages; nothing is read of those in which nothing changed.
 
-        `begins` is called with what the run will look at. Raises UserError for a config that is wrong.
+        `begins` is called with what the run will look at. Raises UserError for a config that is wrong, and
+        RunInterrupted: what was found by then is kept, and the next order is to have these changes too.
         """
         configs = choose_configs([self.folder])
+        order.look()
         located = locate([self.folder], None, configs)
+        order.look()
         session = self.prepared(order, located, configs)
         begins(Scene(session, located.root, self.facts))
         results = session.run() if located.scope.folders else Results()
@@ -92,13 +99,14 @@ class LiveLint:
         given = [scope.incomplete, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories)), scope.folders]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
         tree = DiskTree(located.root, scope.folders)
+        pool = partial(NotingPool, look=order.look, memory=self.memory)
         return replace(
             session,
             tree=overlay(tree, located.root, order.texts),
             scope=replace(scope, selected=self.next_packages(located, order.wanted)),
             kept=self.memory,
-            make_pool=NotingPool,
-            make_small_pool=NotingPool,
+            make_pool=pool,
+            make_small_pool=pool,
         )
 
     def next_packages(self, located: Located, first: frozenset[Path]) -> frozenset[str]:

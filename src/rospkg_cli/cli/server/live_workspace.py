@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...engine.live.safe_point import RightOfWay, SafePoint
 from ...light_dataclasses import dataclass, field
 from ...package.run_events import RuleCrash
 from .linted import Linted
@@ -23,6 +24,8 @@ class LiveWorkspace:
     """The paths whose content is not what it was when the last run began."""
     wanted: set[Path] = field(default_factory=set)
     """Packages that are linted first."""
+    asked: set[Path] = field(default_factory=set)
+    """The files for which actions are asked, or were in vain."""
     scene: Scene | None = None
     """What the last run was about, also while the first one goes on."""
     linted: Linted | None = None
@@ -37,6 +40,8 @@ class LiveWorkspace:
     """Why the last run came to nothing, as the user was told."""
     crashes: dict[Path, RuleCrash] = field(default_factory=dict)
     """What failed outside of the runs, by the file where it did; forgotten when that changes."""
+    look: SafePoint = field(default_factory=SafePoint)
+    """Where the last run may be interrupted, and what is made of it."""
     lint: LiveLint = field(init=False)
     world: LiveWorld = field(default_factory=LiveWorld)
 
@@ -51,27 +56,35 @@ class LiveWorkspace:
         self.touch(path)
 
     def touch(self, path: Path) -> None:
-        """Note that a file is not what it was, here or on disk."""
+        """Note that a file is not what it was, here or on disk; a run over what it was is given up."""
+        self.look.end()
         self.changed.add(path)
         self.crashes.pop(path, None)
         self.is_current = self.has_failed = False
 
-    def order(self) -> LintOrder:
-        """Return what the next run is to see."""
-        changed, self.changed = frozenset(self.changed), set()
-        return LintOrder(dict(self.texts), changed, frozenset(self.wanted))
+    def order(self, way: RightOfWay) -> LintOrder:
+        """Return what the next run is to see; it waits while others have the right of way."""
+        changed, self.changed, self.look = frozenset(self.changed), set(), SafePoint(way)
+        return LintOrder(dict(self.texts), changed, frozenset(self.wanted), self.look)
 
     def begin(self, scene: Scene) -> None:
         """Take what the first run will look at, so that it can be looked up before that run ends."""
         self.scene = self.scene or scene
 
-    def take(self, linted: Linted) -> None:
-        """Take what a run came to."""
-        self.scene, self.linted, self.is_finished = linted.run.scene, linted, linted.run.is_finished
-        self.is_current, self.has_failed, self.told = not self.changed, False, ""
+    def take(self, linted: Linted) -> bool:
+        """Take what a run came to; return whether that is of the texts as they are now, else nothing is shown of it."""
+        self.scene = linted.run.scene
+        if not self.changed:
+            self.linted, self.is_finished = linted, linted.run.is_finished
+            self.is_current, self.has_failed, self.told = True, False, ""
+        return self.is_current
 
     def give_back(self, order: LintOrder) -> None:
-        """Take back an order whose run failed: the next run sees its changes as new."""
+        """Take back an order whose run was interrupted: the next run sees its changes as new."""
+        self.changed |= order.changed
+
+    def fail(self, order: LintOrder) -> None:
+        """Take back an order whose run failed; no other follows before something changes."""
         self.has_failed = not self.changed
         self.is_finished = True
-        self.changed |= order.changed
+        self.give_back(order)

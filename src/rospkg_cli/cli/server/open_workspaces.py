@@ -72,7 +72,8 @@ class OpenWorkspaces:
 
     def close(self, folder: Path) -> None:
         """Remove a folder of the editor; what is still open in it belongs to the next one around."""
-        if self.by_folder.pop(folder, None):
+        if live := self.by_folder.pop(folder, None):
+            live.look.end()
             self.put_again(folder)
 
     def put_again(self, folder: Path) -> None:

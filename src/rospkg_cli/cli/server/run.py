@@ -22,15 +22,13 @@ def serve() -> int:
     """Serve until the editor ends it; return the exit status. Raises UsageError without pygls."""
     if find_spec("pygls") is None:
         raise UsageError(MISSING)
-    from .answers import offer_lookups
-    from .follow import follow_disk, follow_folders, follow_texts
-    from .language_server import PackageServer
-    from .offered_actions import offer_actions
+    from .features import server_with_features
+    from .in_time import quieten
+    from .shared_properties import let_threads_compute
 
     gc.set_threshold(*COLLECTIONS)
     sys.setswitchinterval(SWITCH)
-    server = PackageServer()
-    for let in (follow_texts, follow_folders, follow_disk, offer_actions, offer_lookups):
-        let(server)
-    server.start_io()
+    quieten()
+    let_threads_compute()
+    server_with_features().start_io()
     return 0

@@ -28,7 +28,7 @@ from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
 from .finding_builder import FindingBuilder
 from .rule_inputs import InputBuilder
-from .run_rules import run_rules
+from .run_rules import InputsOf, run_rules
 
 NO_SETTINGS = RuleSettings()
 
@@ -101,6 +101,10 @@ class Worker:
         codes = [code for code in codes if is_over_packages(code)]
         return [self.check(folder, workspace, codes) for folder in self.folders if folder in wanted]
 
+    def inputs(self, package: Package, workspace: Workspace) -> InputsOf:
+        """Return what gives a rule its inputs of a package."""
+        return InputBuilder(package, workspace, self.targets, self.settings).of
+
     def check(self, folder: str, workspace: Workspace, codes: Iterable[str]) -> PackageResults:
         """Run some rules over one package."""
         package = self.packages.pop(folder)  # what was read of it is given back when it is checked
@@ -108,7 +112,7 @@ class Worker:
         whole = PackageFiles(package.files.whole or self.tree)
         builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
         rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
-        results = list(run_rules(InputBuilder(package, seen, self.targets, self.settings).of, rules, builder))
+        results = list(run_rules(self.inputs(package, seen), rules, builder))
         results += reader_crashes(package, builder.package, builder.crash_path)
         findings = tuple(r for r in results if isinstance(r, Finding))
         crashes = tuple(r for r in results if isinstance(r, RuleCrash))
