@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.manifest import add_dependency, add_element, add_export, remove_element
+from rospkg_cli.edits.manifest import add_dependencies, add_dependency, add_element, add_export, remove_element
 from rospkg_cli.edits.manifest_format import to_format_3
 from rospkg_cli.edits.manifest_tags import remove_attribute, rename_tag, set_attribute, set_text
 from rospkg_cli.engine.fixing.apply import edited
@@ -129,6 +129,18 @@ def test_a_dependency_is_put_where_a_person_would(before: str, name: str, after:
     assert apply(text, add_dependency(read(text), "depend", name)) == want
 
 
+def test_what_comes_to_one_place_is_put_in_order_and_once() -> None:
+    text = "<package>\n  <name>a</name>\n</package>\n"
+    found = read(text)
+    group = add_element(found, "member_of_group", "<member_of_group>g</member_of_group>")
+    several = add_dependencies(found, [("exec_depend", "d"), ("exec_depend", "b"), ("depend", "z")])
+    single = [add_dependency(found, "exec_depend", name) for name in ("c", "b", "a")]
+    after = [f"<exec_depend>{name}</exec_depend>" for name in "abcd"]
+    lines = ["<depend>z</depend>", *after, "<member_of_group>g</member_of_group>"]
+    new = "".join(f"\n  {line}" for line in lines)
+    assert apply(text, group, *several, *single) == text.replace("</name>", f"</name>{new}")
+
+
 def test_an_element_goes_into_an_empty_package() -> None:
     text = "<package>\n</package>\n"
     assert apply(text, add_element(read(text), "name", "<name>a</name>")) == "<package>\n  <name>a</name>\n</package>\n"
@@ -173,6 +185,17 @@ def test_an_element_goes_with_its_line_or_alone() -> None:
     first, second, _ = read(text).root.children
     assert apply(text, remove_element(read(text), first)) == text.replace("  <depend>a</depend>\n", "")
     assert apply(text, remove_element(read(text), second)) == text.replace("<depend>b</depend>", "")
+
+
+def test_one_blank_line_is_left_where_an_element_was_alone_between_two() -> None:
+    text = "<package>\n  <name>a</name>\n\n  <depend>a</depend>\n  \n  <export/>\n</package>\n"
+    assert apply(text, remove_element(read(text), read(text).root.children[1])) == text.replace(
+        "  <depend>a</depend>\n  \n", ""
+    )
+    below = text.replace("</name>\n\n", "</name>\n")
+    assert apply(below, remove_element(read(below), read(below).root.children[1])) == below.replace(
+        "  <depend>a</depend>\n", ""
+    )
 
 
 def test_format_1_becomes_format_3() -> None:

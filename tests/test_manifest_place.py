@@ -80,3 +80,33 @@ def test_several_of_one_place_are_one_edit() -> None:
     (edit,) = add_dependencies(found, [("exec_depend", "b"), ("exec_depend", "a")])
     assert edit.text == "<exec_depend>a</exec_depend>\n  <exec_depend>b</exec_depend>\n  "
     assert add_dependency(found, "exec_depend", "a").span == edit.span
+
+
+SPACED = lines("x", tag="buildtool_depend") + "\n" + lines("t", tag="test_depend") + "\n"
+
+
+def test_a_new_kind_is_parted_by_a_blank_line_where_the_others_are() -> None:
+    new = lines("a", "b") + "\n" + lines("t", tag="test_depend")
+    assert added("\n" + SPACED, "b", "a") == "\n" + lines("x", tag="buildtool_depend") + "\n" + new + "\n"
+    assert added("\n" + lines("t", tag="test_depend") + "\n", "b", "a") == "\n" + new + "\n"
+
+
+def test_a_new_kind_is_parted_by_nothing_where_two_kinds_are_neighbours() -> None:
+    tight = "\n" + lines("x", tag="depend") + lines("t", tag="test_depend") + "\n"
+    assert added(tight, "a", tag="build_depend") == tight.replace(
+        "  <depend>", lines("a", tag="build_depend") + "  <depend>"
+    )
+    grouped = "\n" + lines("x", tag="depend") + "  <member_of_group>g</member_of_group>\n\n"
+    assert added(grouped, "a") == grouped.replace("  <member", lines("a") + "  <member")
+
+
+def test_above_the_comment_of_the_next_kind() -> None:
+    note = "  <!-- Only for tests,\n       and optional -->\n  <!-- really -->\n"
+    assert added(note + lines("t", tag="test_depend"), "a") == lines("a") + note + lines("t", tag="test_depend")
+    far = note + "\n" + lines("t", tag="test_depend")
+    assert added(far, "a") == note + "\n" + lines("a") + lines("t", tag="test_depend")
+
+
+def test_an_element_in_a_comment_is_no_heading() -> None:
+    first, second = lines("d", "b") + "  <!-- <exec_depend>x</exec_depend> -->\n", lines("c", "e", "f")
+    assert added(first + second, "d") == first + lines("c", "d", "e", "f")

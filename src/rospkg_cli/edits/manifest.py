@@ -6,9 +6,14 @@ from collections.abc import Iterable
 
 from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
+from ..lazy_regex import regex
 from ..package.manifest import Dependency, Manifest
 from ..source import Span
-from .manifest_place import neighbour
+from .dependency_lines import in_order
+from .manifest_place import gap_before, gap_behind, neighbour, start_with_heading
+
+BLANK_ABOVE = regex(r"\n[ \t]*\n\Z")
+BLANK_LINE = regex(r"[ \t]*\n")
 
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
@@ -18,11 +23,11 @@ def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
 
 def add_dependencies(manifest: Manifest, wanted: Iterable[tuple[str, str]]) -> tuple[Edit, ...]:
     """Add several dependencies, each a tag and a name; those that belong to one place are one edit."""
-    texts: dict[Span, str] = {}
+    texts: dict[Span, list[str]] = {}
     for tag, name in sorted(wanted):
         edit = add_dependency(manifest, tag, name)
-        texts[edit.span] = texts.get(edit.span, "") + edit.text
-    return tuple(Edit(manifest.path, span, text) for span, text in sorted(texts.items()))
+        texts.setdefault(edit.span, []).append(edit.text)
+    return tuple(Edit(manifest.path, span, in_order(each)) for span, each in sorted(texts.items()))
 
 
 def escaped(text: str) -> str:
@@ -37,10 +42,10 @@ def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit
     if anchor is None:
         return Edit(manifest.path, Span(manifest.root.open.end, manifest.root.open.end), f"\n{indent}{text}")
     if is_before:
-        at = anchor.span.start
-        return Edit(manifest.path, Span(at, at), f"{text}\n{indent}")
+        at = anchor.span.start if anchor.tag == tag else start_with_heading(manifest, anchor)
+        return Edit(manifest.path, Span(at, at), f"{text}\n{gap_before(manifest, tag, anchor)}{indent}")
     at = end_of_line(manifest, anchor)
-    return Edit(manifest.path, Span(at, at), f"\n{indent}{text}")
+    return Edit(manifest.path, Span(at, at), f"\n{gap_behind(manifest, tag, anchor, at)}{indent}{text}")
 
 
 def add_export(manifest: Manifest, text: str) -> Edit:
@@ -76,14 +81,16 @@ def end_of_line(manifest: Manifest, element: Element) -> int:
 
 
 def remove_element(manifest: Manifest, element: Element) -> Edit:
-    """Remove an element, with its line where that holds nothing else."""
+    """Remove an element, with its line where that holds nothing else, and with one of two blank lines around it."""
     source = manifest.source
     start = source.line_span(source.position(element.span.start)[0]).start
     end = source.line_span(source.position(element.span.end)[0]).end
     alone = not (source.text[start : element.span.start] + source.text[element.span.end : end]).strip()
-    if alone:
-        return Edit(manifest.path, Span(start, min(end + 1, len(source.text))), "")
-    return Edit(manifest.path, element.span, "")
+    if not alone:
+        return Edit(manifest.path, element.span, "")
+    end = min(end + 1, len(source.text))
+    blank = BLANK_LINE.match(source.text, end) if BLANK_ABOVE.search(source.text[:start]) else None
+    return Edit(manifest.path, Span(start, blank.end() if blank else end), "")
 
 
 def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> Edit:

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
-from ..languages.xml.elements import Element
+from ..languages.xml.elements import Element, XmlComment
+from ..lazy_regex import regex
 from ..package.manifest import Manifest
 from ..ros.manifest import DEPENDENCY_TAGS, place_of
 
+LINE_BREAK = regex(r"[ \t]*\n[ \t]*")
+BLANK = regex(r"[ \t]*\n[ \t]*\n")
+DEPENDENCY = frozenset(DEPENDENCY_TAGS)
 Block = list[Element]
 """Dependencies on lines that follow each other, without a blank line or a comment between them."""
 
@@ -65,10 +70,52 @@ def is_next(manifest: Manifest, first: Element, second: Element) -> bool:
 
 
 def has_heading(manifest: Manifest, block: Block) -> bool:
-    """Return whether a comment stands in the line above a block."""
-    before = manifest.source.text[: block[0].span.start].rstrip(" \t")
-    above = before.removesuffix("\n").rpartition("\n")[2]
-    return above.rstrip().endswith("-->") and above.lstrip().startswith("<!--")
+    """Return whether a comment stands in the line above a block; one that holds an element is no heading."""
+    comment = comment_above(manifest, block[0])
+    return comment is not None and not comment.text.strip().startswith("<")
+
+
+def comment_above(manifest: Manifest, node: Element | XmlComment) -> XmlComment | None:
+    """Return the comment that ends in the line above a node, and has its own lines."""
+    nodes = manifest.root.nodes
+    place = next(place for place, each in enumerate(nodes) if each is node)
+    above = nodes[place - 1] if place else None
+    text = manifest.source.text
+    if not isinstance(above, XmlComment) or not LINE_BREAK.fullmatch(text[above.span.end : node.span.start]):
+        return None
+    line = manifest.source.line_span(manifest.source.position(above.span.start)[0])
+    return above if not text[line.start : above.span.start].strip() else None
+
+
+def start_with_heading(manifest: Manifest, element: Element) -> int:
+    """Return where an element begins, with the comments right above it."""
+    first: Element | XmlComment = element
+    while (above := comment_above(manifest, first)) is not None:
+        first = above
+    return first.span.start
+
+
+def gap_before(manifest: Manifest, tag: str, following: Element) -> str:
+    """Return the blank line that parts a new kind of dependency from the one behind it; "" where there is none."""
+    return "\n" if tag in DEPENDENCY_TAGS and following.tag != tag and parts_kinds(manifest) else ""
+
+
+def gap_behind(manifest: Manifest, tag: str, last: Element, at: int) -> str:
+    """Return the blank line that parts a new kind of dependency, or <export>, from what is before it, or ""."""
+    is_new = tag != last.tag and (tag in DEPENDENCY_TAGS or tag == "export")
+    return "\n" if is_new and BLANK.match(manifest.source.text, at) and parts_kinds(manifest) else ""
+
+
+def parts_kinds(manifest: Manifest) -> bool:
+    """Return whether blank lines part each kind of dependency from its neighbours."""
+    children = [child for child in manifest.root.children if child.tag not in ("group_depend", "member_of_group")]
+    text = manifest.source.text
+    between = [
+        text[first.span.end : second.span.start]
+        for first, second in pairwise(children)
+        if first.tag != second.tag and not DEPENDENCY.isdisjoint((first.tag, second.tag))
+    ]
+    return bool(between) and all(BLANK.search(each) for each in between)
 
 
 def is_sorted(elements: Sequence[Element]) -> bool:

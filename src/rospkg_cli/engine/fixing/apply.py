@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort
 from collections.abc import Iterable, Sequence
+from itertools import groupby
 
+from ...edits.dependency_lines import in_order
 from ...finding import Chmod, Create, Delete, Edit, Fix, Move, Operation
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
-from ...ros.manifest import DEPENDENCY_TAGS
 from ...source import Span
 from ...tree import Tree, TreeEntry
 
-NEW_DEPENDENCY = regex(r"\s*<(\w+)[^>]*>([^<]+)<")
 Changes = dict[str, TreeEntry | None]
 """Path to its new entry; None where the file is gone."""
 
@@ -78,16 +77,12 @@ def edited(entry: TreeEntry, edits: Sequence[Edit]) -> TreeEntry:
     text = entry.text.text
     pieces: list[str] = []
     at = 0
-    for edit in sorted(edits, key=lambda e: (e.span, rank(e.text))):
-        pieces += [text[at : edit.span.start], edit.text]
-        at = edit.span.end
+    for span, together in groupby(sorted(edits, key=lambda e: e.span), lambda e: e.span):
+        texts = [each.text for each in together]
+        in_one = span.start == span.end and edits[0].path.rpartition("/")[2] == "package.xml"
+        pieces += [text[at : span.start], in_order(texts) if in_one else "".join(texts)]
+        at = span.end
     return TreeEntry(entry.kind, entry.text.encode("".join([*pieces, text[at:]])), entry.mode)
-
-
-def rank(text: str) -> tuple[int, str]:
-    """Return where a new dependency belongs among others at one place: by its tag, then by its name."""
-    found = NEW_DEPENDENCY.match(text)
-    return (DEPENDENCY_TAGS.index(found[1]), found[2]) if found and found[1] in DEPENDENCY_TAGS else (-1, "")
 
 
 def outcome(tree: Tree, operation: Operation) -> Changes:
