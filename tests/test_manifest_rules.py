@@ -227,19 +227,24 @@ def test_everything_of_cmake_is_a_buildtool(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "files, guess",
+    "files, guess, level, happens",
     [
-        ({"setup.py": "from setuptools import setup\nsetup()\n"}, "ament_python"),
-        ({"CMakeLists.txt": CMAKE}, "ament_cmake"),
-        ({"CMakeLists.txt": "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n"}, "cmake"),
-        ({}, None),
+        ({"setup.py": "from setuptools import setup\nsetup()\n"}, "ament_python", "error", "does not build it"),
+        ({"CMakeLists.txt": CMAKE}, "ament_cmake", "error", "Package 'my_pkg' not found"),
+        ({"CMakeLists.txt": "project(my_pkg)\n"}, "cmake", "info", "though it builds it"),
+        ({"CMakeLists.txt": "find_package(our_cmake)\n"}, None, "warning", "Package 'my_pkg' not found"),
+        ({}, None, "error", "does not build it"),
     ],
 )
-def test_the_build_type_is_guessed_by_the_files(files: dict[str, str], guess: str | None) -> None:
+def test_the_files_say_which_build_type_is_missing_and_what_fails(
+    files: dict[str, str], guess: str | None, level: str, happens: str
+) -> None:
     text = manifest().replace("<build_type>ament_python</build_type>", "")
     (finding,) = lint_files({"package.xml": text, **files}, ["XML301"]).findings
     assert (guess is None) is (finding.fix is None)
     assert guess is None or f"`<build_type>{guess}</build_type>`" in finding.message
+    assert happens in finding.message
+    assert finding.severity.value == level
 
 
 def test_packages_of_ros_1_are_left_alone() -> None:

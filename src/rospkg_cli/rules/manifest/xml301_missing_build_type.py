@@ -48,12 +48,14 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     Packages that depend on catkin and on no ament_cmake are ROS 1's, and left alone.
 
     ## Why is this bad?
-    Without one the package counts as a catkin package: colcon looks for a CMakeLists.txt with catkin in it, and a
-    package of Python fails with "does not appear to contain CMakeLists.txt".
+    Without one the package counts as a catkin package. Of Python, the build stops with "does not appear to contain
+    CMakeLists.txt". With CMake the build is green, and colcon does not put the package on AMENT_PREFIX_PATH: `ros2 run`
+    and `ros2 launch` end with "Package 'my_pkg' not found", unless it was built with --merge-install.
 
     ## When it is quiet
     Packages that depend on catkin and on no ament_cmake are for ROS 1. A build type under a condition counts where the
-    condition may hold for a target.
+    condition may hold for a target. It is milder, an info, for plain CMake, which is found by `find_package` alone, and
+    a warning where neither ament_cmake nor plain CMake is certain.
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
@@ -65,9 +67,20 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     span = export.open if export else manifest.root.open
     guess = package.likely_build_type
     advice = f"add `<build_type>{guess}</build_type>` to `<export>`" if guess else "name one in `<export>`"
-    message = f"no `<build_type>` is named, so colcon takes this for a catkin package and fails to build it; {advice}"
+    level, what_happens = consequence(package)
+    message = f"no `<build_type>` is named, so colcon takes this for a catkin package{what_happens}; {advice}"
     fix = None
     if guess:
         edit = add_export(manifest, f"<build_type>{guess}</build_type>")
         fix = Fix(f"Add the build type {guess}", (edit,))
-    yield Hit(manifest.path, span, message, fix=fix)
+    yield Hit(manifest.path, span, message, level=level, fix=fix)
+
+
+def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
+    """Return how grave it is, and what happens: colcon-ros 0.5, task/catkin/build.py, sets no AMENT_PREFIX_PATH."""
+    if not package.files.exists("CMakeLists.txt"):
+        return Severity.ERROR, " and does not build it: it has no CMakeLists.txt"
+    if package.likely_build_type == "cmake":
+        return Severity.INFO, " of ROS 1, though it builds it"
+    not_found = f": the build is green, and `ros2 run` says \"Package '{package.manifest.name}' not found\""
+    return (Severity.ERROR if package.likely_build_type else Severity.WARNING), not_found
