@@ -355,3 +355,44 @@ def test_git_is_needed_only_where_both_sides_changed(
         update(package, new)
     (package / SETUP).write_bytes((package / SETUP).read_bytes().removeprefix(b"# mine\n"))
     assert update(package, new)[README].status == "updated"
+
+
+def test_what_was_left_out_comes_back_and_what_was_added_goes(tmp_path: Path) -> None:
+    asked = ("my_pkg", "--params", "none", "--with", "ci,pre-commit", "--launch", "none", "--tests", "none")
+    assert run_here("new", *asked, *ADA, cwd=tmp_path).returncode == 0
+    package, values, hook = tmp_path / "my_pkg", "config/params.yaml", ".pre-commit-config.yaml"
+    assert (package / hook).is_file()
+
+    def updated(*words: str) -> tuple[bool, ...]:
+        done = run_here("new", "--update", "my_pkg", *words, cwd=tmp_path)
+        assert (done.returncode, done.stderr) == (0, "")
+        return tuple((package / path).is_file() for path in (values, hook, "launch/my_pkg.launch.py"))
+
+    assert updated("--params", "file", "--with", "none,pre-commit", "--launch", "py") == (True, True, True)
+    assert not (package / ".github/workflows/ci.yaml").exists()
+    assert updated("--params", "none", "--with", "none", "--launch", "none") == (False, False, False)
+    assert updated("--params", "generate") == (True, False, False)
+    assert (package / "my_pkg/my_pkg_node_parameters.yaml").is_file()
+    assert run_here("lint", "my_pkg", "--pedantic", cwd=tmp_path).returncode == 0
+
+
+def test_a_workspace_is_updated_too(tmp_path: Path) -> None:
+    asked = ("my_ws", "--type", "workspace", "--distro", "jazzy", "--with", "none")
+    assert run_here("new", *asked, cwd=tmp_path).returncode == 0
+    root = tmp_path / "my_ws"
+    assert read_record(root).request.distro == "jazzy"
+    (root / "README.md").write_text((root / "README.md").read_text() + "Mine.\n")
+    (root / "src/.gitkeep").unlink()
+    assert run_here("new", "src/arm", *ADA, "--tests", "none", cwd=root).returncode == 0
+    before = content(root / "src")
+    done = run_here("new", "--update", ".", "--distro", "lyrical", "--with", "ci", cwd=root)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert re.search(r"^created +\.github/workflows/ci\.yaml$", done.stdout, re.MULTILINE)
+    assert re.search(r"^merged +README\.md$", done.stdout, re.MULTILINE)
+    assert (root / "README.md").read_text().endswith("Mine.\n")
+    assert 'target = ["lyrical"]' in (root / "rospkg.toml").read_text()
+    assert content(root / "src") == before
+    assert "nothing is to be done" in run_here("new", "--update", ".", cwd=root).stderr
+    refused = run_here("new", "--update", "my_ws", "--node", "talker", cwd=tmp_path)
+    assert (refused.returncode, "a workspace has no nodes" in refused.stderr) == (2, True)
+    assert "nor the `.rospkg-answers.toml` of a workspace" in run_here("new", "--update", "src", cwd=root).stderr

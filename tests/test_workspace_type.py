@@ -11,10 +11,11 @@ from in_process import Done, run_here
 
 from rospkg_cli.scaffold import family_root
 from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.answers_record import RECORD
 
 WHO = ("--maintainer", "Ada", "--email", "ada@example.org")
 EVERYTHING = "ci,pre-commit,devcontainer"
-PLAIN = {"src/.gitkeep", "my_ws.repos", "colcon_defaults.yaml", "rospkg.toml", "README.md", ".gitignore"}
+PLAIN = {"src/.gitkeep", "my_ws.repos", "colcon_defaults.yaml", "rospkg.toml", "README.md", ".gitignore", RECORD}
 EXTRAS = {".github/workflows/ci.yaml", ".pre-commit-config.yaml", ".devcontainer/devcontainer.json"}
 
 

@@ -21,6 +21,13 @@ else:
 
 OF_GITHUB = "ci"
 
+NONE = "none"
+"""What takes back the extras that a package was written with."""
+
+
+def without_none(asked: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(name for name in asked if name != NONE)
+
 
 @cache
 def extras_table() -> dict[str, Any]:

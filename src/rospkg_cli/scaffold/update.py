@@ -13,6 +13,7 @@ from . import ScaffoldError
 from .answers import Request
 from .answers_record import RECORD, AnswersRecord
 from .existing_folder import refuse_obstacles
+from .extras import NONE, without_none
 from .line_digests import digests
 from .merge_lines import merge_lines
 from .renamed_record import RenamedRecord
@@ -54,6 +55,10 @@ def answered_anew(record: AnswersRecord, name: str, typed: Request) -> Request:
         if field in ("name", "template") or value == getattr(default, field):
             continue
         values[field] = joined(getattr(before, field), value) if field in ADDED else value
+    if NONE in typed.extras:
+        values["extras"] = without_none(typed.extras)
+    if typed.parameters and typed.params:
+        values["params"] = True  # a form was named, and with it the file of values
     return replace(before, **values)
 
 

@@ -37,7 +37,8 @@ def plan_workspace(request: Request, folder: Path, defaults: Mapping[str, str]) 
     answers = answers_of_root(request, request.distro or defaults.get("distro", ""), template, notes)
     files = render(template, answers, {"repos": f"{request.name}.repos"})
     commands = tuple(render_line(template, line, answers) for line in template.commands)
-    return Plan(answers, template, files, commands, (), tuple(notes), request)
+    asked = replace(request, distro=answers.distro.name)
+    return Plan(answers, template, files, commands, (), tuple(notes), asked)
 
 
 def check_asked(request: Request) -> None:

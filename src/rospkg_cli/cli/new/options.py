@@ -53,11 +53,11 @@ PARAMS = (
 FAMILY = "The packages of a robot: NAME_interfaces, NAME_description, NAME and NAME_bringup."
 MSG = "A message; repeatable: Status:'float32 battery, string task'."
 
-WITH = "ci, pre-commit, devcontainer, docs (comma-separated)."
+WITH = "ci, pre-commit, devcontainer, docs (comma-separated), or none."
 DEPENDS = "Packages and rosdep keys that it depends on (comma-separated)."
 DISTRO = "$ROS_DISTRO, or the newest LTS"
 DIFF = "Show what would change in an existing folder; exit with status 1 if anything would."
-UPDATE = "Merge what would be written today, with the other options, into a package that was written so."
+UPDATE = "Merge what would be written today, with the other options, into a package or workspace that was written so."
 RECORD = "Keep the answers in the package, for --update."
 FORCE = "Replace files that differ there; the old ones are kept in NAME.orig."
 
@@ -145,7 +145,9 @@ def new(
     color: Annotated[str, Option(metavar="WHEN", help="auto, always or never.")] = "auto",
 ) -> int:
     """Write a package that builds, runs, and passes its own tests and our linter."""
+    from ...light_dataclasses import replace
     from ...scaffold.answers import Request
+    from ...scaffold.extras import without_none
     from .check_together import check_together
     from .place import named_place
     from .run import new as write_new
@@ -163,6 +165,7 @@ def new(
     )  # fmt: skip
     if update is not None:
         return update_at(update, request, dry_run, diff, color, force or skip or family or interactive or not record)
+    request = replace(request, extras=without_none(request.extras))
     check_together(request, diff or force or skip, force and skip, family)
     if interactive and type == "workspace":
         raise UsageError("-i asks for packages; a workspace is written without questions")

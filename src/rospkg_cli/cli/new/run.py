@@ -94,8 +94,9 @@ def planned(request: Request, into: Path, record: bool) -> Plan:
     if request.template == WORKSPACE:
         from ...scaffold.workspace_plan import plan_workspace
 
-        return plan_workspace(request, into, defaults(into))
-    plan = make_plan(request, into, defaults(into))
+        plan = plan_workspace(request, into, defaults(into))
+    else:
+        plan = make_plan(request, into, defaults(into))
     return with_record(plan) if record else plan
 
 

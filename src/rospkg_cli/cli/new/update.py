@@ -14,9 +14,11 @@ from ...package.package import Package
 from ...report.color import wants_color
 from ...scaffold import ScaffoldError
 from ...scaffold.answers import Request
-from ...scaffold.answers_record import read_record, with_record
+from ...scaffold.answers_record import RECORD, read_record, with_record
 from ...scaffold.plan import make_plan
+from ...scaffold.template import WORKSPACE
 from ...scaffold.update import UpdatedFile, answered_anew, updates
+from ...scaffold.workspace_plan import plan_workspace
 from .. import UsageError
 from ..diff import diff
 from ..streams import afterwards, say
@@ -35,9 +37,10 @@ def update(package: Path, typed: Request, dry_run: bool = False, show_diff: bool
     try:
         name = name_of(package)
         record = read_record(package)
-        request = answered_anew(record, name, typed)
-        plan = with_record(make_plan(request, package.parent, {}))
-        found = list(updates(package, record, name, plan.files))
+        request = answered_anew(record, name or record.request.name, typed)
+        make = make_plan if name else plan_workspace
+        plan = with_record(make(request, package.parent, {}))
+        found = list(updates(package, record, request.name, plan.files))
     except ScaffoldError as error:
         raise UsageError(str(error)) from error
     changed = [file for file in found if file.changes]
@@ -56,11 +59,19 @@ def update(package: Path, typed: Request, dry_run: bool = False, show_diff: bool
 
 
 def name_of(package: Path) -> str:
-    """Return the name that a package has today; raises ScaffoldError where there is none."""
+    """Return the name that a package has today, "" for a workspace; raises ScaffoldError for what is neither."""
+    if (package / RECORD).is_file() and not (package / "package.xml").exists() and is_workspace(package):
+        return ""
     manifest = Package(PackageFiles(DiskTree(package), package.name)).parts(Manifest).only
     if not manifest or not manifest.name:
-        raise ScaffoldError(f"`{package}` is no package: it has no package.xml that says its name")
+        raise ScaffoldError(
+            f"`{package}` is no package: it has no package.xml that says its name; nor the `{RECORD}` of a workspace"
+        )
     return manifest.name
+
+
+def is_workspace(folder: Path) -> bool:
+    return read_record(folder).request.template == WORKSPACE
 
 
 def shown_diff(file: UpdatedFile) -> str:
