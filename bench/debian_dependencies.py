@@ -83,6 +83,12 @@ def brought(own: str, first: Iterable[str], needs: Mapping[str, list[str]], keys
     return found
 
 
+def inside(found: Iterable[str], listed: Mapping[str, tuple[str, ...]]) -> set[str]:
+    """Return the keys all of whose packages are among some: `python3-pyqt5` is inside of `python3-qt5-bindings`."""
+    there = {*found}
+    return {key for key, others in listed.items() if len(others) > 1 and there.issuperset(others)}
+
+
 def main(rosdistro: Path) -> None:
     needs = dict(packages(sys.stdin.read()))
     listed = dict(apt_packages(rosdistro))
@@ -93,7 +99,7 @@ def main(rosdistro: Path) -> None:
         if len(first) == 1 and re.sub(r"[\d.]+", "", first[0]) == found[0]:
             keys.setdefault(first[0], key)
     rows = {
-        key: brought(key, found, needs, keys) | {keys[each] for each in found if each in keys}
+        key: brought(key, found, needs, keys) | {keys[each] for each in found if each in keys} | inside(found, listed)
         for key, found in listed.items()
         if all(each in needs for each in found)
     }

@@ -40,6 +40,7 @@ CASES = {
             good={},
             on="interfaces",
         ),
+        listed(STATUS, '  "msg/${KIND}/Diag.msg"\n', **{"a/Diag": "int32 a\n", "b/Diag": "int32 a\n"}),
     ),
     "IDL003": (*perhaps("int32 from\nint32 A\nint32 b\nint32 b\nint32 sequence\n"),),
     "IDL004": (*perhaps("Nothing a\n"),),

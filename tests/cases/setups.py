@@ -146,6 +146,7 @@ CASES = {
         python({**SPEECH, "my_pkg/speech/__init_.py": ""}),
         python({**SPEECH, "my_pkg/speech/initial.py": ""}),
         python({**SPEECH, ".gitignore": "__init__.py\n"}),
+        python({"my_pkg/old/words.py": "A = 1\n"}),
     ),
     "SET302": (
         python({"setup.py": LISTED}),

@@ -62,9 +62,12 @@ class ShareUses:
         return tuple(map(self.files.readable_text, paths))
 
     def level(self, folder: str) -> str | None:
-        """Return `error` where the package opens a folder, `info` where nothing seems to; None between them."""
+        """Return `error` where the package opens a folder, `info` where nothing seems to; None between them.
+
+        RViz starts with its default view where its config is missing.
+        """
         if self.opens(folder):
-            return "error"
+            return None if folder == "rviz" else "error"
         needed = folder == "launch" or self.is_needed
         return None if needed and not self.opens_in_source(folder) else "info"
 

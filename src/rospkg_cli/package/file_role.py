@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from ..lazy_regex import regex
@@ -14,6 +15,12 @@ ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored e
 LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
 ASIDE_ANYWHERE = frozenset({"third_party", "vendor", "templates", "template"})
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
+LEFT = regex(
+    r"[_.-]*(legacy|depr[ei]cated|old|backups?|bak|obsolete|archived?|attic)([_-](files|code|pkgs|packages|nodes|scripts))?[_.-]*",
+    re.IGNORECASE,
+)
+"""Folders for what nobody uses any more."""
+LEFT_FILE = regex(r".*[_.-](legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy)", re.IGNORECASE | re.DOTALL)
 
 
 def role_of(path: str) -> Role:
@@ -24,3 +31,9 @@ def role_of(path: str) -> Role:
     if (folders or [name])[0] in ASIDE or path in NOT_INSTALLED or not ASIDE_ANYWHERE.isdisjoint(folders):
         return "aside"
     return "launch" if LAUNCH.search(path) else "run"
+
+
+def is_set_aside(path: str) -> bool:
+    """Return whether a file or folder lies in a folder for what nobody uses any more, or is a file named as such."""
+    *folders, last = path.split("/")
+    return any(LEFT.fullmatch(each) for each in folders) or LEFT_FILE.fullmatch(last.partition(".")[0]) is not None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from ...languages.cmake.values import Word
@@ -56,7 +56,7 @@ class MisplacedExecutables:
         """Yield each executable that a rule installs into another folder, whatever other rules do with it."""
         cmake, artifacts = self.package.cmake, self.table.artifacts
         for rule in cmake.installs:
-            if rule.call.maybe:
+            if rule.call.maybe or rule.destination in self.of_own_projects.get(rule.call.path, ()):
                 continue
             for word in rule.items:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
@@ -68,6 +68,12 @@ class MisplacedExecutables:
                         )
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
+
+    @cached_property
+    def of_own_projects(self) -> Mapping[str, frozenset[str]]:
+        """The folder for the programs of each CMake file below that names a project of its own."""
+        calls = [call for call in self.package.cmake.named("project") if call.folder and call.texts]
+        return {call.path: frozenset({f"lib/{call.texts[0]}"}) for call in calls}
 
     def scripts(self, rule: InstallRule, place: str) -> Iterator[MisplacedExecutable]:
         for copy in copied_files(rule, self.package.cmake.package_files):

@@ -17,6 +17,9 @@ PASSED_ON = RUNS | EXPORTED
 COLCON = "colcon"
 WITH_COLCON = {"python3-pytest": COLCON}
 """What is installed wherever `colcon test` can run."""
+ROSDEP = "rosdep"
+WITH_ROSDEP = dict.fromkeys(("python3-yaml", "python3-catkin-pkg", "python3-catkin-pkg-modules"), ROSDEP)
+"""What is installed wherever `rosdep install` can run, which every other dependency needs."""
 
 RUNTIME, EXPORTS, DEBIAN = "runtime_dependencies.txt", "exported_dependencies.txt", "debian_dependencies.txt"
 PERHAPS = "?"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.file import CppFile
@@ -60,11 +60,34 @@ def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 
 
+def only_under_conditions(sources: Iterable[CppFile]) -> frozenset[str]:
+    """Return the files that others of the package include, each of them between `#if` and `#endif`."""
+    files = {source.path: source for source in sources}
+    certain, guarded = set[str](), set[str]()
+    by_name = paths_by_name(files)
+    for source in files.values():
+        for each in source.includes:
+            (guarded if each.is_conditional else certain).update(included_paths(each.path, by_name))
+    return frozenset(guarded - certain)
+
+
+def paths_by_name(files: Iterable[str]) -> Mapping[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for path in files:
+        found.setdefault(path.rpartition("/")[2], []).append(path)
+    return found
+
+
+def included_paths(header: str, by_name: Mapping[str, list[str]]) -> Iterator[str]:
+    """Yield the files of the package that an include may mean."""
+    if (known := by_name.get(header.rpartition("/")[2])) is not None:
+        wanted = "/" + posixpath.normpath(header).lstrip("./")
+        yield from (path for path in known if f"/{path}".endswith(wanted))
+
+
 def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str]:
     """Return some files, and those of the package that they include."""
-    by_name: dict[str, list[str]] = {}
-    for path in files:
-        by_name.setdefault(path.rpartition("/")[2], []).append(path)
+    by_name = paths_by_name(files)
     found: set[str] = set()
     waiting = list(first)
     while waiting:
@@ -73,9 +96,7 @@ def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str
             continue
         found.add(path)
         for each in files[path].includes:
-            if (known := by_name.get(each.path.rpartition("/")[2])) is not None:
-                wanted = "/" + posixpath.normpath(each.path).lstrip("./")
-                waiting += [p for p in known if f"/{p}".endswith(wanted)]
+            waiting += included_paths(each.path, by_name)
     return found
 
 

@@ -16,7 +16,7 @@ from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RELATIONS, R
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from .brought_dependencies import COLCON, WITH_COLCON, Bringer, Brought, brought, brought_by_others
+from .brought_dependencies import COLCON, WITH_COLCON, WITH_ROSDEP, Bringer, Brought, brought, brought_by_others
 from .intended_names import intended_names
 
 MAX_DEPTH = 20
@@ -151,7 +151,8 @@ class DeclaredDependencies:
         needs = [need for need in self.facts.dependencies if need.tag in tags]
         sure = (name for need in needs if need.certain for name in intended_names(need.name, self.workspace))
         certain = self.closure([*sure, *self.in_unknown_tags])
-        return brought(sorted(certain), sorted(need.name for need in needs if not need.certain), self.workspace)
+        found = brought(sorted(certain), sorted(need.name for need in needs if not need.certain), self.workspace)
+        return replace(found, certain={**WITH_ROSDEP, **found.certain})
 
     def transitive_names_of(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
         """Return the exported dependencies of some packages, and whether they are known of all of them."""

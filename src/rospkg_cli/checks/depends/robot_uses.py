@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH
@@ -17,6 +18,7 @@ from ...ros.names import NameKind
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
 from ..launch.package_references import every_reference
+from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_launch_packages import LaunchDependencies
 
@@ -25,6 +27,7 @@ LOADS_PLUGINS = regex(
     r"controller_manager$|gz_ros2_control|ign_ros2_control|gazebo_ros2_control|nav2_|moveit|navigation2$|.*_bringup$"
 )
 """Packages that load plugins by the names in parameter files, or whose launch files start such."""
+ARGUMENT = regex(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
 EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
@@ -65,7 +68,19 @@ class RobotUses:
         """Yield the packages whose files a robot or a world names, where that file is installed."""
         for robot in self.robots:
             for each in robot.references if self.is_used(robot.path) else ():
-                yield each.package, reference_use(robot.path, each)
+                if not self.declared.has([each.package]):
+                    is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
+                    yield each.package, reference_use(robot.path, each, is_off=is_off)
+
+    def is_off(self, path: str) -> bool:
+        """Return whether robots of the package include a file, and each only where an argument asks for it."""
+        found: list[bool] = []
+        for robot in self.robots:
+            named = (each for each in robot.references if each.use == "include")
+            own = [(each.path, each.span) for each in named if each.package == self.declared.facts.name]
+            own += [(each.path, each.span) for each in robot.includes]
+            found += [is_switched_off(robot.document.root, span) for included, span in own if included == path]
+        return bool(found) and all(found)
 
     def has_files_of(self, name: str) -> bool:
         """Return whether this package has each file that robots name in one that is not known: it was renamed."""
@@ -144,9 +159,20 @@ class RobotUses:
         return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
 
 
-def reference_use(path: str, reference: ResourceReference) -> RobotUse:
+def is_switched_off(root: Element, place: Span) -> bool:
+    """Return whether a place lies in a condition on an argument of the same file, which its default switches off."""
+    defaults = {each.get("name"): each.get("default") for each in root.walk() if each.tag == "xacro:arg"}
+    for around in ancestors(root, place):
+        asked = ARGUMENT.fullmatch(around.get("value") or "") if around.tag in CONDITIONS else None
+        default = (defaults.get(asked[1]) or "").lower() if asked else ""
+        if default in (("false", "0") if around.tag == "xacro:if" else ("true", "1")):
+            return True
+    return False
+
+
+def reference_use(path: str, reference: ResourceReference, *, is_off: bool) -> RobotUse:
     consequence = "xacro stops" if reference.use == "include" else "it is missing wherever this is shown"
-    return RobotUse(path, reference.span, "and its files are used here", consequence)
+    return RobotUse(path, reference.span, "and its files are used here", consequence, is_off)
 
 
 def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:

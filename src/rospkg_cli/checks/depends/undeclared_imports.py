@@ -11,7 +11,7 @@ from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, implied_by
 from ...source import Span
 from ..ros1_import import ROS1, ros1_import
-from .brought_dependencies import COLCON, Bringer
+from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 
@@ -73,11 +73,11 @@ class ImportDependencies:
         result = []
         for name, places in found.items():
             found_with = self.bringer_in_tests(name)
-            is_colcon = found_with is not None and found_with.name == COLCON
-            if (found_with is None or is_colcon) and name in implied_by(found.keys() - {name}, IN_TESTS):
+            is_tool = found_with is not None and found_with.name in (COLCON, ROSDEP)
+            if (found_with is None or is_tool) and name in implied_by(found.keys() - {name}, IN_TESTS):
                 continue
             if found_with:
-                is_fine = name in RUNNERS and found_with.is_certain and not is_colcon
+                is_fine = name in RUNNERS and found_with.is_certain and not is_tool
                 result += [] if is_fine else [UndeclaredImport(name, tuple(places), (), found_with)]
             else:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())

@@ -19,7 +19,7 @@ from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.names import NameKind
 from ...source import Source, Span
 from .brought_dependencies import Bringer, brought_by
-from .compiled_sources import compiled_on_demand, compiled_sources, own_compiled
+from .compiled_sources import compiled_on_demand, compiled_sources, only_under_conditions, own_compiled
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
@@ -87,12 +87,17 @@ class IncludeDependencies:
                 is_certain = not each.is_conditional or folder in always
                 if slash and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
-                    if names:
+                    if names and source.path not in self.guarded:
                         use = IncludeUse(source.path, each.span, each.path)
                         found.setdefault((role, names, cmake), []).append(use)
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
             if role != "test" or ("run", names, cmake) not in found:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
+
+    @cached_property
+    def guarded(self) -> frozenset[str]:
+        """The headers that the package's files include under a condition alone."""
+        return only_under_conditions(self.sources)
 
     def are_passed_on(self, each: IncludedPackage) -> bool:
         """Return whether only headers for others include it: the package itself compiles none of them."""

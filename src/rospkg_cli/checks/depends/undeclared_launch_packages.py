@@ -22,7 +22,7 @@ from ..launch.idle_actions import contains, never_added
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
-from .declared_dependencies import DeclaredDependencies
+from .declared_dependencies import DeclaredDependencies, normalized
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
@@ -32,6 +32,9 @@ FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 OF_VARIABLES = regex(r"_(?:dir|path|pkg|package|share)$")
 """What is put behind a package's name to call the variable that holds it, or its folder."""
 STARTER = "ros2launch"
+READMES = ("README.md", "README.rst", "readme.md", "README.txt", "README")
+README = regex(r"(?i:readme)(?:\.\w+)?")
+LINK = regex(r"\bgit(?:hub|lab)\.com[/:][\w.-]+/([\w.-]{3,})")
 ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 
 
@@ -91,6 +94,21 @@ class LaunchDependencies:
         """Return whether no package of that name is known."""
         workspace = self.declared.workspace
         return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
+
+    def is_told(self, name: str) -> bool:
+        """Return whether a README links to the repository of an unknown package, which users clone by hand."""
+        return self.is_unknown_package(name) and any(normalized(name).startswith(each) for each in self.linked)
+
+    @cached_property
+    def linked(self) -> frozenset[str]:
+        """The names of the repositories that READMEs here and above link to, but for that of the packages around."""
+        own = [self.files.readable_text(path) for path in self.files.paths if README.fullmatch(path)]
+        above = self.files.above(READMES)
+        if above is not None and self.files.whole is not None:
+            own.append(PackageFiles(self.files.whole).readable_text(above))
+        found = {normalized(match[1].removesuffix(".git")) for text in own for match in LINK.finditer(text)}
+        around = [normalized(name) for name in self.declared.workspace.names]
+        return frozenset(each for each in found if not any(name.startswith(each) for name in around))
 
     def meant(self, name: str) -> str | None:
         """Return the known package that an unknown name is a slip of; a slip in the first letter is rare.

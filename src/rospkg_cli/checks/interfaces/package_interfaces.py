@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -42,3 +43,15 @@ class PackageInterfaces:
     def read(self) -> Iterator[InterfaceFile]:
         """Yield the files that may be read."""
         return (each for each in self.interfaces if self.generation.may_read(each.path))
+
+    def is_variant(self, interface: InterfaceFile) -> bool:
+        """Return whether other folders hold a file of the same name, of which CMake generates one under a condition."""
+        return interface.path in self.variants
+
+    @cached_property
+    def variants(self) -> frozenset[str]:
+        alike: dict[tuple[str, str], list[str]] = {}
+        for each in self.interfaces:
+            if not self.generation.surely_reads(each.path):
+                alike.setdefault((each.name, each.kind), []).append(each.path)
+        return frozenset(path for paths in alike.values() if len(paths) > 1 for path in paths)

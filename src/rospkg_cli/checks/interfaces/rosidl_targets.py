@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import takewhile
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import InterfaceTarget
 from ...package.cmake.made_paths import MadePaths
+from ...package.file_role import is_set_aside
 from ...package.interfaces.interface_file import FieldType, InterfaceFile
 from ...package.interfaces.listed_interfaces import ListedInterface
 from ...package.package_facts import PackageFacts
@@ -18,6 +21,12 @@ from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...ros.read_table import rows
+
+GAPS = regex(
+    r"\b(?:only|without|except|exclud\w+|skip\w*|omit\w*|(?:left|leave) out|disabled?|broken|not (?:yet|used))\b",
+    re.IGNORECASE,
+)
+"""Words of a comment that says that something is left out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +76,24 @@ class RosidlTargets:
         """Return whether a comment of the CMake files names an interface file: then it is left out on purpose."""
         named = re.compile(rf"^[ \t]*#.*\b{re.escape(interface.path)}", re.MULTILINE)
         return any(named.search(file.source.text) for file in self.cmake.files)
+
+    def is_left_out(self, interface: InterfaceFile) -> bool:
+        """Return whether a file is an old copy by its name, or a comment says that not all files are listed."""
+        return is_set_aside(interface.path) or self.tells_of_gaps
+
+    @cached_property
+    def tells_of_gaps(self) -> bool:
+        """Whether a comment right above the call, or in it, says that not all files are listed."""
+        sources = {file.path: file.source for file in self.cmake.files}
+        for target in self.cmake.interface_targets:
+            source, span = sources.get(target.call.path), target.call.command.span
+            if source is not None:
+                above = source.text[: span.start].splitlines()
+                own = takewhile(lambda line: line.lstrip().startswith("#"), reversed(above))
+                inside = (line.partition("#")[2] for line in source.slice(span).splitlines())
+                if any(GAPS.search(line) for line in (*own, *inside)):
+                    return True
+        return False
 
     def is_for_ros1(self, interface: InterfaceFile) -> bool:
         """Return whether catkin generates a file, or another one of its name is generated in its place."""

@@ -42,6 +42,11 @@ class MissingReference:
     other_spans: tuple[Span, ...] = ()
     """Other places that name it."""
 
+    @property
+    def is_for_rviz(self) -> bool:
+        """Whether RViz opens it, which starts with its default view where it is missing."""
+        return self.path.endswith(".rviz")
+
 
 @dataclass(frozen=True)
 class LaunchContext:

@@ -7,6 +7,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.file_role import is_set_aside
 from ...package.install_table import InstallTable
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
@@ -44,6 +45,11 @@ class ManifestAndFiles:
             for path in self.files.below(kind)
             if path.endswith("." + kind) and path.count("/") == 1
         )
+
+    @property
+    def is_set_aside(self) -> bool:
+        """Whether the package lies in a folder for what nobody uses any more."""
+        return is_set_aside(f"{self.files.folder}/")
 
     @property
     def known_build_types(self) -> frozenset[str]:

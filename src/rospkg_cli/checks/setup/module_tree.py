@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
+from ...package.file_role import is_set_aside
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
@@ -108,6 +109,10 @@ class ModuleTree:
         """Return the name under which a folder of modules would be imported."""
         base = self.setup.package_dir.get("", "")
         return (folder[len(base) + 1 :] if base and folder.startswith(f"{base}/") else folder).replace("/", ".")
+
+    def is_set_aside(self, folder: str) -> bool:
+        """Return whether a folder is for what nobody uses any more, by its name."""
+        return is_set_aside(f"{folder}/")
 
     def imports_from(self, folder: str) -> bool:
         """Return whether a module of the package outside of a folder, or an entry point, needs what is in it."""

@@ -25,7 +25,7 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     over=RuntimeFolders,
     severity=Severity.WARNING,
     levels={
-        Severity.ERROR: "code, a launch file or the README opens it in the share directory",
+        Severity.ERROR: "code, a launch file or the README opens it in the share directory (RViz goes on without)",
         Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder",
     },
     examples=(

@@ -59,12 +59,12 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once. What a
-    declared dependency certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran:
-    that is one info, which names who brings it. What may come with a declared one is another: with a package that is
-    neither here nor in the table of what is installed with what, anything may come. Left out are optional imports:
-    under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package
-    (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and
-    the package's own modules.
+    declared dependency certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran,
+    nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
+    declared one is another: with a package that is neither here nor in the table of what is installed with what,
+    anything may come. Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition
+    on the machine, or one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that
+    never run. So are files that nothing installs, and the package's own modules.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, or where no released package has the name.

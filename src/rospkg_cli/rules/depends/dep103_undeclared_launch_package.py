@@ -74,9 +74,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     is one info, and what may come with one is another, as anything may with a package that is not here; what only an
     argument turns on (`sim:=true`) is an info that names the argument; so are packages for examples, and unknown ones
-    where a `.repos` file lists repositories that are not here. Left out are computed names, uses that catch
-    PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that
-    nothing adds, and what a module imports too (DEP101).
+    where a `.repos` file lists repositories that are not here, or a README links to theirs. Left out are computed
+    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for
+    ROS 1, actions that nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or where another name may be intended.
@@ -117,8 +117,9 @@ def undeclared(
         ends = ends_with(first, name)
         message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
         fix_or_none = declaration(declared, tag, name)
-    mild = is_described or first.only_with or (meant is None and is_left_out(declared, name))
-    mild = mild or (tag == "exec_depend" and launch.is_for_examples(name, uses))
+    is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))
+    is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
+    mild = is_described or is_meant or is_aside or first.only_with
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)
 

@@ -22,7 +22,8 @@ TOP = Span(0, 0)
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the folder is none of `msg`, `srv`, `action`; or rosidl may read the file, "
-        "under a condition or from a list that is not known"
+        "under a condition or from a list that is not known",
+        Severity.INFO: "several folders hold a file of that name, of which CMake chooses one",
     },
     examples=(
         Example(
@@ -66,7 +67,8 @@ def invalid_interface_name(package: PackageInterfaces) -> Iterator[Hit]:
     ends with a traceback.
 
     ## When it is quiet
-    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or setup.py builds the package.
+    Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or setup.py builds the package. Files of
+    one name in several folders, of which CMake chooses one, can't lie in `msg/` together: that is an info.
     """
     folders: dict[str, list[InterfaceFile]] = {}
     for interface in package.read():
@@ -82,11 +84,14 @@ def invalid_interface_name(package: PackageInterfaces) -> Iterator[Hit]:
             level = None if package.generation.surely_reads(interface.path) else Severity.WARNING
             yield Hit(interface.path, TOP, message, level)
         if interface.folder.rpartition("/")[2] != kind:
-            folders.setdefault(interface.folder, []).append(interface)
-    for folder, (first, *others) in folders.items():
+            folders.setdefault("*" if package.is_variant(interface) else interface.folder, []).append(interface)
+    for first, *others in folders.values():
+        folder = first.folder
         sure = folder.rpartition("/")[2] in KINDS and package.generation.surely_reads(first.path)
+        level = None if sure else Severity.WARNING
+        level = Severity.INFO if package.is_variant(first) else level
         related = tuple(Related(each.path, TOP, "and this file") for each in others)
-        yield Hit(first.path, TOP, misplaced(folder, first), None if sure else Severity.WARNING, related=related)
+        yield Hit(first.path, TOP, misplaced(folder, first), level, related=related)
 
 
 def misplaced(folder: str, first: InterfaceFile) -> str:

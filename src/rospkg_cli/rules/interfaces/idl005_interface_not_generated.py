@@ -22,7 +22,7 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
     "interface-not-generated",
     over=RosidlTargets,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "a comment in CMakeLists.txt names it"},
+    levels={Severity.INFO: "a comment in CMakeLists.txt names it or says that some are left out, or it is a copy"},
     examples=(
         Example(
             on="interfaces",
@@ -54,13 +54,15 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where a
-    comment in CMakeLists.txt names it, it is left out on purpose: an info, without a fix.
+    comment in CMakeLists.txt names it, or says above the call that some are left out (`# only the working ones`), it is
+    left out on purpose: an info, without a fix. So is a copy by its name (`Flags_backup.msg`).
     """
     for interface in generated.unlisted():
         aside = generated.is_commented_out(interface)
-        edit = None if aside else add_interface_file(generated, interface)
+        is_meant = aside or generated.is_left_out(interface)
+        edit = None if is_meant else add_interface_file(generated, interface)
         fix = only_plain_names(Fix("list it in CMakeLists.txt", (edit,)), interface.path) if edit else None
         where = "only in a comment, not" if aside else "not"
         message = f"`{interface.path}` is {where} in `rosidl_generate_interfaces`: nothing is generated of it"
-        level = Severity.INFO if aside else None
+        level = Severity.INFO if is_meant else None
         yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", level, fix=fix)

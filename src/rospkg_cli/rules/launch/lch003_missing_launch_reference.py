@@ -96,7 +96,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
-            mild = each.use == "default" or is_for_rviz(each)
+            mild = each.use == "default" or each.is_for_rviz
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
@@ -130,8 +130,4 @@ def hint(scope: LaunchContext, missing: MissingReference) -> str:
 
 
 def harm_of(missing: MissingReference) -> str:
-    return "RViz starts with its default view" if is_for_rviz(missing) else HARM[missing.use]
-
-
-def is_for_rviz(missing: MissingReference) -> bool:
-    return missing.path.endswith(".rviz")
+    return "RViz starts with its default view" if missing.is_for_rviz else HARM[missing.use]

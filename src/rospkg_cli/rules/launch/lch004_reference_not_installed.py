@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import MissingReference
 from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
 from ...edits.install_file import install_for_cmake, install_for_setup
@@ -29,8 +30,8 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
     over=InstalledReferences,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the path is the default of an argument, or holds one",
-        Severity.INFO: "it is the default of an argument that nothing uses",
+        Severity.WARNING: "the path is the default of an argument, or holds one; it is for RViz, or its action is off",
+        Severity.INFO: "it is the default of an argument that nothing uses, or nothing adds its action",
     },
     examples=(
         Example(
@@ -60,7 +61,8 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     ## When it is quiet
     Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
-    alone.
+    alone. RViz starts with its default view where its config is missing: a warning, as in an action that is switched
+    off.
     """
     for (files, missing), *others in package.missing():
         edits = repair(files, missing) if missing.state == "not installed" else ()
@@ -74,8 +76,10 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
 
 
 def level_of(files: ReferenceInstall, missing: MissingReference) -> Severity:
+    if softer := level_at(files.scope.file, missing.span)[0]:
+        return Severity(softer)
     if missing.use != "default":
-        return Severity.ERROR
+        return Severity.WARNING if missing.is_for_rviz else Severity.ERROR
     return Severity.INFO if files.scope.is_unread(missing) else Severity.WARNING
 
 

@@ -34,7 +34,7 @@ WANTED = "say in one sentence what the package does"
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "the description is empty: colcon refuses the manifest",
-        Severity.INFO: "the description only repeats the name",
+        Severity.INFO: "the description only repeats the name, or the package lies in a folder such as `_legacy`",
     },
     examples=(
         Example(
@@ -68,17 +68,19 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     A description that only repeats the name harms no one: it is an info. Text around a `TODO`, addresses that are not
-    a template's, and packages of ROS 1, which catkin builds, are left alone.
+    a template's, and packages of ROS 1, which catkin builds, are left alone. In a folder for what nobody uses any more
+    (`_legacy`, `deprecated`, `old`, `backup`) placeholders are infos.
     """
     manifest = package.manifest
     is_left = is_for_ros1(manifest)
+    mild = Severity.INFO if package.is_set_aside else None
     for element in manifest.all("description"):
         shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
         if not shown and not element.children:
             message = "the description is empty: colcon builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
         elif not is_left and (TODO.fullmatch(shown) or repeats(manifest.name, shown)):
-            level = None if TODO.fullmatch(shown) else Severity.INFO
+            level = mild if TODO.fullmatch(shown) else Severity.INFO
             yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}", level)
     for element in manifest.all("license") if not is_left else ():
         if TODO.fullmatch(element.text):
@@ -87,8 +89,8 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
                 f"`{text}` says more, and tools read this line" if text else "it does not say who may use the package"
             )
             message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
-            yield Hit(manifest.path, manifest.span(element), message)
-    yield from people(manifest) if not is_left else ()
+            yield Hit(manifest.path, manifest.span(element), message, mild)
+    yield from people(manifest, mild) if not is_left else ()
 
 
 def is_for_ros1(manifest: Manifest) -> bool:
@@ -108,12 +110,12 @@ def repeats(name: str, text: str) -> bool:
     return re.fullmatch(rf"(the )?{re.escape(name)}( package)?\.?", text, re.IGNORECASE) is not None
 
 
-def people(manifest: Manifest) -> Iterator[Hit]:
+def people(manifest: Manifest, mild: Severity | None) -> Iterator[Hit]:
     for element in manifest.all("maintainer", "author"):
         email = element.attributes.get("email")
         if email and EMAIL.fullmatch(email.value):
             message = f"`{email.value}` is a template's address; write the {element.tag}'s own"
-            yield Hit(manifest.path, email.value_span, message)
+            yield Hit(manifest.path, email.value_span, message, mild)
         elif element.text.upper() in ("TODO", "YOUR NAME", "YOUR_NAME"):
             span: Span = manifest.span(element)
-            yield Hit(manifest.path, span, f"the {element.tag} is called `{element.text}`; write a name")
+            yield Hit(manifest.path, span, f"the {element.tag} is called `{element.text}`; write a name", mild)

@@ -21,7 +21,10 @@ MISSPELT = regex(r"/_{0,3}init_{0,3}\.py$")
     "missing-init",
     over=ModuleTree,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing in the package imports it, or the workspace is built with `--symlink-install`"},
+    levels={
+        Severity.WARNING: "nothing in the package imports it, or the workspace is built with `--symlink-install`",
+        Severity.INFO: "nothing imports it, and the folder is called `deprecated`, `old` or the like",
+    },
     examples=(
         Example(
             bad={**FILES, "my_pkg/speech/words.py": "«»GREETING = 'hello'\n"},
@@ -39,7 +42,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     ## Why is this bad?
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a build.sh
-    or the like above the package builds that way, it is a warning.
+    or the like above the package builds that way, it is a warning. It is an info for a folder that nothing imports and
+    that is called `deprecated`, `legacy`, `old` or `backup`.
 
     ## When it is quiet
     With `find_namespace_packages()`, in folders of tests, where setup.py generates the folder's modules, and where
@@ -60,5 +64,6 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             message, fix = f"{start}; rename `{wrong}`", Fix(f"rename {wrong} to __init__.py", (Move(wrong, init),))
         else:
             message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),))
-        level = None if imported and not tree.linking else Severity.WARNING
-        yield Hit(inside[0], Span(0, 0), message, level, fix=fix)
+        is_fatal = imported and not tree.linking
+        mild = Severity.INFO if tree.is_set_aside(folder) and not imported else Severity.WARNING
+        yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)

@@ -1,0 +1,226 @@
+"""What nobody uses any more, what is left out on purpose, and what an option must ask for: no fault, or an info."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, INTERFACES_CMAKE, existing_files, manifest
+from rospkg_cli.package.file_role import is_set_aside
+from rospkg_cli.testing import lint_files
+
+NATIVE = existing_files(BACKDROPS["ament_cmake"])
+PYTHON = existing_files(BACKDROPS["ament_python"])
+INTERFACES = existing_files(BACKDROPS["interfaces"])
+LEFT_OUT = "# Generate {}\nrosidl_generate"
+SNIPPET = "    node.declare_parameter('rate', 1.0)\n"
+VARIANTS = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', '  "msg/${DEVICE}/Diag.msg"\n')
+XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">{}</robot>\n'
+INCLUDE = '<xacro:include filename="$(find ur_description)/urdf/ur.xacro"/>'
+INSTALLED = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package")
+LIBRARY = CMAKE.replace("ament_package", "add_library(a src/a.cpp)\nament_package")
+TESTER = "project(my_pkg_test)\nadd_executable(talker a.cpp)\ninstall(TARGETS talker DESTINATION lib/{})\n"
+STARTED = '<launch>\n  <node pkg="tof_driver_cpp" exec="tof"/>\n</launch>\n'
+
+
+def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
+    return [each.severity.value for each in lint_files({**on, **files}, [code]).findings]
+
+
+@pytest.mark.parametrize(
+    ("path", "is_aside"),
+    [
+        ("_legacy/arm/package.xml", True),
+        ("src/Deprecated/", True),
+        ("depricated/", True),
+        ("old_nodes/a.py", True),
+        ("a/backup/b.py", True),
+        ("msg/Flags_backup.msg", True),
+        ("msg/Flags.old.msg", False),
+        ("threshold/a.py", False),
+        ("backup_camera/package.xml", False),
+        ("msg/Backup.msg", False),
+        ("my_backup/", False),
+    ],
+)
+def test_what_is_set_aside_by_its_name(path: str, is_aside: bool) -> None:
+    assert is_set_aside(path) is is_aside
+
+
+@pytest.mark.parametrize(("folder", "level"), [("_legacy/arm", "info"), ("arm", "warning")])
+def test_placeholders_of_packages_that_are_set_aside(folder: str, level: str) -> None:
+    text = manifest().replace("Drives my robot", "TODO: Package description").replace("Apache-2.0", "TODO")
+    text = text.replace("ada@example.org", "ada@todo.todo").replace(
+        "<maintainer ", '<author email="b@c.de">TODO</author>\n<maintainer '
+    )
+    assert levels("XML104", {}, {f"{folder}/package.xml": text}) == [level] * 4
+
+
+@pytest.mark.parametrize(
+    ("folder", "importer", "level"),
+    [("old", "", "info"), ("old", "import my_pkg.old.words\n", "error"), ("speech", "", "warning")],
+)
+def test_a_folder_of_old_modules_is_not_installed(folder: str, importer: str, level: str) -> None:
+    files = {f"my_pkg/{folder}/words.py": "A = 1\n", "my_pkg/talker.py": importer}
+    assert levels("SET301", PYTHON, files) == [level]
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "other", "level"),
+    [
+        ("my_pkg/add.py", SNIPPET, "", "info"),
+        ("my_pkg/add.py", SNIPPET, "from my_pkg import add\n", "error"),
+        ("my_pkg/add.py", SNIPPET, "from my_pkg.add import x\n", "error"),
+        ("my_pkg/add.py", SNIPPET, "a.adder = 'add.txt'\n", "error"),
+        ("my_pkg/add.py", SNIPPET, "adder = added\n", "info"),
+        ("my_pkg/add.py", f"{SNIPPET}if __name__ == '__main__':\n", "", "error"),
+        ("my_pkg/add.py", f"def main():\n{SNIPPET}  a\n", "", "error"),
+        ("my_pkg/add.py", "# a\n\nprint 1\n", "", "warning"),
+        ("my_pkg/add_old.py", "print 1\n", "", "info"),
+        ("my_pkg/__init__.py", SNIPPET, "", "error"),
+        ("test/test_add.py", SNIPPET, "", "error"),
+        ("setup.py", SNIPPET, "", "error"),
+    ],
+)
+def test_a_snippet_that_nothing_imports(path: str, text: str, other: str, level: str) -> None:
+    assert levels("RPK001", PYTHON, {path: text, "my_pkg/talker.py": other}) == [level]
+
+
+@pytest.mark.parametrize(
+    ("comment", "name", "level"),
+    [
+        ("messages (only the working ones)", "Zone", "info"),
+        ("messages\n# that are not broken", "Zone", "info"),
+        ("messages", "Zone", "warning"),
+        ("only these\nset(A 1)", "Zone", "warning"),
+        ("messages", "Zone_backup", "info"),
+    ],
+)
+def test_interfaces_that_are_left_out_on_purpose(comment: str, name: str, level: str) -> None:
+    text = INTERFACES_CMAKE.replace("rosidl_generate", LEFT_OUT.format(comment), 1) if comment else INTERFACES_CMAKE
+    (found,) = lint_files({**INTERFACES, "CMakeLists.txt": text, f"msg/{name}.msg": "int8 a\n"}, ["IDL005"]).findings
+    assert (found.severity.value, found.fix is None) == (level, level == "info")
+
+
+def test_a_comment_among_the_interfaces_says_that_one_is_left_out() -> None:
+    text = INTERFACES_CMAKE.replace('  "srv/', '  # Zone is disabled\n  "srv/')
+    assert levels("IDL005", INTERFACES, {"CMakeLists.txt": text, "msg/Zone.msg": "int8 a\n"}) == ["info"]
+
+
+@pytest.mark.parametrize(("folders", "level"), [(("a", "b"), "info"), (("a",), "warning")])
+def test_variants_of_a_message_are_one_info(folders: tuple[str, ...], level: str) -> None:
+    files = {"CMakeLists.txt": VARIANTS, "msg/Status.msg": "int8 a\n"}
+    files |= {f"msg/{each}/Diag.msg": "int8 a\n" for each in folders}
+    assert levels("IDL002", INTERFACES, files) == [level]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "count"),
+    [
+        ("#if PYTHON\n{}#endif\n", "", 0),
+        ("#if PYTHON\n{}#endif\n", "{}", 1),
+        ("#if PYTHON\n{}#endif\n", "#if A\n{}#endif\n", 0),
+        ("{}", "", 1),
+        ("", "", 1),
+    ],
+)
+def test_a_header_that_all_include_under_a_condition(first: str, second: str, count: int) -> None:
+    header = "#include <boost/python.hpp>\n"
+    include = '#include "my_pkg/bridge.hpp"\n'
+    files = {
+        "CMakeLists.txt": LIBRARY.replace("src/a.cpp", "src/a.cpp src/b.cpp"),
+        "include/my_pkg/bridge.hpp": header,
+        "src/a.cpp": first.format(include) + "int a;\n",
+        "src/b.cpp": second.format(include) + "int b;\n",
+    }
+    assert len(levels("DEP105", NATIVE, files)) == count
+
+
+@pytest.mark.parametrize(
+    ("robot", "level"),
+    [
+        (INCLUDE, "warning"),
+        (f'<xacro:arg name="gz" default="false"/><xacro:if value="$(arg gz)">{INCLUDE}</xacro:if>', "info"),
+        (f'<xacro:arg name="gz" default="true"/><xacro:if value="$(arg gz)">{INCLUDE}</xacro:if>', "warning"),
+        (f'<xacro:arg name="gz" default="true"/><xacro:unless value="$(arg gz)">{INCLUDE}</xacro:unless>', "info"),
+        (f'<xacro:arg name="gz" default="false"/><xacro:unless value="$(arg gz)">{INCLUDE}</xacro:unless>', "warning"),
+    ],
+)
+def test_a_robot_needs_a_package_where_an_argument_asks_for_it(robot: str, level: str) -> None:
+    files = {"CMakeLists.txt": INSTALLED, "urdf/robot.xacro": XACRO.format(robot)}
+    assert levels("DEP106", NATIVE, files) == [level]
+
+
+def test_a_robot_includes_what_needs_a_package_where_an_argument_asks_for_it() -> None:
+    part = '<xacro:include filename="$(find my_pkg)/urdf/part.xacro"/>'
+    top = f'<xacro:arg name="gz" default="false"/><xacro:if value="$(arg gz)">{part}</xacro:if>'
+    files = {"urdf/robot.xacro": XACRO.format(top), "urdf/part.xacro": XACRO.format(INCLUDE).replace(' name="r"', "")}
+    assert levels("DEP106", NATIVE, {"CMakeLists.txt": INSTALLED, **files}) == ["info"]
+
+
+@pytest.mark.parametrize(("place", "found"), [("${PROJECT_NAME}", []), ("other", ["error"])])
+def test_a_project_of_its_own_below(place: str, found: list[str]) -> None:
+    files = {"CMakeLists.txt": CMAKE.replace("ament_package", "add_subdirectory(test)\nament_package")}
+    files |= {"test/CMakeLists.txt": TESTER.format(place), "test/a.cpp": "int main() {}\n"}
+    assert levels("CMK104", NATIVE, files) == found
+
+
+@pytest.mark.parametrize(
+    ("readme", "level"),
+    [
+        ("Install https://github.com/ada/tof-driver#readme first.\n", "info"),
+        ("Install https://github.com/ada/tof-driver-cpp.git first.\n", "info"),
+        ("Install https://github.com/ada/lidar-driver first.\n", "warning"),
+        ("Clone https://github.com/ada/my_p here.\n", "warning"),
+    ],
+)
+def test_a_readme_says_where_an_unknown_package_comes_from(readme: str, level: str) -> None:
+    body = manifest("  <exec_depend>ros2launch</exec_depend>\n")
+    files = {"package.xml": body, "launch/a.launch.xml": STARTED, "README.md": readme}
+    assert levels("DEP103", PYTHON, files) == [level]
+    above = {f"src/{path}": text for path, text in {**PYTHON, **files}.items() if path != "README.md"}
+    assert levels("DEP103", {}, {**above, "README.md": readme}) == [level]
+
+
+@pytest.mark.parametrize(
+    ("module", "body", "level"),
+    [
+        ("yaml", "", "info"),
+        ("numpy", "", "warning"),
+        ("PyQt5", "  <exec_depend>rqt_gui</exec_depend>\n", "info"),
+        ("PyQt5", "  <exec_depend>rclpy</exec_depend>\n", "warning"),
+    ],
+)
+def test_what_is_there_wherever_rosdep_runs(module: str, body: str, level: str) -> None:
+    files = {"package.xml": manifest(body), "my_pkg/viewer.py": f"import {module}\n"}
+    assert levels("DEP101", PYTHON, files) == [level]
+
+
+VIEW = '<launch>\n  <node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share my_pkg)/{}"{}/>\n</launch>\n'
+LAUNCHED = CMAKE.replace(
+    "ament_package", "install(DIRECTORY launch {}DESTINATION share/${{PROJECT_NAME}})\nament_package"
+)
+
+
+@pytest.mark.parametrize(
+    ("code", "path", "more", "level"),
+    [
+        ("CMK101", "rviz/robot.rviz", "", "warning"),
+        ("CMK101", "maps/robot.yaml", "", "error"),
+        ("LCH004", "rviz/robot.rviz", "FILES rviz/b.rviz DESTINATION share/${PROJECT_NAME}/rviz", "warning"),
+        ("LCH004", "maps/robot.yaml", "FILES maps/b.yaml DESTINATION share/${PROJECT_NAME}/maps", "error"),
+    ],
+)
+def test_rviz_starts_without_its_config(code: str, path: str, more: str, level: str) -> None:
+    install = (
+        LAUNCHED.format("") if not more else LAUNCHED.format("").replace("install(", f"install({more})\ninstall(", 1)
+    )
+    folder = path.partition("/")[0]
+    files = {path: "a: 1\n", f"{folder}/b.{path.rpartition('.')[2]}": "a: 1\n", "CMakeLists.txt": install}
+    body = manifest("  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>rviz2</exec_depend>\n", "ament_cmake")
+    files |= {"package.xml": body, "launch/a.launch.xml": VIEW.format(path, "")}
+    assert levels(code, NATIVE, files) == [level]
+    if code == "LCH004":
+        off = VIEW.format(path, ' if="$(var rviz)"').replace(
+            "<launch>", '<launch>\n  <arg name="rviz" default="false"/>'
+        )
+        assert levels(code, NATIVE, {**files, "launch/a.launch.xml": off}) == ["warning"]
