@@ -63,10 +63,3 @@ def test_options_of_ros2_pkg_create_are_taken(tmp_path: Path) -> None:
         "ament_cmake</build_type>",
     ):
         assert part in manifest
-
-
-@pytest.mark.parametrize("command", sorted(set(re.findall(r"`rospkg (lint [^`]*)`", TEXT))))
-def test_its_commands_run(command: str, tmp_path: Path, write, clean: dict[str, str]) -> None:
-    write(tmp_path / "my_pkg", clean)
-    done = run_here(*command.split(), cwd=tmp_path)
-    assert done.returncode == 0, done.stderr

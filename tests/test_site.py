@@ -1,4 +1,4 @@
-"""The pages as a site, without building it: navigation, links, and the commands of the guides, each typed in turn."""
+"""The pages as a site, without building it: navigation, links, and the rule that a guide writes."""
 
 from __future__ import annotations
 
@@ -9,23 +9,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
 import yaml
-from in_process import run_here
+from typed_pages import typed
 from writing import Write
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-GUIDES = ("docs/first-package.md", "docs/adopting.md", "docs/lyrical.md", "README.md")
-TYPED_IN_README = "## In ten lines"
-OLD_SETUP = """\
-from setuptools import setup
-
-setup(
-    name='my_pkg', version='0.1.0', packages=['my_pkg'], tests_require=['pytest'],
-    data_files=[('share/ament_index/resource_index/packages', ['resource/my_pkg']), ('share/my_pkg', ['package.xml'])],
-)
-"""
 
 
 class Settings(yaml.SafeLoader):
@@ -61,38 +50,6 @@ def test_nothing_of_the_site_comes_from_elsewhere() -> None:
     assert not {"extra_css", "extra_javascript"} & set(SITE)
 
 
-def commands(guide: str) -> list[str]:
-    """Return the commands of rospkg in the blocks of a guide, without what explains them."""
-    text = (ROOT / guide).read_text("utf-8")
-    if guide == "README.md":
-        text = text.partition(TYPED_IN_README)[2].partition("\n## ")[0]
-    return [re.split(r" {2,}| > ", line)[0] for line in re.findall(r"^    (rospkg .*)$", text, re.MULTILINE)]
-
-
-def words(command: str) -> list[str]:
-    """Return the words of a command line, without the quotes of a shell."""
-    return [re.sub(r'"', "", word) for word in re.findall(r'(?:"[^"]*"|\S)+', command)][1:]
-
-
-@pytest.mark.parametrize("guide", GUIDES)
-def test_the_commands_of_a_guide_do_what_they_say(
-    guide: str, tmp_path: Path, write: Write, clean: dict[str, str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "gitconfig").write_text("[user]\n\tname = Ada Lovelace\n\temail = ada@example.org\n")
-    monkeypatch.setenv("GIT_CONFIG_GLOBAL", str(tmp_path / "gitconfig"))
-    if guide != "docs/first-package.md":
-        write(tmp_path / "src/my_pkg", {**clean, "setup.py": OLD_SETUP})
-        for command in ("init -q", "add src", "commit -q -m old"):
-            subprocess.run(["git", *command.split()], cwd=tmp_path, check=True, timeout=60)
-    typed = commands(guide)
-    assert len(typed) > 2
-    for command in typed:
-        done = run_here(*words(command), cwd=tmp_path, ROS_DISTRO="jazzy")
-        assert done.returncode in (0, 1), f"{command}\n{done.stdout}{done.stderr}"
-        if guide == "docs/first-package.md" or "--exit-zero" in command or "baseline" in command:
-            assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
-
-
 def test_the_rule_of_the_guide_is_found_and_told(tmp_path: Path, write: Write, clean: dict[str, str]) -> None:
     rule, _ = re.findall(r"```python\n(.*?)```", (DOCS / "writing-a-rule.md").read_text("utf-8"), re.DOTALL)
     project, config = re.findall(r"```toml\n(.*?)```", (DOCS / "writing-a-rule.md").read_text("utf-8"), re.DOTALL)
@@ -107,9 +64,15 @@ def test_the_rule_of_the_guide_is_found_and_told(tmp_path: Path, write: Write, c
         },
     )
     write(tmp_path / "ws", {"rospkg.toml": config, **{f"my_pkg/{path}": text for path, text in clean.items()}})
-    (command,) = [each for each in commands("docs/writing-a-rule.md") if each.startswith("rospkg lint")]
-    program = f"import sys; sys.path.insert(0, {str(site)!r}); from rospkg_cli.__main__ import main; sys.exit(main())"
-    typed = [sys.executable, "-c", program, *words(command), "--format", "concise"]
-    done = subprocess.run(typed, cwd=tmp_path / "ws", capture_output=True, text=True, timeout=60, check=False)
-    assert done.returncode == 1, done.stderr
-    assert "warning OUR001 maintainer-of-the-house: no maintainer is of our house" in done.stdout
+    lines = [each.line for each in typed("docs/writing-a-rule.md") if each.line.startswith("rospkg ")]
+    program = f"import sys; sys.path.insert(0, {str(site)!r}); from rospkg_cli.cli.app import status\n"
+    program += f"for line in {lines}: sys.argv = line.split(); print(status(), line, flush=True)"
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path / "ws", capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert re.findall(r"^\d rospkg .*", done.stdout, re.MULTILINE) == [
+        f"{int('lint' in each)} {each}" for each in lines
+    ]
+    assert "warning OUR001 maintainer-of-the-house" in done.stdout
+    assert "no maintainer is of our house" in done.stdout
