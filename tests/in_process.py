@@ -6,10 +6,16 @@ import os
 import sys
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
+from functools import cache
 from io import StringIO
 from pathlib import Path
 
-from rospkg_cli.cli.app import status
+import typer.main
+
+import rospkg_cli.cli.app as command_line
+
+command_line.app_for = cache(command_line.app_for)
+typer.main.get_command = cache(typer.main.get_command)  # half of a run's time is to make options of signatures
 
 
 @dataclass(frozen=True)
@@ -30,7 +36,7 @@ def run_here(*arguments: object, cwd: Path, **environment: str) -> Done:
         os.chdir(cwd)
         sys.argv = ["rospkg", *map(str, arguments)]
         with redirect_stdout(out), redirect_stderr(err):
-            code = status()
+            code = command_line.status()
     finally:
         os.chdir(before)
         os.environ.clear()
