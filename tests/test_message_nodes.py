@@ -87,7 +87,12 @@ REFUSED = {
     "a_node:publisher:my_robot_nav_interfaces/Go": "is no message but a service",
     "a_node:client:std_srvs/SetBol": "did you mean `SetBool`",
     "a_node:action-client:Fly": "no package here has an action `Fly`.* --action Fly",
-    "a_node:service:std_msgs/msg/String": "can't be a service",
+    "a_node:service:std_msgs/msg/String": "`std_msgs/msg/String` is no service but a message",
+    "a_node:sensor_msgs/srv/SetCameraInfo": "is no message but a service",
+    "a_node:publisher:nav_msgs/odometry": "can't be a message: PACKAGE/Name; did you mean `nav_msgs/Odometry`",
+    "a_node:publisher:nav_msgs/occupancy_grid": "did you mean `nav_msgs/OccupancyGrid`",
+    "a_node:publisher:my_robot_nav_interfaces/robotstatus": "did you mean `my_robot_nav_interfaces/RobotStatus`",
+    "a_node:publisher:nobody_msgs/odometry": "can't be a message: PACKAGE/Name, as std_msgs/String",
 }
 
 

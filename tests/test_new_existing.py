@@ -15,6 +15,7 @@ from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.fixing.signals import stopped_by_signals
 from rospkg_cli.scaffold import existing_folder
 from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.answers_record import RECORD
 
 ADA = {"maintainer": "Ada Lovelace", "email": "ada@example.org", "year": 2026, "distro": "lyrical"}
 NAME = "my_robot_nav"
@@ -81,8 +82,10 @@ def test_a_file_that_differs_without_a_line_less_or_is_no_text(
 ) -> None:
     (PACKAGE / "README.md").write_text((PACKAGE / "README.md").read_text() + "more\n")
     (PACKAGE / "setup.cfg").write_bytes(b"\xff\xfe\x00")
+    (PACKAGE / RECORD).write_text("")
     assert again(existing=how) == 0
-    said = capsys.readouterr().out
+    said, told = capsys.readouterr()
+    assert ("; `setup.py` lacks" in told, "README.md" in told) == (how == "skip", False)
     assert f"{word:<9}  README.md" in said
     assert ("README.md   differs, and lacks no line\n" in said) is (how == "skip")
     assert ("setup.cfg   differs, and is no text\n" in said) is (how == "skip")

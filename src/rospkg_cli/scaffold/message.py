@@ -82,10 +82,16 @@ def is_message(word: str) -> bool:
 
 def message_of(word: str, package: str, there: WorkspacePackages, form: str = "msg") -> Message:
     """Return the interface of a form; raises ScaffoldError where there is none, or where it is ambiguous."""
-    owner, _, name = word.replace(f"/{form}/", "/").rpartition("/")
-    if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)):
+    owner, _, name = word.rpartition("/")
+    owner, slash, typed = owner.partition("/")
+    is_form = not slash or typed in CALLED
+    if not INTERFACE_NAME.fullmatch(name) or (owner and not PACKAGE_NAME.fullmatch(owner)) or not is_form:
         example = {"msg": "std_msgs/String", "srv": "std_srvs/SetBool", "action": "nav2_msgs/Spin"}[form]
-        raise ScaffoldError(f"`{word}` can't be {a_form(form)}: PACKAGE/Name, as {example}")
+        right = rightly_written(owner, name, form, there)
+        hint = f"; did you mean `{owner}/{right}`?" if right else f", as {example}"
+        raise ScaffoldError(f"`{word}` can't be {a_form(form)}: PACKAGE/Name{hint}")
+    if slash and typed != form:
+        raise ScaffoldError(f"`{word}` is no {CALLED[form]} but {a_form(typed)}; choose another kind")
     owner = owner or owner_of(name, package, there, form)
     check_usable(Message(owner, name, form=form))
     neighbour = there.named(owner)
@@ -96,6 +102,13 @@ def message_of(word: str, package: str, there: WorkspacePackages, form: str = "m
     check_known(owner, name, form, {each: frozenset(files) for each, files in known.items()})
     parts = tuple(tuple(fields(part.fields)) for part in known[form][name].sections)
     return Message(owner, name, parts, form)
+
+
+def rightly_written(owner: str, name: str, form: str, there: WorkspacePackages) -> str:
+    """Return the interface of a package that a name is in other letters, as that of its header; "" where none is."""
+    neighbour = there.named(owner)
+    known = interfaces_of(neighbour)[form] if neighbour else known_interfaces().get(owner, {}).get(form, ())
+    return next((each for each in sorted(known) if each.lower() == name.replace("_", "").lower()), "")
 
 
 def check_usable(message: Message) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from ...control_characters import visible
+from ...scaffold.answers_record import RECORD
 from ...scaffold.existing_folder import FolderDifference, write_into
+from ...scaffold.lacking_lines import lacking_lines
 from ...scaffold.plan import Plan
 from ...scaffold.render import RenderedFile
 from ...scaffold.write import is_there, write_folder
@@ -30,10 +32,11 @@ def write_plan(target: Path, plan: Plan, there: FolderDifference, existing: str)
 
 def what_lacks(there: FolderDifference, existing: str) -> str:
     """Return which files were left alone and lack what was asked for: a new node is not built by its source alone."""
-    if existing == "force" or not there.other:
+    lacking = [visible(file.path) for file, before in there.other if lacking_lines(before, file.entry)]
+    lacking = [path for path in lacking if path != RECORD]
+    if existing == "force" or not lacking:
         return ""
-    names = ", ".join(f"`{visible(file.path)}`" for file, _ in there.other)
-    verb = "lacks" if len(there.other) == 1 else "lack"
+    names, verb = ", ".join(f"`{path}`" for path in lacking), "lacks" if len(lacking) == 1 else "lack"
     return f"; {names} {verb} what would be written there: --diff shows it, and `rospkg add` adds a node in its place"
 
 
