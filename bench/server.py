@@ -1,11 +1,13 @@
 """The language server over random edits: its diagnostics against a fresh lint, its latency, its memory.
 
-    python -m bench.server REPOSITORY [--edits 500] [--check-every 25] [--seed 1] [--pause 0.3]
+    python -m bench.server REPOSITORY [--edits 500] [--check-every 25] [--seed 1] [--pause 0.3] [--together 1]
 
-Works on a copy. Each edit goes to the server as unsaved text and is followed by a request (hover, definition or
-completion) at the place of the edit, and by a pause of up to twice `--pause` seconds, so that the run over the last
-edit often goes on beside the next ones. Every so often all texts are saved, linted afresh by the command, and compared
-with what the server has published by then. At most OPEN files are open at once: others are saved and closed.
+Works on a copy. Each edit goes to the server as unsaved text and is followed by a request (hover, definition,
+completion, actions or formatting) at the place of the edit, and by a pause of up to twice `--pause` seconds, in which
+as many requests as `--together` says are sent four times, so that the run over the last edit often goes on beside
+them, and beside the next edits. A refused request counts as answered: how many were is told apart. Every so often all
+texts are saved, linted afresh by the command, and compared with what the server has published by then. At most OPEN
+files are open at once: others are saved and closed.
 """
 
 from __future__ import annotations
@@ -21,11 +23,15 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Callable, Coroutine, Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
@@ -91,36 +97,68 @@ def processor_seconds(editor: Editor) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def asked(editor: Editor, path: Path, line: int, kind: int) -> float:
-    """Ask for something at a line, and return the seconds until it is answered."""
+@dataclass(frozen=True)
+class Answer:
+    """How long one request took."""
+
+    seconds: float
+    kind: str
+    is_refused: bool
+
+
+def requests(editor: Editor, path: Path, line: int) -> dict[str, Callable[[], Coroutine[Any, Any, Any]]]:
+    """Return what may be asked at a line, by its kind."""
     document, position = types.TextDocumentIdentifier(path.as_uri()), types.Position(line, 12)
     at: dict[str, Any] = {"text_document": document, "position": position}
-    client = editor.client
-    requests: tuple[Callable[[], Coroutine[Any, Any, Any]], ...] = (
-        lambda: client.text_document_hover_async(types.HoverParams(**at)),
-        lambda: client.text_document_definition_async(types.DefinitionParams(**at)),
-        lambda: client.text_document_completion_async(types.CompletionParams(**at)),
+    span, context, options = (
+        types.Range(position, position),
+        types.CodeActionContext([]),
+        types.FormattingOptions(2, True),
     )
+    client = editor.client
+    return {
+        "hover": lambda: client.text_document_hover_async(types.HoverParams(**at)),
+        "definition": lambda: client.text_document_definition_async(types.DefinitionParams(**at)),
+        "completion": lambda: client.text_document_completion_async(types.CompletionParams(**at)),
+        "actions": lambda: client.text_document_code_action_async(types.CodeActionParams(document, span, context)),
+        "formatting": lambda: client.text_document_formatting_async(types.DocumentFormattingParams(document, options)),
+    }
+
+
+async def answer(kind: str, request: Callable[[], Coroutine[Any, Any, Any]]) -> Answer:
+    """Ask for something, and return how long it took to be answered or refused."""
     began = time.perf_counter()
-    editor.run(requests[kind]())
-    return time.perf_counter() - began
+    try:
+        await request()
+    except JsonRpcException as error:
+        if error.code != types.LSPErrorCodes.ContentModified:
+            raise
+        return Answer(time.perf_counter() - began, kind, is_refused=True)
+    return Answer(time.perf_counter() - began, kind, is_refused=False)
+
+
+class PlainEditor(Editor):  # type: ignore[misc]  # an import of the tests
+    """One that waits for answers as long as others do."""
+
+    options = MappingProxyType[str, object]({})
 
 
 class Session:
     """An editor over a copy of a repository, whose texts are edited here and there."""
 
     def __init__(self, root: Path, chance: random.Random) -> None:
-        kept = {name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ}
-        self.editor, self.root, self.chance = Editor(root, **kept, XDG_CACHE_HOME="/dev/null"), root, chance
+        kept = {name: os.environ[name] for name in ("PATH", "HOME", "PYTHONPATH") if name in os.environ}
+        self.editor, self.root, self.chance = PlainEditor(root, **kept, XDG_CACHE_HOME="/dev/null"), root, chance
         self.editor.settle()
         self.paths = files(root)
         self.open: dict[Path, str] = {}
-        self.latencies: list[tuple[float, str]] = []
+        self.behind_edits: list[Answer] = []
+        self.beside_runs: list[Answer] = []
         self.processor: list[float] = []
         """The time that the server had a processor until it answered, a run beside it included."""
 
-    def edit(self) -> None:
-        """Edit one file, mostly one that is open, and ask for something at once."""
+    def edit(self, pause: float, together: int) -> None:
+        """Edit one file, mostly one that is open, ask for something at once, and for more in the pause behind it."""
         path = self.chance.choice(list(self.open) if self.open and self.chance.random() < 0.7 else self.paths)
         if path not in self.open:
             if len(self.open) == OPEN:
@@ -134,12 +172,26 @@ class Session:
         lines = [*zip(before.split("\n"), self.open[path].split("\n"), strict=False)]
         line = next((number for number, (old, new) in enumerate(lines) if old != new), 0)
         spent = processor_seconds(self.editor)
-        self.latencies.append((asked(self.editor, path, line, self.chance.randrange(3)), path.name))
+        self.behind_edits += self.asked(path, line, 1)
         self.processor.append(processor_seconds(self.editor) - spent)
+        for _ in range(4 if pause else 0):
+            self.editor.loop.run_until_complete(asyncio.sleep(pause * self.chance.random() / 2))
+            self.beside_runs += self.asked(path, line, together)
+
+    def asked(self, path: Path, line: int, together: int) -> list[Answer]:
+        """Ask for some things at once."""
+        possible = requests(self.editor, path, line)
+        kinds = [self.chance.choice([*possible]) for _ in range(together)]
+
+        async def ask() -> list[Answer]:
+            return await asyncio.gather(*(answer(kind, possible[kind]) for kind in kinds))
+
+        found: list[Answer] = self.editor.run(ask())
+        return found
 
     def save(self) -> None:
-        for path, text in self.open.items():
-            path.write_text(text)
+        for path in self.open:
+            self.editor.save(path)
 
     def close(self, path: Path) -> None:
         path.write_text(self.open.pop(path))
@@ -147,32 +199,37 @@ class Session:
 
     def quality(self) -> Iterator[str]:
         """Yield how fast it was."""
-        seconds = sorted(each for each, _ in self.latencies)
-        late = ", ".join(f"{name} {each:.2f}" for each, name in sorted(self.latencies, reverse=True)[:5])
-        median, most = statistics.median(seconds), seconds[int(len(seconds) * 0.95)]
-        yield f"an answer right after an edit: median {median:.3f} s, 95 % {most:.3f} s, worst {seconds[-1]:.3f} s"
+        for what, answers in (("right behind an edit", self.behind_edits), ("in pauses", self.beside_runs)):
+            if not answers:
+                continue
+            seconds = sorted(each.seconds for each in answers)
+            median, most, late = statistics.median(seconds), seconds[int(len(seconds) * 0.95)], seconds[-1]
+            yield f"asked {what}: median {median:.3f} s, 95 % {most:.3f} s, worst {late:.3f} s of {len(seconds)}"
+            refused = Counter(each.kind for each in answers if each.is_refused)
+            slow = sorted(f"{each.kind} {each.seconds:.2f}" for each in answers if each.seconds > 0.2)
+            told = ", ".join(f"{number} {kind}" for kind, number in refused.items())
+            yield f"  refused: {told or 'none'}; above 0.2 s: {len(slow)} {', '.join(slow[:5])}"
         spent = sorted(self.processor)
         median, most = statistics.median(spent), spent[int(len(spent) * 0.95)]
         yield f"of that a processor: median {median:.2f} s, 95 % {most:.2f} s, worst {spent[-1]:.2f} s"
-        yield f"above 0.2 s: {sum(each > 0.2 for each in seconds)} of {len(seconds)}; the slowest: {late}"
 
 
-def run(root: Path, edits: int, every: int, settle: int, pause: float, chance: random.Random) -> Iterator[str]:
+def run(given: argparse.Namespace, root: Path) -> Iterator[str]:
+    edits, every, settle, chance = given.edits, given.check_every, given.settle_every, random.Random(given.seed)
     began = time.perf_counter()
     session = Session(root, chance)
     editor = session.editor
     yield f"all packages judged after {time.perf_counter() - began:.1f} s, memory {memory(editor):.0f} MiB"
     wrong = checks = 0
     for number in range(1, edits + 1):
-        session.edit()
-        editor.loop.run_until_complete(asyncio.sleep(2 * pause * chance.random()))
+        session.edit(given.pause, given.together)
         if number % max(1, edits // 10) == 0:
             yield f"  after edit {number}: {memory(editor):.0f} MiB"
         if settle and number % settle == 0:
             editor.settle()
         if every and number % every == 0:
-            editor.settle()
             session.save()
+            editor.settle()
             checks += 1
             ours, theirs = published(editor, root), fresh(root)
             wrong += ours != theirs
@@ -192,12 +249,12 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--settle-every", type=int, default=0, help="for many edits without a pause")
     parser.add_argument("--pause", type=float, default=0.3)
+    parser.add_argument("--together", type=int, default=1, help="requests at once")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        how = (given.edits, given.check_every, given.settle_every, given.pause)
         root = Path(folder).resolve() / given.repository.name
         shutil.copytree(given.repository, root, symlinks=True)
-        for line in run(root, *how, random.Random(given.seed)):
+        for line in run(given, root):
             print(line, flush=True)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import sys
 import time
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Coroutine, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import unquote
@@ -25,6 +25,8 @@ class Editor:
 
     program: tuple[str, ...] = ("-m", "rospkg_cli", "server")
     """What Python is called with."""
+    options: Mapping[str, object] = {"answerWithin": PATIENCE}
+    """What the server is told at the start."""
 
     def __init__(self, folder: Path, **environment: str) -> None:
         self.loop, self.folder = asyncio.new_event_loop(), folder
@@ -47,7 +49,7 @@ class Editor:
         watching = types.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
         able = types.ClientCapabilities(types.WorkspaceClientCapabilities(did_change_watched_files=watching))
         asked = types.InitializeParams(
-            able, initialization_options={"answerWithin": PATIENCE}, root_uri=folder.as_uri(), workspace_folders=folders
+            able, initialization_options=dict(self.options), root_uri=folder.as_uri(), workspace_folders=folders
         )
         self.capabilities = (await self.client.initialize_async(asked)).capabilities
         self.client.initialized(types.InitializedParams())
@@ -92,6 +94,12 @@ class Editor:
         document = types.VersionedTextDocumentIdentifier(self.versions[path], path.as_uri())
         change = types.TextDocumentContentChangeWholeDocument(text)
         self.client.text_document_did_change(types.DidChangeTextDocumentParams(document, [change]))
+
+    def save(self, path: Path) -> None:
+        """Write the text of an open file to the disk, and say so."""
+        path.write_text(self.texts[path])
+        saved = types.DidSaveTextDocumentParams(types.TextDocumentIdentifier(path.as_uri()))
+        self.client.text_document_did_save(saved)
 
     def close(self, path: Path) -> None:
         self.client.text_document_did_close(

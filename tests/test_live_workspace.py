@@ -6,6 +6,7 @@ from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
+from looked_up import FILES
 
 from rospkg_cli.cli.server import live_lint
 from rospkg_cli.cli.server.language_server import PackageServer
@@ -14,6 +15,7 @@ from rospkg_cli.cli.server.live_world import LiveWorld
 from rospkg_cli.cli.server.open_text import OpenText
 from rospkg_cli.engine.run import worker
 from rospkg_cli.example import Example
+from rospkg_cli.finding import Finding
 from rospkg_cli.lookup.definition import definitions
 from rospkg_cli.lookup.mention import mention_at
 from rospkg_cli.package.run_events import RuleCrash
@@ -57,6 +59,34 @@ def test_a_package_on_which_a_rule_fails_keeps_none_from_being_judged(
     assert [run.results.packages for run in runs] == [1, 2, 3, 3]
     assert [run.is_finished for run in runs] == [False, False, True, True]
     assert "RPK005" in [each.code for each in runs[-1].results.findings]
+
+
+def test_neighbours_know_a_manifest_as_it_was_while_it_is_typed(tmp_path: Path) -> None:
+    """Broken between two keys, it says nothing of its package; broken and saved, it is what lint reads."""
+    for path, text in FILES.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text.replace("executable='driver'", "executable='drivr'"))
+    manifest, live = tmp_path / "my_cpp/package.xml", LiveLint(tmp_path)
+    before = live.run(LintOrder({}, frozenset(), frozenset())).results.findings
+    assert "LCH002" in [each.code for each in before]
+
+    def found(text: str) -> tuple[Finding, ...]:
+        texts = {manifest: OpenText("", 1, text.encode())}
+        results = live.run(LintOrder(texts, frozenset(texts), frozenset())).results
+        assert not results.crashes
+        return results.findings
+
+    own = [each for each in before if each.package != "my_cpp"]
+    whole = manifest.read_text()
+    for broken in (whole.replace("</package>", "<dep"), whole.replace("</package>", "<depend>"), "<", ""):
+        after = found(broken)
+        assert [each for each in after if each.package != "my_cpp"] == own
+        assert "RPK001" in [each.code for each in after]
+    assert found(whole) == before
+    manifest.write_text(broken)
+    saved = found(broken)
+    assert "LCH002" not in [each.code for each in saved]
+    assert saved == LiveLint(tmp_path).run(LintOrder({}, frozenset(), frozenset())).results.findings
 
 
 def test_what_pygls_keeps_of_notifications_is_let_go() -> None:

@@ -155,6 +155,11 @@ def name_of(manifest: Manifest, folder: str, fallback: str) -> str:
     return manifest.name or PurePosixPath(folder).name or fallback
 
 
+def is_unknown(facts: PackageFacts) -> bool:
+    """Return whether facts are those of a package that can't be read; those on demand are of one that can."""
+    return type(facts) is PackageFacts and len(facts.unknown) == len(get_args(UnknownField))
+
+
 def unknown_facts(folder: str, fallback: str) -> PackageFacts:
     """Return what is known of a package that can't be read: a name by its folder."""
     return PackageFacts(PurePosixPath(folder).name or fallback, folder, unknown=frozenset(get_args(UnknownField)))

@@ -12,7 +12,7 @@ from pygls.exceptions import JsonRpcContentModified
 
 T = TypeVar("T")
 
-LIMIT = 0.15
+LIMIT = 0.12
 """Seconds for an answer: those of the messages to and fro come on top."""
 
 OPTION = "answerWithin"

@@ -99,7 +99,8 @@ class LiveLint:
         given = [scope.incomplete, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories)), scope.folders]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
         tree = DiskTree(located.root, scope.folders)
-        pool = partial(NotingPool, look=order.look, memory=self.memory)
+        typed = {folder: self.facts[folder] for folder in self.facts if is_typed(located.root / folder, order.texts)}
+        pool = partial(NotingPool, look=order.look, memory=self.memory, typed=typed)
         return replace(
             session,
             tree=overlay(tree, located.root, order.texts),
@@ -116,6 +117,17 @@ class LiveLint:
         wanted = {f for f in scope.selected if located.root / f in first}
         others = sorted(scope.selected - known - wanted)
         return frozenset(known | wanted | set(others[: 0 if wanted - known else CHUNK]))
+
+
+def is_typed(package: Path, texts: Mapping[Path, OpenText]) -> bool:
+    """Return whether the manifest of a package is in the editor and not saved."""
+    path = package / "package.xml"
+    if path not in texts:
+        return False
+    try:
+        return path.read_bytes() != texts[path].data
+    except OSError:
+        return True
 
 
 def relative_to(paths: Iterable[Path], root: Path) -> list[str]:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from types import MappingProxyType
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass, field
+from ...package.collect_facts import is_unknown
 from ...package.package import Package
+from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
@@ -17,6 +20,8 @@ from ..run.session import Pool, Scope, to_be_kept
 from ..run.worker import PackageResults, Worker
 from .live_packages import LivePackages
 from .safe_point import RunInterrupted, never
+
+NONE_TYPED: Mapping[str, PackageFacts] = MappingProxyType({})
 
 
 @dataclass
@@ -68,7 +73,10 @@ class NotingWorker(Worker):
 
 
 class NotingPool(Pool):
-    """Runs everything in this process, with a worker that notes; `memory` gets what an interrupted run has found."""
+    """Runs everything in this process, with a worker that notes; `memory` gets what an interrupted run has found.
+
+    `typed` has the last facts of the packages, by folder, whose manifest is being typed.
+    """
 
     def __init__(
         self,
@@ -78,11 +86,17 @@ class NotingPool(Pool):
         settings: RuleSettings,
         look: Callable[[], None] = never,
         memory: LivePackages | None = None,
+        typed: Mapping[str, PackageFacts] = NONE_TYPED,
     ) -> None:
-        self.memory = memory
+        self.memory, self.typed = memory, typed
         self.worker: Worker = NotingWorker(
             tree, scope.folders, targets, settings, scope.name, scope.selected, notes_questions=True, look=look
         )
+
+    def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
+        """Return facts; of a package whose manifest can't be read between two keys, what was known before."""
+        found = self.worker.collect_facts(wanted)
+        return [self.typed.get(each.folder, each) if is_unknown(each) else each for each in found]
 
     def run_rules(self, workspace: Workspace, codes: Sequence[str], wanted: Collection[str]) -> list[PackageResults]:
         """Run the rules package by package; those that were checked before an interruption need not be again."""
