@@ -99,6 +99,8 @@ CASES = {
         cmake("install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME}/more)\n"
               "install(FILES LICENSE DESTINATION share/${PROJECT_NAME})\n",
               LICENSE="Apache License\n", **cmk101.MESHES),
+        cmake('install(DIRECTORY "launch" DESTINATION share/${PROJECT_NAME})\n',
+              config__a_DOT_yaml="a: 1\n", launch__a_DOT_launch_DOT_xml="<launch>\n</launch>\n"),
     ),
     "CMK102": (
         cmake("install(FILES missing.yaml DESTINATION share/${PROJECT_NAME})\n"),

@@ -120,6 +120,7 @@ CASES = {
         ),
     ),
     "XML106": tuple(instead("Apache-2.0", PROSE[-length:]) for length in (59, 60, 90)),
+    "XML108": (with_line('<url type="development">https://example.org</url>'),),
     "XML107": (instead("<license>", '<license file="">'), instead("<license>", '<license file="../LICENSE">'),
                instead("<license>", '<license file="LICENCE">')),
     "XML204": (

@@ -129,6 +129,8 @@ CASES = {
     "SET206": (
         python(CONFIG),
         python({**CONFIG, ".gitignore": "/config/\n"}),
+        *(python({**CONFIG, "setup.py": "import os\n" + SETUP_PY.replace("'share/' + package_name", share)})
+          for share in ("f'share/{package_name}'", "os.path.join('share', package_name)")),
         python({**CONFIG, "README.md": "`--params-file src/my_pkg/config/nav.yaml`\n"}),
         python({**CONFIG, "my_pkg/a.py": "get_package_share_directory('my_pkg') + '/config/nav.yaml'\n"}),
     ),

@@ -28,6 +28,18 @@ def add_before(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     return Edit(file.path, Span(at, at), f"{match_case(file, lines)}\n")
 
 
+def add_block_before(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
+    """Put commands before another one, a blank line on either side."""
+    edit = add_before(file, command, f"{lines}\n")
+    above = file.source.text[: edit.span.start].rstrip(" \t")
+    return edit if not above or above.endswith("\n\n") else Edit(edit.path, edit.span, f"\n{edit.text}")
+
+
+def quoted_like(file: CMakeFile, item: str, other: Span) -> str:
+    """Return an argument in quotes where another one has them."""
+    return f'"{item}"' if file.source.text.startswith('"', other.start) else item
+
+
 def add_after(file: CMakeFile, command: CommandInvocation, lines: str) -> Edit:
     """Put commands below another one, behind a comment in its last line."""
     source = file.source

@@ -12,7 +12,7 @@ from ..languages.cmake.targets import Target
 from ..package.cmake.cmake_project import CMake
 from ..package.cmake.install_rules import InstallRule
 from ..source import Span
-from .cmake_commands import add_after, add_argument, add_at_end, add_before
+from .cmake_commands import add_after, add_argument, add_at_end, add_block_before, quoted_like
 
 SHARE = "share/${PROJECT_NAME}"
 LIBEXEC = "lib/${PROJECT_NAME}"
@@ -47,7 +47,8 @@ def to_share(cmake: CMake, command: CommandInvocation, folder: str) -> Edit | No
     last = next(
         (i for i, text in enumerate(texts) if i > texts.index("INSTALL_TO_SHARE") and text.isupper()), len(texts)
     )
-    return add_argument(cmake.root, command, folder, command.arguments[last - 1].span)
+    before = command.arguments[last - 1].span
+    return add_argument(cmake.root, command, quoted_like(cmake.root, folder, before), before)
 
 
 def install_executable(cmake: CMake, target: Target) -> Edit:
@@ -121,7 +122,7 @@ def extend_or_add(
             last = rule.items[-1:]
             written = [argument for argument, words in rule.call.by_argument() if last and words[-1:] == last]
             if written:
-                return add_argument(file, command, item, written[0].span)
+                return add_argument(file, command, quoted_like(file, item, written[0].span), written[0].span)
     return add_rule(cmake, lines, made)
 
 
@@ -139,7 +140,7 @@ def add_rule(cmake: CMake, lines: str, made: EvaluatedCommand | None = None) -> 
     if last is not None and runs_after(cmake, last, made):
         return add_after(root, last, f"\n{lines}")
     end = root.end
-    return add_at_end(root, lines) if end is None else add_before(root, end, f"{lines}\n")
+    return add_at_end(root, lines) if end is None else add_block_before(root, end, lines)
 
 
 def block(file: CMakeFile, kind: str, item: str, destination: str) -> str:

@@ -6,21 +6,41 @@ from fnmatch import fnmatchcase
 
 from ..finding import Create, Edit, Operation
 from ..languages.python.evaluate.values import GlobResult, Sequence, Symbol
+from ..lazy_regex import regex
 from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from . import python_list as commas
 from .setup_py import add_argument, add_item, import_code, name_code, quoted, replace_text
 
+SHARE = regex(
+    r"""\bf["']share/\{(?P<name>\w+)\}|(?P<join>[\w.]*\bjoin)\(\s*["']share["']\s*,\s*(\w+)"""
+    r"""|["']share/["']\s*\+\s*(\w+)"""
+)
+"""The ways in which destinations below `share/` are written."""
+
 
 def share_code(setup: SetupPy, name: str, *below: str) -> str:
-    """Return the expression for a folder below `share/<name>`."""
+    """Return the expression for a folder below `share/<name>`, as the last entry before it writes one."""
     own = name_before_entries(setup, name)
     rest = "".join(f"/{part}" for part in below)
     if own.isidentifier():
+        style = share_style(setup, own)
+        if style == "f":
+            return "f" + quoted(setup, f"share/{{{own}}}{rest}")
+        if style:
+            return f"{style}({', '.join([quoted(setup, 'share'), own, *(quoted(setup, part) for part in below)])})"
         start = f"{quoted(setup, 'share/')} + {own}"
         return f"{start} + {quoted(setup, rest)}" if rest else start
     return quoted(setup, f"share/{name}{rest}")
+
+
+def share_style(setup: SetupPy, own: str) -> str:
+    """Return how the last entry builds its destination of a variable: "f", the function that joins paths, or ""."""
+    entries = setup.value("data_files")
+    code = setup.source.slice(entries.span) if entries is not None else ""
+    found = [each for each in SHARE.finditer(code) if own in each.groups()]
+    return ("f" if found[-1]["name"] else found[-1]["join"] or "") if found else ""
 
 
 def name_before_entries(setup: SetupPy, name: str) -> str:

@@ -48,9 +48,15 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
 
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
-    """Return the fix that declares a dependency: safe only for a name that can be installed without pip."""
-    safety = Safety.SAFE if source_of(declared, name) == "released" else Safety.UNSAFE
-    return Fix(f"add <{tag}>{name}</{tag}>", (add_dependency(declared.manifest, tag, name),), safety)
+    """Return the fix that declares a dependency."""
+    edit = add_dependency(declared.manifest, tag, name)
+    return Fix(f"add <{tag}>{name}</{tag}>", (edit,), safety_of(declared, [name]))
+
+
+def safety_of(declared: DeclaredDependencies, names: Iterable[str]) -> Safety:
+    """Return whether names may be declared unasked: each can be installed without pip, and no comment leaves it out."""
+    sure = all(source_of(declared, name) == "released" and name not in declared.commented_out for name in names)
+    return Safety.SAFE if sure else Safety.UNSAFE
 
 
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
@@ -74,8 +80,7 @@ def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], use
     first, *others = uses
     by = {use.name: f", by way of `{use.bringer.name}`" if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
-    unsure = any(source_of(declared, name) != "released" for name in names)
-    fix = Fix(f"declare {quoted(names)}", edits, Safety.UNSAFE if unsure else Safety.SAFE)
+    fix = Fix(f"declare {quoted(names)}", edits, safety_of(declared, names))
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)
 
 

@@ -83,7 +83,8 @@ URL_TYPES = ("website", "bugtracker", "repository")
 URL_MEANT = {
     **dict.fromkeys(("home", "homepage", "wiki", "web", "doc", "docs", "documentation", "url"), "website"),
     **dict.fromkeys(("issues", "issue", "bug", "bugs", "issuetracker", "issue_tracker", "tracker"), "bugtracker"),
-    **dict.fromkeys(("repo", "source", "github", "git", "code", "vcs", "sourcecode"), "repository"),
+    **dict.fromkeys(("repo", "source", "sources", "github", "git", "code", "vcs", "scm", "sourcecode"), "repository"),
+    "development": "repository",
 }
 """What people write for them."""
 

@@ -79,10 +79,18 @@ def edited(entry: TreeEntry, edits: Sequence[Edit]) -> TreeEntry:
     at = 0
     for span, together in groupby(sorted(edits, key=lambda e: e.span), lambda e: e.span):
         texts = [each.text for each in together]
-        in_one = span.start == span.end and edits[0].path.rpartition("/")[2] == "package.xml"
-        pieces += [text[at : span.start], in_order(texts) if in_one else "".join(texts)]
+        pieces += [text[at : span.start], together_at(edits[0].path, texts) if len(texts) > 1 else texts[0]]
         at = span.end
     return TreeEntry(entry.kind, entry.text.encode("".join([*pieces, text[at:]])), entry.mode)
+
+
+def together_at(path: str, texts: Sequence[str]) -> str:
+    """Return what is put in at one place of a file as one text."""
+    name = path.rpartition("/")[2]
+    if name == "package.xml":
+        return in_order(texts)
+    joined = "".join(texts)
+    return joined.replace("\n\n\n", "\n\n") if name.endswith((".txt", ".cmake")) else joined
 
 
 def outcome(tree: Tree, operation: Operation) -> Changes:

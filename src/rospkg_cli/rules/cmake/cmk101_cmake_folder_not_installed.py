@@ -31,7 +31,7 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     examples=(
         Example(
             bad={**LAUNCH, "CMakeLists.txt": CMAKE.replace("ament_package()", "«ament_package()»")},
-            good={"CMakeLists.txt": CMAKE.replace("ament_package", f"{INSTALL}\nament_package")},
+            good={"CMakeLists.txt": CMAKE.replace("ament_package", f"\n{INSTALL}\nament_package")},
             on="ament_cmake",
             fix=Safety.SAFE,
         ),

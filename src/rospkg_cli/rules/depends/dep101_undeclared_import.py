@@ -67,7 +67,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     never run. So are files that nothing installs, and the package's own modules.
 
     ## Fix safety
-    The fix is unsafe where only PyPI has the library, or where no released package has the name.
+    The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
+    package.xml leaves it out.
 
     ## References
     - REP-149, exec_depend

@@ -47,7 +47,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     no test uses, `launch_testing` where another test tool brings it, and what installed code imports as well (DEP101).
 
     ## Fix safety
-    The fix is unsafe where only PyPI has the library, or where no released package has the name.
+    The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
+    package.xml leaves it out.
 
     ## References
     - REP-149, test_depend

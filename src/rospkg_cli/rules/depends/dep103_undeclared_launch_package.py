@@ -79,7 +79,8 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ROS 1, actions that nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
-    The fix is unsafe where no released package has the name, or where another name may be intended.
+    The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
+    another name may be intended.
 
     ## References
     - REP-149, exec_depend

@@ -71,7 +71,7 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     condition that depends on the machine is left alone, and so is what comes with the build tools.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
 
     ## References
     - REP-149, depend and buildtool_depend

@@ -50,7 +50,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     others include under it, and packages that `find_package()` names as well (DEP104) are left alone.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
 
     ## References
     - REP-149, depend

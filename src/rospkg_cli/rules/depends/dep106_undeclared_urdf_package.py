@@ -70,8 +70,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     them. So is what xacro needs only where an argument turns it on (`GAZEBO:=true`).
 
     ## Fix safety
-    The fix is unsafe where no released package has the name. Where this package has the same files, or the name is a
-    slip of another, there is none: correct the path.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
+    package has the same files, or the name is a slip of another, there is none: correct the path.
 
     ## References
     - REP-149, exec_depend

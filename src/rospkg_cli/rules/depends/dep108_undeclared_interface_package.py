@@ -63,7 +63,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     package that is neither here nor in the table of what is installed with what, anything may come.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
 
     ## References
     - REP-149, depend

@@ -54,7 +54,7 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     in blocks (`if`, functions, macros) and without REQUIRED are left alone.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
 
     ## References
     - REP-149, build_export_depend and buildtool_export_depend

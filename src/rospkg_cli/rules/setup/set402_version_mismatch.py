@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.python_package import PythonPackage
+from ...edits.manifest_tags import set_text
 from ...edits.setup_py import replace_text
-from ...example import SETUP_PY, Example
+from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...ros.manifest import VERSION
 from ...rule import rule
 from ...source import Span
 
+GOOD = manifest()
 BAD = SETUP_PY.replace("'1.0.0'", "'«0.0.1»'")
 
 
@@ -20,12 +22,20 @@ BAD = SETUP_PY.replace("'1.0.0'", "'«0.0.1»'")
     "version-mismatch",
     over=PythonPackage,
     severity=Severity.WARNING,
-    examples=(Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),),
+    examples=(
+        Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),
+        Example(
+            bad={"setup.py": BAD, "package.xml": GOOD.replace("1.0.0", "0.0.0")},
+            good={"setup.py": BAD.replace("«0.0.1»", "0.0.1"), "package.xml": GOOD.replace("1.0.0", "0.0.1")},
+            fix=Safety.SAFE,
+        ),
+    ),
 )
 def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds a version in setup.py that differs from the one in package.xml.
+    The fix makes both the one in package.xml; where that is still the template's `0.0.0`, the one in setup.py.
 
     ## Why is this bad?
     bloom releases the version in package.xml, pip and `importlib.metadata` report the one in setup.py: users ask about
@@ -35,16 +45,18 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon
     refuses (XML103).
     """
-    said, manifest = package.setup.setup_text("version"), package.manifest
-    element = manifest.first("version")
-    if said is None or element is None or said.text == manifest.version or not VERSION.fullmatch(manifest.version):
+    said, known = package.setup.setup_text("version"), package.manifest
+    element = known.first("version")
+    if said is None or element is None or said.text == known.version or not VERSION.fullmatch(known.version):
         return  # a version that colcon refuses is XML103's
-    edits = replace_text(said, manifest.version)
-    fix = Fix(f"write `{manifest.version}`", edits) if edits else None
-    span: Span = manifest.span(element)
+    is_unset = known.version == "0.0.0" and VERSION.fullmatch(said.text) is not None
+    edits = (set_text(known, element, said.text),) if is_unset else replace_text(said, known.version)
+    todo = f"write `{said.text}` in package.xml" if is_unset else f"write `{known.version}`"
+    span: Span = known.span(element)
     message = (
         f"setup.py has version `{said.text}`: pip and `importlib.metadata` report it for what ROS releases as "
-        f"`{manifest.version}`; write `{manifest.version}`"
+        f"`{known.version}`; {todo}"
     )
-    related = (Related(manifest.path, span, "the version in package.xml"),)
+    fix = Fix(todo, edits) if edits else None
+    related = (Related(known.path, span, "the version in package.xml"),)
     yield Hit(said.path, said.shown, message, related=related, fix=fix)
