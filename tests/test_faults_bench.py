@@ -6,6 +6,7 @@ import ast
 import json
 import stat
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -20,7 +21,7 @@ from bench.faults.kinds import KINDS
 from bench.faults.load import load
 from bench.faults.source_package import SourcePackage, packages_of
 from bench.faults.table import table
-from bench.faults.trial import Linter, Trial, attempt, is_named
+from bench.faults.trial import Linter, Trial, attempt, is_named, replaced
 from bench.faults.working_copy import WorkingCopy
 
 load()
@@ -187,7 +188,11 @@ def test_what_is_told_counts_and_what_stands_beside(packages: list[SourcePackage
     assert lost.told[0].startswith("SET")
     assert lost.beside_count == len(lost.told) + len(lost.beside) - 1
     lines = list(table([lost]))
-    assert lines[1].split() == ["files", "1", "1", str(lost.beside_count), "0"]
+    assert lines[1].split() == ["files", "1", "1", str(lost.beside_count), str(lost.added_count), "0"]
+    old = ("DEP104", "a", "x")
+    assert [replaced([new], Counter([old])) for new in (old, ("DEP104", "a", "y"), ("DEP104", "b", "x"))] == [1, 1, 1]
+    assert [replaced([new], Counter([old])) for new in (("DEP105", "a", "x"), ("DEP104", "b", "y"))] == [0, 0]
+    assert replaced([old, old], Counter([old])) == 1
     assert "killed 100.0% of all" in lines[-1]
 
 

@@ -132,7 +132,8 @@ def test_xhtml_is_a_description(inside: str) -> None:
 def test_names() -> None:
     def level(name: str, **files: str) -> Severity | None:
         text = manifest(build_type="ament_cmake").replace("my_pkg", name)
-        results = lint_files({"package.xml": text, "CMakeLists.txt": CMAKE, **files}, ["XML101"])
+        cmake = CMAKE.replace("my_pkg", name)
+        results = lint_files({"package.xml": text, "CMakeLists.txt": cmake, **files}, ["XML101"])
         return next((f.severity for f in results.findings), None)
 
     modules = {"scripts/__init__.py": ""}

@@ -4,7 +4,8 @@
 
 Every kind of fault is put into so many packages of the checkouts, one at a time, in a copy that shares all other files.
 Killed: a finding of the default rules that was not there before, and names the thing (the old name, the new one, or the
-file). Beside: all other new findings. Excluded: nothing fails, or nobody could know, as the kind says.
+file). Beside: all other new findings; added: those of them in whose place none is gone. Excluded: nothing fails, or
+nobody could know, as the kind says.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ class Copies:
 
     def trial(self, kind: FaultKind, package: SourcePackage, fault: PutFault) -> Trial:
         if before := self.known.get((kind.name, place(package, fault))):
-            return Trial(kind, package, fault, tuple(before["told"]), tuple(before["beside"]))
+            return Trial(kind, package, fault, tuple(before["told"]), tuple(before["beside"]), before["reworded"])
         home = package.repository
         if home not in self.made:
             self.made[home] = WorkingCopy(home, self.scratch / f"{len(self.made)}" / home.name)
@@ -116,6 +117,7 @@ def as_record(trial: Trial) -> Record:
         "killed": bool(trial.told),
         "told": trial.told,
         "beside": trial.beside,
+        "reworded": trial.reworded,
         "excluded": trial.excluded,
     }
 

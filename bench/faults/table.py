@@ -8,7 +8,7 @@ from bench.faults.fault import PutFault
 from bench.faults.source_package import SourcePackage
 from bench.faults.trial import Trial
 
-HEAD = f"{'':44}{'tried':>6}{'killed':>7}{'beside':>7}{'excluded':>9}"
+HEAD = f"{'':44}{'tried':>6}{'killed':>7}{'beside':>7}{'added':>6}{'excluded':>9}"
 
 
 def table(trials: Sequence[Trial]) -> Iterator[str]:
@@ -26,8 +26,9 @@ def table(trials: Sequence[Trial]) -> Iterator[str]:
 def row(name: str, trials: Sequence[Trial]) -> str:
     killed = sum(bool(each.told) for each in trials)
     beside = sum(each.beside_count for each in trials)
+    added = sum(each.added_count for each in trials)
     excluded = sum(bool(each.excluded) for each in trials)
-    return f"{name:44}{len(trials):>6}{killed:>7}{beside:>7}{excluded:>9}"
+    return f"{name:44}{len(trials):>6}{killed:>7}{beside:>7}{added:>6}{excluded:>9}"
 
 
 def summary(trials: Sequence[Trial]) -> str:
@@ -35,11 +36,12 @@ def summary(trials: Sequence[Trial]) -> str:
     counted = [each for each in trials if not each.excluded]
     rest = sum(bool(each.told) for each in counted)
     beside = sum(each.beside_count for each in trials)
+    added = sum(each.added_count for each in trials)
     kinds, places = {each.kind.name for each in trials}, {each.package.repository for each in trials}
     return (
         f"{len(kinds)} kinds, {len(places)} repositories: killed {share(killed, len(trials))} of all, "
         f"{share(rest, len(counted))} of those not excluded ({share(len(trials) - len(counted), len(trials))}); "
-        f"{beside / max(len(trials), 1):.2f} findings beside"
+        f"{beside / max(len(trials), 1):.2f} findings beside, {added / max(len(trials), 1):.2f} added"
     )
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -31,6 +32,9 @@ class Trial:
     """New findings that name the thing: code and message."""
     beside: tuple[str, ...]
     """New findings that do not."""
+    reworded: int = 0
+    """Of the new findings beside the first that names the thing: those in whose place one is gone, of the same code and
+    in the same file, or of the same words (its file was renamed). Nobody has more to read for them."""
 
     @property
     def excluded(self) -> str:
@@ -39,6 +43,10 @@ class Trial:
     @property
     def beside_count(self) -> int:
         return len(self.told) + len(self.beside) - bool(self.told)
+
+    @property
+    def added_count(self) -> int:
+        return self.beside_count - self.reworded
 
 
 @dataclass
@@ -77,17 +85,33 @@ def identity(finding: dict[str, Any]) -> tuple[str, str, str]:
 def attempt(linter: Linter, copy: WorkingCopy, kind: FaultKind, package: SourcePackage, fault: PutFault) -> Trial:
     folder = "" if kind.is_seen_outside else package.folder
     before = Counter(linter.before(copy, folder))
-    told, beside = [], []
+    told: list[str] = []
+    beside: list[str] = []
+    new: list[tuple[str, str, str]] = []
     with copy.with_fault(fault):
         for finding in linter.findings(copy.folder, folder):
             each = identity(finding)
             if before[each] > 0:
                 before[each] -= 1
-            elif each[0] not in SILENT and is_named(fault, finding):
+                continue
+            is_told = each[0] not in SILENT and is_named(fault, finding)
+            new += [each] if told or not is_told else []
+            if is_told:
                 told.append(f"{each[0]} {finding['severity']} {each[2]}")
             else:
                 beside.append(f"{each[0]} {finding['severity']} {finding['path']}: {each[2]}")
-    return Trial(kind, package, fault, tuple(told), tuple(beside))
+    return Trial(kind, package, fault, tuple(told), tuple(beside), replaced(new, before))
+
+
+def replaced(new: Sequence[tuple[str, str, str]], before: Counter[tuple[str, str, str]]) -> int:
+    """Return how many of some new findings stand in the place of one that is gone."""
+    gone, count = list(before.elements()), 0
+    for code, path, message in new:
+        alike = (each for each in gone if each[0] == code and (each[1] == path or each[2] == message))
+        if (old := next(alike, None)) is not None:
+            gone.remove(old)
+            count += 1
+    return count
 
 
 def is_named(fault: PutFault, finding: dict[str, Any]) -> bool:

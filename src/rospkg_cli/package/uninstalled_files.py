@@ -11,6 +11,7 @@ from ..languages.cmake.values import UNKNOWN
 from ..ros.share_layout import FOLDERS
 from .cmake.cmake_project import CMake
 from .cmake.made_paths import files_written_by
+from .cmake.meant_paths import meant_paths
 from .cmake.referenced_paths import ReferencedPaths
 from .install_table import InstallTable
 
@@ -29,7 +30,8 @@ def uninstalled_files(reading: ReaderInput) -> frozenset[str]:
 
 
 def made_files(reading: ReaderInput) -> frozenset[str]:
-    """Return the names of the files that CMake writes, and of those that it installs and that are not here.
+    """Return the names of the files that CMake writes, and of those that it installs and that are not here, or only
+    under a name that is near, which is told.
 
     `*` stands for the unknown parts of a name, and for any file of a folder.
     """
@@ -39,6 +41,7 @@ def made_files(reading: ReaderInput) -> frozenset[str]:
     named = ReferencedPaths(cmake)
     texts = [text for call in named.made.calls for text in made_by(call)]
     texts += [each.path for each in named.absent() if each.use == "install"]
+    texts += meant_paths(cmake)
     names = {posixpath.basename(text).replace(UNKNOWN, "*") for text in texts}
     folders = {f"*{posixpath.basename(each.path)}/*" for each in named.absent() if each.use == "folder"}
     return frozenset(name for name in names if name.strip("*.") and not name.endswith(CODE)) | folders

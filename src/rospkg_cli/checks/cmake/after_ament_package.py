@@ -27,6 +27,8 @@ LOST: dict[str, str] = {
 }
 """What ament_package() would have finished, and what becomes of it."""
 
+STOPS = "CMake stops"
+
 AUTOMATIC = ("ament_auto_add_library", "ament_auto_add_executable")
 
 LINTERS = "ament_lint_auto_find_test_dependencies"
@@ -45,6 +47,10 @@ class MisplacedCommand:
     @property
     def only_linters(self) -> bool:
         return self.call.name == LINTERS
+
+    @property
+    def is_fatal(self) -> bool:
+        return self.consequence == STOPS
 
 
 def commands_after_ament_package(cmake: CMake) -> Iterator[MisplacedCommand]:
@@ -67,7 +73,7 @@ def is_sure(call: EvaluatedCommand) -> bool:
 
 def consequence(call: EvaluatedCommand, end: EvaluatedCommand) -> str:
     if call.name in FATAL or call.name.startswith("ament_export_"):
-        return "CMake stops"
+        return STOPS
     if call.name in AUTOMATIC and end.name != "ament_package":
         return "the target is neither installed nor exported"
     return LOST.get(call.name, "")

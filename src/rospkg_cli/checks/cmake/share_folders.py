@@ -9,6 +9,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_packa
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.meant_paths import meant_paths
 from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
@@ -30,7 +31,9 @@ class RuntimeFolders:
     def uninstalled(self) -> Iterator[str]:
         """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
         for folder in FOLDERS if self.is_clear else ():
-            if not self.is_installed(folder) and not self.is_named(folder) and self.useful(folder):
+            if self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
+                continue
+            if folder not in meant_paths(self.package.cmake):  # which CMK102 tells
                 yield folder
 
     @property

@@ -10,6 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.artifacts import PYTHON_MODULES
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.install_table import PYTHON, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
@@ -47,6 +48,8 @@ class PythonPackages:
         cmake = self.package.cmake
         if not self.table.knows("module") or not cmake.is_complete or cmake.named("ament_environment_hooks"):
             return
+        if self.names_no_folder:
+            return
         missing = set(self.folders - self.installed)
         for row in self.table.rows:
             if row.what not in ("executable", "share") or not row.source.endswith(".py") or not missing:
@@ -78,7 +81,14 @@ class PythonPackages:
         files = [path for path in cmake.package_files.below(name) if path.endswith(".py")]
         if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
             return ""
-        return "" if any(each.folder == name for each in self.uninstalled()) else name
+        is_told = self.names_no_folder or any(each.folder == name for each in self.uninstalled())
+        return "" if is_told else name
+
+    @cached_property
+    def names_no_folder(self) -> bool:
+        """Whether `ament_python_install_package()` is given a folder that is not there, which CMK102 tells."""
+        missing = ReferencedPaths(self.package.cmake).missing()
+        return any(each.call.name == "ament_python_install_package" for each in missing)
 
     @property
     def has_other_ways(self) -> bool:

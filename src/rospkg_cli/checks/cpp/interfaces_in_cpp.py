@@ -40,6 +40,11 @@ class WrongInterface:
     is_compiled: bool
     """Whether the package's own build certainly compiles the file."""
 
+    @property
+    def header_name(self) -> str:
+        """What the header of the interface is called, which its type has as well: `set_mode`."""
+        return lower(NAME.split(self.text.partition(".")[0])[-1])
+
 
 @dataclass(frozen=True)
 class InterfacesInCpp:
@@ -53,7 +58,7 @@ class InterfacesInCpp:
         for source, role in compiled_sources(self.cmake, self.sources):
             seen: set[tuple[str, str, str]] = set()
             for each in (*self.headers(source), *self.types(source)) if role != "aside" else ():
-                key = (each.package, each.kind, lower(NAME.split(each.text.partition(".")[0])[-1]))
+                key = (each.package, each.kind, each.header_name)
                 if key not in seen:
                     seen.add(key)
                     yield each

@@ -5,8 +5,10 @@ from __future__ import annotations
 from ...light_dataclasses import dataclass
 from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
+from ...suggest import near_names
 from ..interfaces.package_interfaces import InterfaceGeneration
 from .declared_dependencies import DeclaredDependencies
+from .name_source import source_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +33,13 @@ class InterfaceTypeDependencies:
                     use = InterfaceTypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
                     found.setdefault(each.package, []).append(use)
         return found
+
+    def meant(self, package: str) -> str | None:
+        """Return the one declared dependency that a package nobody knows is a letter or two off."""
+        if source_of(self.declared, package) != "unknown":
+            return None
+        near = near_names(package, (each.name for each in self.declared.manifest.dependencies))
+        return near[0] if len(near) == 1 else None
 
     def is_found(self, package: str) -> bool:
         """Return whether CMake hands a package to rosidl: then it builds wherever that is installed."""

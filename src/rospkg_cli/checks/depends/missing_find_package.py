@@ -12,6 +12,7 @@ from ...package.cmake.target_links import TargetLinks
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
 from ...source import Span
+from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_includes import IncludeDependencies
 
@@ -65,7 +66,14 @@ class MissingFindPackages:
 
     def has_another_name(self, name: str) -> bool:
         """Return whether something is found that may be the same by CMake's name: `realsense2` for `librealsense2`."""
-        return any(each.lower() in name for each in self.found if len(each) >= MIN_LETTERS)
+        is_part = any(each.lower() in name for each in self.found if len(each) >= MIN_LETTERS)
+        return is_part or bool(self.misspelt and near_names(name, self.misspelt))
+
+    @cached_property
+    def misspelt(self) -> frozenset[str]:
+        """What is looked for and nobody knows, which CMK117 tells."""
+        known = (NameKind.PACKAGE, NameKind.KEY)
+        return frozenset(each for each in self.found if self.declared.workspace.kind_of(each) not in known)
 
     @property
     def is_complete(self) -> bool:

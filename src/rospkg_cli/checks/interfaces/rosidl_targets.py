@@ -20,7 +20,9 @@ from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
+from ...ros.names import NameKind
 from ...ros.read_table import rows
+from ...suggest import near_names, nearest
 
 GAPS = regex(
     r"\b(?:only|without|except|exclud\w+|skip\w*|omit\w*|(?:left|leave) out|disabled?|broken|not (?:yet|used))\b",
@@ -68,8 +70,10 @@ class RosidlTargets:
         ignores = self.cmake.package_files.absent.is_ignored
         for interface in self.interfaces if self.is_complete else ():
             is_listed = interface.path in self.cmake.generated_interfaces
+            if is_listed or interface.path in self.meant.values():
+                continue
             is_alone = interface.folder.rpartition("/")[2] in KINDS and not self.is_for_ros1(interface)
-            if not is_listed and is_alone and not ignores(interface.path):
+            if is_alone and not ignores(interface.path):
                 yield interface
 
     def is_commented_out(self, interface: InterfaceFile) -> bool:
@@ -110,6 +114,13 @@ class RosidlTargets:
             if path and not (files.exists(path) or files.absent.is_expected(path) or made.is_made(path)):
                 yield each
 
+    @cached_property
+    def meant(self) -> dict[str, str]:
+        """The one file that each missing one stands for, where one is near."""
+        known = [each.path for each in self.interfaces]
+        near = ((path, nearest(path, known)) for each in self.missing() if (path := each.path))
+        return {path: name for path, name in near if name is not None}
+
     def repeated(self) -> Iterator[tuple[ListedInterface, ListedInterface]]:
         """Yield what one call lists again, with the first of its kind."""
         for target in self.cmake.interface_targets:
@@ -131,10 +142,16 @@ class RosidlTargets:
             for each in self.listed:
                 interface = by_path.get(each.path or "") if each.target is target else None
                 for kind in interface.types if interface else ():
-                    if interface and kind.package not in seen:
+                    if interface and kind.package not in seen and not self.is_misspelt(kind.package):
                         seen.add(kind.package)
                         sure = certain and self.cmake.generated_interfaces.get(interface.path, False)
                         yield UnlistedDependency(target, kind.package, interface, kind, sure)
+
+    def is_misspelt(self, package: str) -> bool:
+        """Return whether a package is unknown and near to one that is declared: DEP108 says so."""
+        if self.workspace.kind_of(package) in (NameKind.PACKAGE, NameKind.KEY):
+            return False
+        return len(near_names(package, (each.name for each in self.package.dependencies))) == 1
 
     def passed_on(self, target: InterfaceTarget) -> tuple[set[str], bool]:
         """Return the packages whose interfaces a call links, and whether these are all.

@@ -9,12 +9,14 @@ from collections.abc import Iterator
 from ...languages.python.evaluate.values import Call
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of
+from ...languages.python.undefined_names import undefined_names
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
 from ...package.launch.python_to_text import text_of
 from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
+from ...suggest import near_names
 from .idle_actions import is_stored
 from .unset_configurations import LaunchConfigurations
 
@@ -45,9 +47,11 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
     told = told_arguments(configurations)
+    unknown = {each.name for each in undefined_names(file)}
     for name, node, value in unread(file):
         call = calls.get(file.span(value))
-        if call is not None and not is_told(call, told) and not is_mentioned(name, file):
+        is_misspelt = bool(near_names(name, unknown))  # where it is read: LCH013
+        if call is not None and not is_misspelt and not is_told(call, told) and not is_mentioned(name, file):
             what = f"`{name}`" if name else f"this `{class_of(call)}`"
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")

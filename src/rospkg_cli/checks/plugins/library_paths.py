@@ -10,6 +10,8 @@ from ...languages.xml.parser import Attribute
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
+from ...suggest import near_names
+from ..cmake.target_references import TargetReferences
 from .plugin_package import DescribedPlugin, PluginPackage, spaceless
 
 LibraryFault = Literal["prefixed", "unknown", "static", "absent"]
@@ -97,6 +99,8 @@ class PluginLibraries:
             return False
         if any(f":{target}>" in word.text for rule in self.cmake.installs for word in rule.items):
             return False
+        if any(near_names(each.word.text, [target]) for each in TargetReferences(self.cmake).broken()):
+            return False  # a rule installs it under a misspelt name, which CMK110 tells
         name = self.cmake.output_names.get(target, target)
         files = {PurePosixPath(row.destination).name.partition(".")[0].removeprefix("lib") for row in self.table.rows}
         return name.removeprefix("lib") not in files

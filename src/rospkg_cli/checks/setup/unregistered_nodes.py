@@ -58,11 +58,13 @@ class UnregisteredNodes:
         if any(each.fault or each.meant_group for each in setup.entry_points):
             return
         known = {entry.module for entry in setup.entry_points}
+        missing = (module for module in known if module and self.package.is_missing(module))
+        meant = set(map(self.package.suggestion, missing))  # which SET101 tells
         nodes = {m: main for m in setup.modules if m not in known and (main := self.main_of(m)) is not None}
         folders = [module.rpartition(".")[0] for module in nodes]
         for module, main in nodes.items():
             folder = module.rpartition(".")[0]
-            if self.is_started(module.rpartition(".")[2]):
+            if module in meant or self.is_started(module.rpartition(".")[2]):
                 continue
             has_others = any(each.module.rpartition(".")[0] == folder for each in self.package.nodes)
             file = self.package.modules.at(setup.modules[module])

@@ -80,9 +80,9 @@ class CMakeTableBuilder:
                 yield missing
             place = self.artifacts.destination(rule, target) if target is not None and target.is_built else None
             if target is not None and place is not None:
-                yield self.row(
-                    posixpath.join(place, self.artifacts.file_name(target)), "", word, rule.call, target.call
-                )
+                path = posixpath.join(place, self.artifacts.file_name(target))
+                row = self.row(path, "", word, rule.call, target.call)
+                yield replace(row, what="executable") if target.is_executable and place == "lib" else row
 
     def missing_executable(self, rule: InstallRule, word: Word) -> InstalledFile | None:
         """Return the row of a target that nothing makes, so that only this is told, and not also who starts it."""

@@ -10,7 +10,8 @@ from ...languages.cmake.call_stack import PYTHON
 from ...languages.cmake.evaluated_command import EvaluatedCommand, by_keyword
 from ...languages.cmake.values import PREFIX, UNKNOWN, Word
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
+from ...suggest import near_names
 
 Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
 
@@ -21,6 +22,9 @@ OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "
            "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "RENAME", "MESSAGE_NEVER", "FILES_MATCHING",
            "PATTERN", "REGEX", "FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES",
            "RUNTIME_DEPENDENCY_SET")  # fmt: skip
+SHORTEST, SHORT = 6, 9
+"""Letters of a keyword that can be told from a name in capitals, and from which two may be wrong."""
+
 TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 """Where `TYPE` puts files, by GNUInstallDirs."""
 
@@ -75,10 +79,21 @@ def below_prefix(text: str) -> str | None:
     return SITE.sub(PYTHON, posixpath.normpath(text)) if text else "."
 
 
+def meant_keyword(word: Word, kind: str) -> str | None:
+    """Return the keyword of `install(kind …)` that a word without quotes is a letter or two off; None for all others.
+
+    The rule is read as it is meant: what is wrong is told at the word.
+    """
+    text, keywords = word.text, (*OPTIONS, *(ARTIFACTS if kind == "TARGETS" else ()))
+    if word.quoted or len(text) < SHORTEST or not text.replace("_", "").isupper() or text in keywords:
+        return None
+    return next(iter(near_names(text, keywords, 1 if len(text) < SHORT else 2)), None)
+
+
 def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`install(…)` in all its forms."""
     kind = call.texts[0] if call.words else ""
-    words = call.words[1:]
+    words = [replace(word, text=meant_keyword(word, kind) or word.text) for word in call.words[1:]]
     if kind == "TARGETS":
         yield targets_rule(call, words)
     elif kind in ("FILES", "PROGRAMS"):

@@ -9,25 +9,34 @@ from ..cmake.cmake_project import CMake
 from ..file_role import role_of
 from .reader import interface_paths
 
+SUFFIXES = tuple(f".{kind}" for kind in KINDS)
 GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (".in", ".em", ".j2", ".template"))
 
 
 def interface_names(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
 
-    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own.
+    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own. What CMake lists
+    and is not there counts: that it is missing is told once.
     """
     found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
     for path in reading.files.paths:
         folder = path.rpartition("/")[0].rpartition("/")[2]
         if path.endswith(".idl") and folder in KINDS and role_of(path) == "run":
             found.add(f"{folder}/{stem(path)}")
+    found |= {f"{path.rpartition('.')[2]}/{stem(path)}" for path in listed_paths(reading)}
     complete = not any(path.endswith(GENERATED) for path in reading.files.paths) and all_are_own(reading)
     return frozenset(found), complete
 
 
 def stem(path: str) -> str:
     return path.rpartition("/")[2].rpartition(".")[0]
+
+
+def listed_paths(reading: ReaderInput) -> set[str]:
+    """Return the .msg, .srv and .action files that CMake generates interfaces of."""
+    cmake = reading.parts(CMake).only if is_built_with_cmake(reading) else None
+    return {path for path in cmake.generated_interfaces if path.endswith(SUFFIXES)} if cmake is not None else set()
 
 
 def all_are_own(reading: ReaderInput) -> bool:

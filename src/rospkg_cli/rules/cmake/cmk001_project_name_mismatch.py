@@ -11,6 +11,7 @@ from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
+from ...ros.manifest import PACKAGE_NAME
 from ...rule import rule
 
 FIRST = CMAKE.partition("\n")[0]
@@ -69,6 +70,8 @@ def project_name_mismatch(package: CMakePackage) -> Iterator[Hit]:
     valid = NAME.fullmatch(name)
     fix = Fix(f"call the project `{name}`", (Edit(word.path, span, name),)) if span and valid else None
     advice = f"write `project({name})`" if valid else "give both one name"
+    if not PACKAGE_NAME.fullmatch(name) and name.lower().replace("-", "_") == word.text:
+        fix, advice = None, f"call the package `{word.text}`, as REP-144 allows no such name"
     message = (
         f"`project({word.text})` does not fit the package `{name}`: ament_package() stops the build with "
         f'"does not match current PROJECT_NAME"; {advice}'

@@ -12,6 +12,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 HEAD = CMAKE.removesuffix("ament_package()\n")
+MAX_RELATED = 10
 EXPORT = "ament_export_include_directories(include/${PROJECT_NAME})\n"
 
 
@@ -46,13 +47,17 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## Fix safety
     The call of `ament_package()` goes to the end of the file, past everything that may be there on purpose.
     """
-    for late in commands_after_ament_package(package.cmake):
-        end = late.end.name
-        message = f"`{late.call.name}` comes after `{end}()`: {late.consequence}; call `{end}()` last"
-        place = Related(late.end.path, late.end.command.span, f"`{end}()` is called here")
-        level = Severity.WARNING if late.only_linters else None
-        fix = move_to_end(package, late)
-        yield Hit(late.call.path, late.call.command.span, message, level, related=(place,), fix=fix)
+    late = sorted(commands_after_ament_package(package.cmake), key=lambda each: (each.only_linters, not each.is_fatal))
+    if not late:
+        return
+    first, *others = late
+    end, more = first.end.name, f" and {len(others)} more come" if others else " comes"
+    message = f"`{first.call.name}`{more} after `{end}()`: {first.consequence}; call `{end}()` last"
+    place = Related(first.end.path, first.end.command.span, f"`{end}()` is called here")
+    also = (Related(each.call.path, each.call.command.span, each.consequence) for each in others[:MAX_RELATED])
+    level = Severity.WARNING if first.only_linters else None
+    fix = move_to_end(package, first)
+    yield Hit(first.call.path, first.call.command.span, message, level, (place, *also), fix)
 
 
 def move_to_end(package: CMakePackage, late: MisplacedCommand) -> Fix | None:

@@ -8,9 +8,9 @@ from ...checks.cmake.missing_paths import MissingPaths
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.meant_paths import meant_path
 from ...package.cmake.referenced_paths import ReferencedPath
 from ...rule import rule
-from ...suggest import did_you_mean
 
 MAX_RELATED = 3
 INSTALL = CMAKE.replace(
@@ -78,10 +78,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     that can't be evaluated, and with OPTIONAL.
     """
     for (named, for_everyone), *others in together(MissingPaths(package.cmake).all()):
-        paths = package.cmake.package_files.paths
-        if named.use == "subdirectory":
-            paths = tuple(path for path in paths if path.endswith("/CMakeLists.txt"))
-        near = did_you_mean(named.path, paths)
+        meant = meant_path(package.cmake, named)
+        near = f" (did you mean `{meant}`?)" if meant else ""
         message = f"`{named.path}` does not exist{near}: {consequence(named)}"
         related = tuple(Related(each.word.path, each.word.span, "and here") for each, _ in others[:MAX_RELATED])
         level = None if for_everyone else Severity.WARNING

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...package.cmake.cmake_project import CMake
 from ...rule import rule
 
 MAIN = "int main() {return 0;}\n"
@@ -87,17 +88,30 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     if not misplaced.package.is_ament:
         return
     project = misplaced.package.cmake.project_name
-    for each in misplaced.all():
-        if project != name and each.destination == f"lib/{project}":
-            continue  # the name of the project is at fault: CMK001
-        start = (
-            f"`{each.name}` is installed into `{each.destination}`: `ros2 run {name} {each.name}` and launch files look"
+    wrong = (each for each in misplaced.all() if project == name or each.destination != f"lib/{project}")
+    for edits, (first, *others) in together(misplaced.package.cmake, wrong):  # of the project's name CMK001 tells
+        count = f" and {len(others)} more" if others else ""
+        start = f"`{first.name}`{count} {'are' if others else 'is'} installed into `{first.destination}`: `ros2 run"
+        message = (
+            f"{start} {name} {first.name}` and launch files look in `lib/{name}` alone; use `lib/${{PROJECT_NAME}}`"
         )
-        message = f"{start} in `lib/{name}` alone; use `lib/${{PROJECT_NAME}}`"
-        edits = to_libexec(misplaced.package.cmake, each)
-        safety = Safety.SAFE if level(each) is None else Safety.UNSAFE
-        fix = Fix(f"install `{each.name}` into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
-        yield Hit(each.word.path, each.word.span, message, level(each), fix=fix)
+        severity = level(first)
+        safety = Safety.SAFE if severity is None else Safety.UNSAFE
+        fix = Fix(f"install `{first.name}`{count} into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
+        related = tuple(Related(each.word.path, each.word.span, "and here") for each in others)
+        yield Hit(first.word.path, first.word.span, message, severity, related, fix)
+
+
+def together(
+    cmake: CMake, wrong: Iterable[MisplacedExecutable]
+) -> Iterator[tuple[tuple[Edit, ...], list[MisplacedExecutable]]]:
+    """Yield what one rule installs and the same edits send to its place: that is one cause."""
+    found: dict[object, tuple[tuple[Edit, ...], list[MisplacedExecutable]]] = {}
+    for each in wrong:
+        edits = to_libexec(cmake, each)
+        key = (id(each.rule), edits, level(each))
+        found.setdefault(key, (edits, []))[1].append(each)
+    yield from found.values()
 
 
 def level(misplaced: MisplacedExecutable) -> Severity | None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.cpp.foreign_headers import ForeignHeader, ForeignHeaders
 from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
 from ...example import CMAKE, Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 LINES = """\
@@ -71,14 +71,23 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     ## Fix safety
     The intended header is a guess.
     """
-    for each in headers.all():
-        fix = Fix(f"include `{each.meant}`", (Edit(each.path, each.span, each.meant),), Safety.UNSAFE)
-        level = None if each.is_compiled else Severity.WARNING
-        yield Hit(each.path, each.span, message(each), level, fix=fix if each.meant else None)
-
+    for first, *others in by_header(headers.all()):
+        edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others))
+        fix = Fix(f"include `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
+        level = None if first.is_compiled else Severity.WARNING
+        related = tuple(Related(each.path, each.span, "and here") for each in others)
+        yield Hit(first.path, first.span, message(first), level, related, fix)
     for other in ForeignHeaders(headers).all():
         level = None if other.is_compiled else Severity.WARNING
         yield Hit(other.path, other.span, of_nobody(other), level)
+
+
+def by_header(found: Iterable[MissingHeader]) -> Iterable[list[MissingHeader]]:
+    """Return the includes of each header together, those that the build certainly compiles first: one cause."""
+    same: dict[tuple[str, str], list[MissingHeader]] = {}
+    for each in sorted(found, key=lambda each: not each.is_compiled):
+        same.setdefault((each.header, each.meant), []).append(each)
+    return same.values()
 
 
 def of_nobody(each: ForeignHeader) -> str:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ...checks.depends.interface_types import InterfaceTypeDependencies
+from ...checks.depends.interface_types import InterfaceTypeDependencies, InterfaceTypeUse
 from ...checks.depends.name_source import is_left_out
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import CMAKE, Example, manifest
-from ...finding import Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
 
 CMAKE_MSG = CMAKE.replace(
@@ -72,6 +72,9 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     brought: list[BroughtUse] = []
     for name, uses in interfaces.undeclared().items():
         first = uses[0]
+        if near := interfaces.meant(name):
+            yield misspelt(name, near, uses)
+            continue
         if bringer := declared.bringer([name], runs=False):
             brought.append(BroughtUse(name, bringer, "depend", first.path, first.span))
             continue
@@ -84,3 +87,12 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
         level = Severity.INFO if is_left_out(declared, name) else mild
         yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
     yield from left_to_others(declared, brought, "used in interfaces")
+
+
+def misspelt(name: str, near: str, uses: Sequence[InterfaceTypeUse]) -> Hit:
+    first = uses[0]
+    message = f"no package is called `{name}` (did you mean `{near}`?), and its `{first.type}` is used here"
+    edits = tuple(Edit(use.path, use.span, use.type.replace(name, near, 1)) for use in uses)
+    fix = Fix(f"write `{near}`", edits, Safety.UNSAFE)
+    places = related((use.path, use.span) for use in uses)
+    return Hit(first.path, first.span, f"{message}: the generated code does not build; correct it", None, places, fix)

@@ -8,7 +8,6 @@ from ...checks.interfaces.rosidl_targets import RosidlTargets
 from ...example import INTERFACES_CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
-from ...suggest import did_you_mean
 
 LISTED = '"srv/SetMode.srv"'
 RENAMED = '"srv/SetMode.srv"\n  «"srv/SetModes.srv"»'
@@ -43,9 +42,9 @@ def missing_interface(generated: RosidlTargets) -> Iterator[Hit]:
     Where a command writes the file, or a program is run in its folder; where a .gitignore names it; below a submodule
     that is not checked out; and under a condition that can't be evaluated.
     """
-    known = [interface.path for interface in generated.interfaces]
     for listed in generated.missing():
-        hint = did_you_mean(listed.path or "", known)
+        meant = generated.meant.get(listed.path or "")
+        hint = f" (did you mean `{meant}`?)" if meant else ""
         message = (
             f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops CMake; name an existing file"
         )

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.cpp.interfaces_in_cpp import InterfacesInCpp, WrongInterface
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 LINES = """\
@@ -69,10 +69,20 @@ def unknown_interface_in_cpp(interfaces: InterfacesInCpp) -> Iterator[Hit]:
     ## Fix safety
     The intended name is a guess.
     """
-    for each in interfaces.wrong():
-        fix = Fix(f"write `{each.meant}`", (Edit(each.path, each.span, each.meant),), Safety.UNSAFE)
-        level = None if each.is_compiled else Severity.WARNING
-        yield Hit(each.path, each.span, message(each), level, fix=fix if each.meant else None)
+    for first, *others in by_interface(interfaces.wrong()):
+        edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others) if each.meant)
+        fix = Fix(f"write `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
+        level = None if first.is_compiled else Severity.WARNING
+        related = tuple(Related(each.path, each.span, "and here") for each in others)
+        yield Hit(first.path, first.span, message(first), level, related, fix)
+
+
+def by_interface(found: Iterable[WrongInterface]) -> Iterable[list[WrongInterface]]:
+    """Return the places of each interface together, those that the build certainly compiles first: one cause."""
+    same: dict[tuple[str, str, str], list[WrongInterface]] = {}
+    for each in sorted(found, key=lambda each: not each.is_compiled):
+        same.setdefault((each.package, each.kind, each.header_name), []).append(each)
+    return same.values()
 
 
 WHAT = {"msg": "message", "srv": "service", "action": "action"}

@@ -96,8 +96,10 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     if file.python is None or not file.has_entry_point:
         return
     found: dict[str, list[UseOfName]] = {}
+    wrong = list(wrong_imports(file.python))
     for name in undefined_names(file.python):
-        found.setdefault(name.name, []).append(weighed(file.python, name))
+        if name.name not in {each.near for each in wrong}:  # its import is misspelt
+            found.setdefault(name.name, []).append(weighed(file.python, name))
     for uses in found.values():
         use = min(uses, key=lambda one: LEVELS.index(one.level))
         message = f"`{use.found.name}` is defined nowhere: {use.ends}{hint(use.found)}"
@@ -108,7 +110,7 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         message = f"`{late.name}` is used here and assigned in line {late.line}"
         message = f"{message}: {stops_with(file.python)} UnboundLocalError; assign it first"
         yield Hit(file.path, late.span, message, level)
-    for each in wrong_imports(file.python):
+    for each in wrong:
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
         message = f"`{each.module}` has no `{each.name}`: {stops_with(file.python)} ImportError; {better}"
         yield Hit(file.path, each.span, message)

@@ -88,8 +88,9 @@ def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
         if violation.element in too_new[1:]:
             continue
         described = describe(manifest, violation)
+        is_newer = violation.element in newer and violation.element not in too_new
         if described is not None and not (
-            violation.element in newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
+            is_newer and violation.kind in (ViolationKind.CHILD, ViolationKind.ATTRIBUTE)
         ):
             span, what, lost = described
             mild = Severity.WARNING if tests.is_tested else Severity.INFO

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.misplaced_tag import is_of_format_2
 from ...checks.manifest.schema_tests import SchemaTests
 from ...edits.manifest_format import to_format_3
 from ...example import Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...languages.xml.elements import Attribute, Element
 from ...rule import rule
+from ...source import Span
 
 GOOD = manifest('  <exec_depend condition="$ROS_VERSION == 2">rclpy</exec_depend>\n')
 BAD = GOOD.replace('format="3"', 'format="2"').replace("format3.xsd", "format2.xsd")
@@ -53,14 +56,22 @@ def feature_needs_format_3(tests: SchemaTests) -> Iterator[Hit]:
     - [REP-149](https://ros.org/reps/rep-0149.html)
     """
     manifest = tests.manifest
-    if manifest.schema_format == 3:
-        return
+    if manifest.schema_format == 3 or any(is_of_format_2(manifest, each) for each in manifest.verdict.violations):
+        return  # of a manifest in format 1 with tags of format 2, XML001 tells
     fix = Fix('Write format="3"', to_format_3(manifest))
-    for element, attribute in manifest.features_of_3:
+    mild = [each for each in manifest.features_of_3 if each[1] is not None and each[1].name == "compatibility"]
+    for features in ([each for each in manifest.features_of_3 if each not in mild], mild):
+        if not features:
+            continue
+        (element, attribute), *others = features
         what = f"the attribute `{attribute.name}` of `<{element.tag}>`" if attribute else f"`<{element.tag}>`"
-        mild = attribute is not None and attribute.name == "compatibility"
-        lost = tests.harm if mild else "colcon builds the folder as a plain package"
+        lost = tests.harm if features is mild else "colcon builds the folder as a plain package"
         message = f"{what} came with format 3, and this is format {manifest.schema_format}: {lost}"
-        place = attribute.span if attribute else element.span
-        level = (Severity.WARNING if tests.is_tested else Severity.INFO) if mild else None
-        yield Hit(manifest.path, place, f'{message}; write `<package format="3">`', level, fix=fix)
+        level = (Severity.WARNING if tests.is_tested else Severity.INFO) if features is mild else None
+        related = tuple(Related(manifest.path, span_of(*each), "and here") for each in others)
+        whole = f'{message}; write `<package format="3">`'
+        yield Hit(manifest.path, span_of(element, attribute), whole, level, related, fix)
+
+
+def span_of(element: Element, attribute: Attribute | None) -> Span:
+    return attribute.span if attribute else element.span

@@ -65,6 +65,9 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     if element is None or (PACKAGE_NAME.fullmatch(name) and len(name) > 1):
         return
     better = re.sub(r"[^a-z0-9]+", "_", name.lower()).lstrip("_0123456789").rstrip("_")
+    cmake, project = package.files.readable_text("CMakeLists.txt"), name.lower().replace("-", "_")
+    if project != name and "ament_package" in cmake and re.search(rf"\bproject\s*\(\s*{re.escape(project)}\b", cmake):
+        return  # the project has the right name: CMK001
     hint = f"; call it `{better}`" if PACKAGE_NAME.fullmatch(better) and len(better) > 1 else ""
     level = None
     if not name:

@@ -1,0 +1,75 @@
+"""CMK120 misspelt-install-keyword."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...example import CMAKE, Example
+from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.install_rules import meant_keyword
+from ...rule import rule
+
+LINES = """\
+install(DIRECTORY launch
+  {} share/${{PROJECT_NAME}}
+)
+"""
+TARGETS = """\
+add_library(core SHARED src/core.cpp)
+install(TARGETS core {} DESTINATION lib)
+"""
+
+
+def cmake(lines: str, keyword: str) -> str:
+    return CMAKE.replace("ament_package", lines.format(keyword) + "ament_package")
+
+
+@rule(
+    "CMK120",
+    "misspelt-install-keyword",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(LINES, "«DESTINTION»"), "launch/talker.launch.xml": "<launch/>\n"},
+            good={"CMakeLists.txt": cmake(LINES, "DESTINATION")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(TARGETS, "«LIBRAY»"), "src/core.cpp": "int core() {return 1;}\n"},
+            good={"CMakeLists.txt": cmake(TARGETS, "LIBRARY")},
+            on="ament_cmake",
+            fix=Safety.UNSAFE,
+        ),
+    ),
+)
+def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds words in `install()` that are one or two letters off a keyword, such as `DESTINTION`.
+    All other rules read the call as it is meant.
+
+    ## Why is this bad?
+    CMake takes the word for one more target, file or folder, and what follows it too: it stops, at once or when it
+    installs.
+
+    ## When it is quiet
+    For words in quotes, those that are not all in capitals, and names of targets, files and folders that are there.
+    Under a condition that can't be evaluated.
+
+    ## Fix safety
+    The word may be the name of something that is missing.
+    """
+    cmake = package.cmake
+    for call in cmake.named("install"):
+        for word in call.words[1:] if not call.maybe else ():
+            meant = meant_keyword(word, call.texts[0])
+            if meant is None or word.maybe or cmake.target(word.text) or cmake.package_files.is_there(word.text):
+                continue
+            start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
+            message = f"{start}: CMake stops, as it takes it for something to install; correct it"
+            fix = Fix(f"write `{meant}`", (Edit(word.path, word.span, meant),), Safety.UNSAFE)
+            is_literal = cmake.source_text(word) == word.text
+            yield Hit(word.path, word.span, message, fix=fix if is_literal else None)
